@@ -19,6 +19,13 @@ BUILD ?= build
 VARIANTS := double float
 # What there are rules for, whichever of them are tested.
 REALS := double float
+# A switch is yes; or no or nothing, which are then the same. Another choice is
+# one of some words.
+must_be_one = $(if $(filter-out 1,$(words $($(1))))$(filter-out $(2),$($(1))),\
+  $(error $(1) is one of: $(2); not '$($(1))'))
+switch = $(if $($(1)),$(call must_be_one,$(1),yes no))$(eval override \
+  $(1) := $(filter yes,$($(1))))$(eval $(if $($(1)),,un)export $(1))
+$(foreach one,FEW FULL KEY_WEAK UPLINK,$(call switch,$(one)))
 MAKEFLAGS += --no-builtin-rules
 # A make that another one starts has its jobs.
 ifeq ($(or $(MAKELEVEL),0),0)
@@ -63,6 +70,12 @@ COMMIT := echo $$(git describe --always --dirty --exclude='*' 2>/dev/null || \
 TOOL_FLAGS_commit = -DTF_COMMIT='"$(shell $(COMMIT))"'
 FLAGS_double :=
 FLAGS_float := -DTF_REAL_FLOAT
+# Lanes for vectors that not every x86-64 has: the ensemble once more, under
+# names of its own, which the command line takes where the processor can.
+ifneq ($(filter x86_64-%,$(shell $(CC) -dumpmachine 2>/dev/null)),)
+AVX2_FLAGS := -mavx2 -mtune=icelake-server $(foreach n,step put get report,\
+  $(foreach r,f32 f64,-Dtf_ensemble_$(n)_$(r)=tf_ensemble_$(n)_avx2_$(r)))
+endif
 
 .DEFAULT_GOAL := help
 .SECONDARY:
@@ -130,15 +143,21 @@ $(BUILD)/$(1)/libtwofold.a: $$(call objects_of_$(1),$(CORE))
 	$$(archive)
 $(BUILD)/$(1)/libsupport.a: $$(call objects_of_$(1),$(SUPPORT))
 	$$(archive)
+$(BUILD)/$(1)/lanes/avx2.o: src/moreau/ensemble.c $(BUILD)/$(1)/flags
+	$$(call compile,$$(CORE_FLAGS) $$(AVX2_FLAGS) $$(FLAGS_$(1)))
 $(BUILD)/$(1)/twofold: $$(call objects_of_$(1),$(CLI)) \
-    $(BUILD)/$(1)/libtwofold.a
+    $(if $(AVX2_FLAGS),$(BUILD)/$(1)/lanes/avx2.o) $(BUILD)/$(1)/libtwofold.a
 	$$(link)
 $(call programs,$(TESTS),$(1)): %: %.o $(BUILD)/$(1)/libsupport.a \
     $(BUILD)/$(1)/libtwofold.a
 	$$(link)
 # A test of the command line is linked with what it tests.
-$(BUILD)/$(1)/tests/cli/test_canard: $(BUILD)/$(1)/tools/cli/diverge/canard.o \
+$(BUILD)/$(1)/tests/cli/test_canard $(BUILD)/$(1)/tests/cli/test_waits: \
+  $(BUILD)/$(1)/tools/cli/diverge/canard.o \
   $(BUILD)/$(1)/tools/cli/diverge/field.o
+$(BUILD)/$(1)/tests/cli/test_waits: $(BUILD)/$(1)/tools/cli/diverge/random.o \
+  $(BUILD)/$(1)/tools/cli/diverge/motion.o \
+  $(BUILD)/$(1)/tools/cli/diverge/tracker.o
 endef
 
 # Only this file is compiled again where the commit is another one.
@@ -157,9 +176,11 @@ define archive
 	@echo '  AR    $@'
 	@rm -f $@ && $(AR) rcs $@ $(filter %.o,$^)
 endef
+# Under another name first: boards that are tested side by side may run it.
 define link
 	@echo '  LINK  $@'
-	@$(CC) $(OPT) $(EXTRA) $(filter %.o %.a,$^) -lm -o $@
+	@$(CC) $(OPT) $(EXTRA) $(filter %.o,$^) $(filter %.a,$^) -lm -o $@.$$$$ && \
+	  mv $@.$$$$ $@
 endef
 
 $(foreach r,$(REALS),$(eval $(call rules,$(r))))
@@ -178,9 +199,14 @@ line_needs = $(filter $(1:%=tests/line/test_%.%),$(TESTS))
 LINE := $(if $(call line_needs,hostile hil),$(VARIANTS:%=line-%))
 LINE += $(if $(call line_needs,hil),$(REALS:%=$(BUILD)/%/hil))
 LINE += $(if $(call line_needs,line device replay),line-double)
-LINE += $(if $(call line_needs,device),line-keyed)
+LINE += $(if $(call line_needs,device hil),line-keyed)
+LINE += $(if $(filter tests/cli/test_endings.py,$(TESTS)),line-double \
+  $(BUILD)/double/hil)
+LINE += $(if $(filter tests/cli/test_sweep.sh,$(TESTS)),$(BUILD)/float/twofold)
 LINE += $(if $(call line_needs,replay),own-scene)
 LINE += $(if $(call line_needs,streams whole),line-csv line-plotter)
+LINE += $(if $(call line_needs,make),$(BUILD)/tests/key \
+  $(BUILD)/double/constants $(BUILD)/double/hil)
 line_firmware = @MAKEFLAGS= MAKELEVEL= $(MAKE) -s --no-print-directory elf \
   BOARD=host CC='$(CC)' OPT='$(OPT)' EXTRA='$(EXTRA)' BUILD='$(BUILD)' \
   SCENE=$(or $(2),chaos) RATE=1000 $(1)
@@ -217,14 +243,15 @@ NOT_QUICK := $(NEVER_QUICK) begin canard codim2 compensated degraded friction \
 CHANGED = $(sort $(foreach file,$(shell git status --porcelain -uall -- src \
   2>/dev/null),$(word 2,$(subst /, ,$(filter src/%,$(file))))))
 but_for = $(filter-out $(1:%=\%/test_%.c),$(filter %.c,$(2)))
-QUICK = $(sort $(call but_for,$(NOT_QUICK),$(TESTS)) $(call \
+QUICK_TESTS = $(sort $(call but_for,$(NOT_QUICK),$(TESTS)) $(call \
   but_for,$(NEVER_QUICK),$(filter $(CHANGED:%=tests/unit/%/%),$(TESTS))))
 quick: ## short laws and tests, units of changed rooms; double
 	@echo 'the core set$(CHANGED:%=, tests/unit/%); left out (make test):' \
-	  'float and $(words $(filter-out $(QUICK),$(TESTS))) of' \
+	  'float and $(words $(filter-out $(QUICK_TESTS),$(TESTS))) of' \
 	  '$(words $(TESTS)) programs'
 	@MAKEFLAGS= MAKELEVEL= $(MAKE) -s --no-print-directory test \
-	  VARIANTS=double OPT=-O1 BUILD='$(BUILD)/quick' TWOFOLD= TESTS='$(QUICK)'
+	  VARIANTS=double OPT=-O1 BUILD='$(BUILD)/quick' TWOFOLD= \
+	  TESTS='$(QUICK_TESTS)'
 
 all: ## compile everything: core, command line, tests, tools
 all: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/twofold \
@@ -237,4 +264,4 @@ include $(BOARD_MAKEFILES) \
   $(foreach r,package page bench study,$(call room,$(r))) $(VERIFY_MAKEFILES)
 
 -include $(shell find $(BUILD) -path '$(BUILD)/check' -prune \
-  -o -path '$(BUILD)/quick' -prune -o -name '*.d' -print 2>/dev/null)
+  -o -path '$(BUILD)/quick' -prune -o -name '*.d' -type f -print 2>/dev/null)

@@ -52,20 +52,24 @@
 // NOLINTBEGIN(bugprone-suspicious-include): one translation unit on purpose.
 #include "../src/num/kernel.c"
 #include "../src/num/philox.c"
+#include "../src/num/status.c"
 #ifdef SCHEME_LOCATED
 #include "../src/num/polynomial.c"
 #endif
 
 #include "../src/friction/codim2.c"
+#include "../src/friction/contact.c"
 #include "../src/friction/course.c"
+#include "../src/friction/inclusion.c"
 #include "../src/friction/mode.c"
+#include "../src/friction/prepared.c"
 #include "../src/friction/quadrant.c"
-#include "../src/friction/rest_motion.c"
 #include "../src/friction/select.c"
+#include "../src/friction/tyre.c"
+#include "../src/model/consistent.c"
 #include "../src/model/machine.c"
 #include "../src/model/prepare.c"
-#include "../src/model/status.c"
-#include "../src/model/tyre.c"
+#include "../src/model/rest_motion.c"
 #include "../src/moreau/balanced.c"
 #include "../src/moreau/begin.c"
 #include "../src/moreau/codim2_end.c"

@@ -12,20 +12,22 @@
 #   RATE=1000        steps a second; dt is 1/RATE
 #   STEPS=0          how many; 0 without end
 #   FORMAT=plotter   or csv, or frames (docs/PROTOCOL.md)
-#   UPLINK=          yes: takes commands (frames); else locked
+#   UPLINK=no        or yes: takes commands (frames); else locked
 #   DEADMAN=         ticks that inputs from the uplink hold, 0 without end; by
 #                    default those of half a second
-#   KEY=             a file of 32 hexadecimal digits which its owner alone may
-#                    read: commands need the tag of this key, and what the board
-#                    sends has it
-#   KEY_WEAK=        yes: also where a board cannot tell starts from each other
+#   KEY=             a file of 32 hexadecimal digits and white space behind
+#                    them, which its owner alone may read: commands need the
+#                    tag of this key, and what the board sends has it
+#   KEY_WEAK=no      or yes: also where a board cannot tell one start from the
+#                    others
 #   BAUD=            of its line, of those that it has; for `host` of the line
 #                    that it is to have, where that has a rate
 #   OVERRUN=skip     or stop: what the loop does about a step that ends too late
 #   EVERY=           steps from record to record; by default 50 records a second
 #   ONLY='host uno'  the boards for `make test-boards`
 #   PROGRAM=firmware or trajectory, population, window, stack, deadman,
-#                    kit (tests/target); wasm32: module
+#                    kit (tests/target), calls (tools/verify/cost);
+#                    wasm32: module
 
 BOARDS := $(filter-out template,$(patsubst port/%/board.mk,%,\
   $(wildcard port/*/board.mk)))
@@ -67,9 +69,23 @@ ifeq ($(wildcard port/$(BOARD)/board.mk),)
 $(error No board is named $(BOARD); there are: $(BOARDS))
 endif
 include port/$(BOARD)/board.mk
-ifneq ($(filter-out $(or $(BOARD_REALS),$(REAL)),$(REAL)),)
-$(error $(BOARD) has REAL=$(BOARD_REALS), not $(REAL))
-endif
+$(call switch,BOARD_SMALL)
+$(call switch,BOARD_SHARED)
+$(call must_be_one,REAL,$(or $(BOARD_REALS),$(REALS)))
+$(call must_be_one,FORMAT,plotter csv frames)
+$(if $(OVERRUN),$(call must_be_one,OVERRUN,skip stop))
+$(if $(SCHEME),$(call must_be_one,SCHEME,moreau located compensated))
+# Whole, of at most 32 bits, to which the compiler would cut it, and without the
+# zero in front by which it would be octal.
+is_whole = $(shell echo '$(strip $(1))' | grep -Exq '0|[1-9][0-9]{0,9}' && \
+  [ $(strip $(1)) -ge $(2) ] && [ $(strip $(1)) -lt 4294967296 ] && echo yes)
+must_be_whole = $(if $(call is_whole,$($(1)),$(2)),,$(error $(1) must be a \
+  whole number in [$(2), 4294967295], not '$($(1))'))
+$(call must_be_whole,RATE,1)
+$(call must_be_whole,STEPS,0)
+EVERY ?= $(shell echo $$((($(RATE) + 49) / 50)))
+$(call must_be_whole,EVERY,1)
+$(if $(DEADMAN),$(call must_be_whole,DEADMAN,0))
 # The scenes that a board has room for, where not for all.
 BOARD_SCENE := $(or $(firstword $(BOARD_SCENES)),chaos)
 SCENE ?= $(BOARD_SCENE)
@@ -81,9 +97,8 @@ endif
 endif
 
 BAUD ?= $(firstword $(BOARD_BAUDS))
-ifneq ($(filter-out $(or $(BOARD_BAUDS),$(BAUD)),$(BAUD)),)
-$(error $(BOARD) has BAUD=$(BOARD_BAUDS), not $(BAUD))
-endif
+$(if $(BAUD),$(call must_be_whole,BAUD,10)$(call must_be_one,BAUD,$(or \
+  $(BOARD_BAUDS),$(BAUD))))
 
 BOARD_CC ?= $(BOARD_TOOLS)gcc
 
@@ -114,6 +129,7 @@ SOURCE_stack := tests/target/stack.c port/firmware.c port/loop.c
 SOURCE_deadman := tests/target/deadman.c port/loop.c
 SOURCE_window := tests/target/window.c
 SOURCE_kit := tests/target/kit.c
+SOURCE_calls := tools/verify/cost/board.c
 FIRMWARE_SOURCES := $(SOURCE_$(PROGRAM)) $(wildcard port/$(BOARD)/*.c) \
   $(BOARD_SOURCES)
 FIRMWARE_FLAGS := -std=c99 $(BOARD_OPT) -ffp-contract=off -fno-math-errno \
@@ -122,9 +138,6 @@ FIRMWARE_FLAGS := -std=c99 $(BOARD_OPT) -ffp-contract=off -fno-math-errno \
   $(BOARD_FLAGS) $(FLAGS_$(REAL)) -DSTEPS=$(STEPS)
 ifneq ($(FIRMWARE_RATE),)
 FIRMWARE_FLAGS += -DRATE=$(RATE) -DSCENE_RATE=$(RATE)
-endif
-ifeq ($(filter plotter csv frames,$(FORMAT)),)
-$(error FORMAT is plotter, csv or frames, not $(FORMAT))
 endif
 ifneq ($(FORMAT),plotter)
 FIRMWARE_FLAGS += -D$(shell echo $(FORMAT) | tr a-z A-Z)
@@ -135,33 +148,12 @@ $(error UPLINK needs FORMAT=frames: a host learns the session from the schema)
 endif
 FIRMWARE_FLAGS += -DUPLINK
 endif
-# A whole number of at most 32 bits, which the compiler would cut to them.
-is_whole = $(shell echo '$(strip $(1))' | grep -Exq '[0-9]{1,10}' && \
-  [ $(strip $(1)) -ge $(2) ] && [ $(strip $(1)) -lt 4294967296 ] && echo yes)
-must_be_whole = $(if $($(1)),$(if $(call is_whole,$($(1)),$(2)),,$(error $(1) \
-  must be a whole number in [$(2), 4294967295], not $($(1)))))
-$(call must_be_whole,DEADMAN,0)
-$(call must_be_whole,STEPS,0)
-EVERY ?= $(shell echo $$((($(RATE) + 49) / 50)))
-$(call must_be_whole,EVERY,1)
-$(call must_be_whole,BAUD,10)
 ifneq ($(DEADMAN),)
 FIRMWARE_FLAGS += -DDEADMAN=$(DEADMAN)u
 endif
 ifneq ($(KEY),)
 ifeq ($(UPLINK),)
 $(error KEY is for commands: UPLINK=yes)
-endif
-KEY_IS := $(shell test $$(grep -xcE '[0-9A-Fa-f]{32}' '$(KEY)') = 1 && \
-  test $$(wc -l <'$(KEY)') -le 1 && ls -ldL '$(KEY)' | cut -c 5-10)
-ifeq ($(KEY_IS),)
-$(error KEY names a file that holds 32 hexadecimal digits and no more)
-endif
-ifneq ($(KEY_IS),------)
-$(error Others may read the key: chmod 600 $(KEY))
-endif
-ifneq ($(filter-out yes,$(KEY_WEAK)),)
-$(error KEY_WEAK is yes, or not given: not '$(KEY_WEAK)')
 endif
 ifeq ($(BOARD_BOOT)$(KEY_WEAK),)
 $(error $(BOARD) has no port_boot(), so that a session may come again, and \
@@ -179,12 +171,17 @@ FIRMWARE_FLAGS += -DUPLINK_KEY='"$(PROGRAM)$(NAMED).key"'
 KEY_HELD = umask 077; rm -f $@ $@.uf2 $(@:.elf=.key); \
   trap 'rm -f $(@:.elf=.key)' EXIT; trap 'exit 1' INT TERM HUP; \
   echo '  KEY   $(BOARD): $(KEY_SAYS)' >&2; \
-  sed 's/../0x&,/g' '$(KEY)' >$(@:.elf=.key);
+  $(BUILD)/$(REAL)/constants --key '$(KEY)' >$(@:.elf=.key) || exit 1;
+# Another key may be the older file, or of a file of the same name. Its CRC-32
+# is beside the program, which has the key itself, and has the same mode.
+KEY_SUM := $(FIRMWARE).keyed
+$(KEY_SUM): $(BUILD)/$(REAL)/constants FORCE
+	@mkdir -p $(@D)
+	@umask 077; new=$@.$$$$; key=$$($< --key '$(KEY)') || exit; \
+	echo "$$key" | cksum >$$new; \
+	if cmp -s $$new $@; then rm $$new; else mv $$new $@; fi
 endif
 ifneq ($(filter-out moreau,$(SCHEME)),)
-ifeq ($(filter located compensated,$(SCHEME)),)
-$(error SCHEME is moreau, located or compensated, not $(SCHEME))
-endif
 FIRMWARE_FLAGS += -DSCHEME_$(shell echo $(SCHEME) | tr a-z A-Z)
 endif
 ifeq ($(OVERRUN),stop)
@@ -197,7 +194,7 @@ FIRMWARE_FLAGS += -DBAUD=$(BAUD)u
 ifeq ($(PROGRAM),firmware)
 CHECK_LINE = @$(BUILD)/$(REAL)/constants --line \
   '$(if $(filter generic,$(SCENE)),$(START),$(SCENE))' $(FORMAT) $(RATE) \
-  $(EVERY) $(BAUD) $(UPLINK)
+  $(EVERY) $(BAUD) $(UPLINK) $(if $(KEY),key)
 endif
 endif
 ifeq ($(SCENE),generic)
@@ -216,9 +213,9 @@ $(CONSTANTS): $(BUILD)/$(REAL)/constants \
 	if cmp -s $$new $@; then rm $$new; else mv $$new $@; fi
 endif
 
-$(FIRMWARE): $(BUILD)/$(REAL)/constants $(CONSTANTS) $(FIRMWARE).flags $(KEY) \
-    $(wildcard port/*.[ch] port/arch/* port/$(BOARD)/* tests/target/*.c \
-      tests/golden/*.h) \
+$(FIRMWARE): $(BUILD)/$(REAL)/constants $(CONSTANTS) $(FIRMWARE).flags \
+    $(KEY_SUM) $(wildcard port/*.[ch] port/arch/* port/$(BOARD)/* \
+      tests/target/*.c tests/golden/*.h) \
     $(wildcard src/*/*.[ch] include/twofold/*.h)
 	@command -v $(BOARD_CC) >/dev/null || { echo '$(BOARD): $(BOARD_CC) is' \
 	  'missing (Debian: apt-get install $(BOARD_PACKAGES))'; exit 3; }

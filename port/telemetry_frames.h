@@ -12,25 +12,33 @@ static uint32_t telemetry_sequence;
 static uint8_t telemetry_description; // its next part
 static uint32_t telemetry_run;
 
+static uint32_t telemetry_chain;
+
 // With a key each frame names the session of the last schema and has a tag.
 #ifdef UPLINK_KEY
 static uint32_t telemetry_session;
 #define TELEMETRY_SESSION(now) (telemetry_session = (now))
-static unsigned telemetry_tagged(uint8_t *frame, size_t size) {
-  return (unsigned)tf_frame_tag(frame, size, telemetry_session, sim_key);
-}
+#define telemetry_tagged(frame, size) \
+  tf_frame_tag(frame, size, telemetry_session, sim_key)
 #else
 #define TELEMETRY_SESSION(now) (now)
-#define telemetry_tagged(frame, size) ((unsigned)(size))
+#define telemetry_tagged(frame, size) (size)
 #endif
+
+// A frame as it goes out, of which the next heartbeat tells. Returns: its size.
+static unsigned telemetry_done(uint8_t *frame, size_t size) {
+  size = telemetry_tagged(frame, size);
+  const uint8_t *crc = frame + size - 1 - TF_FRAME_CRC;
+  telemetry_chain = tf_frame_chain(telemetry_chain, crc);
+  return (unsigned)size;
+}
 
 static unsigned telemetry_record(uint8_t *to) {
   const unsigned n =
-      telemetry_tagged(to, tf_send_state(to, &telemetry_sequence, &SIM_STATE));
-  return n +
-         telemetry_tagged(
-             to + n, tf_send_report(to + n, &telemetry_sequence, SIM_STATE.tick,
-                                    &SIM_REPORT, SIM_SOURCE));
+      telemetry_done(to, tf_send_state(to, &telemetry_sequence, &SIM_STATE));
+  return n + telemetry_done(to + n, tf_send_report(to + n, &telemetry_sequence,
+                                                   SIM_STATE.tick, &SIM_REPORT,
+                                                   SIM_SOURCE));
 }
 
 // time: less than 2^32, so the product fits. What does not fit the frame stays
@@ -51,10 +59,11 @@ static unsigned telemetry_heartbeat(const loop_counts_t *c, uint8_t *to) {
                          .coarse = at_most_32_bits(SIM_TALLY.coarse),
                          .stalled = at_most_32_bits(SIM_TALLY.stalled),
                          .skipped = c->skipped,
-                         .run = telemetry_run};
+                         .run = telemetry_run,
+                         .chain = telemetry_chain};
   if (c->steps > 0) {
     beat.exec_min = nanoseconds(c->shortest);
-    beat.exec_mean = nanoseconds(c->sum / c->steps);
+    beat.exec_mean = nanoseconds(loop_mean(c));
   }
 #ifdef UPLINK
   const tf_decoder_t *decoder = &sim.link.decoder;
@@ -64,7 +73,7 @@ static unsigned telemetry_heartbeat(const loop_counts_t *c, uint8_t *to) {
   beat.expired = sim.simulation.expired;
 #endif
   telemetry_description = 0;
-  return telemetry_tagged(
+  return telemetry_done(
       to, tf_send_heartbeat(to, &telemetry_sequence, SIM_STATE.tick, &beat));
 }
 
@@ -144,7 +153,7 @@ static size_t telemetry_untagged(uint8_t *to) {
 
 static unsigned telemetry_other(uint8_t *to) {
   const size_t n = telemetry_untagged(to);
-  return n > 0 ? telemetry_tagged(to, n) : 0;
+  return n > 0 ? telemetry_done(to, n) : 0;
 }
 
 #endif

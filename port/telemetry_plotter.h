@@ -29,7 +29,7 @@ static unsigned telemetry_heartbeat(const loop_counts_t *c, uint8_t *to) {
             at_most_32_bits(SIM_TALLY.degraded + SIM_TALLY.fell_back +
                             SIM_TALLY.coarse + SIM_TALLY.stalled));
   text_pair(&text, " min:", c->steps > 0 ? c->shortest : 0);
-  text_pair(&text, " mean:", c->steps > 0 ? (uint32_t)(c->sum / c->steps) : 0);
+  text_pair(&text, " mean:", loop_mean(c));
   text_pair(&text, " max:", c->longest);
   text_string(&text, "\r\n");
   return (unsigned)(text.end - to);

@@ -14,8 +14,9 @@
 TF_BEGIN_C
 
 #define TF_FRAME_VERSION 3
-/// Version, type, length, sequence (4) and tick (8).
+/// Version, type, length, sequence (4) and tick (8); then the payload and CRC.
 #define TF_FRAME_HEADER 15
+#define TF_FRAME_CRC 5
 /// Where the payload has to be for tf_frame_seal.
 #define TF_FRAME_AT (2 + TF_FRAME_HEADER)
 /// Longest payload.
@@ -61,6 +62,12 @@ typedef struct {
 #define tf_frame_seal TF_LINK(tf_frame_seal)
 TF_API size_t tf_frame_seal(uint8_t *wire, uint8_t type, size_t length,
                             uint32_t *sequence, uint64_t tick);
+
+/// Chain of a sender's frames, over their CRCs: heartbeats have it so far.
+/// before: in, the chain up to the last frame, 0 before the first. crc: in,
+///   TF_FRAME_CRC bytes, on the line or behind the payload in a decoder.
+#define tf_frame_chain TF_LINK(tf_frame_chain)
+TF_API uint32_t tf_frame_chain(uint32_t before, const uint8_t *crc);
 
 /// Prepares a decoder.
 /// decoder: out. buffer: kept, size bytes (TF_DECODER_SIZE).

@@ -1,7 +1,7 @@
 /// @file
 /// The uplink: commands that come over a line, applied at the boundary between
 /// two steps. Without them nobody can change parameters from outside.
-/// A command of this session with a new number waits in a queue until
+/// A command of the open session with a new number waits in a queue until
 /// tf_link_boundary is called at its tick or later, and its answer in the same
 /// place until tf_link_answer is called: memory is bounded and no answer is
 /// lost. A command that finds the queue full is counted, gets no answer, and

@@ -5,54 +5,11 @@
 #ifndef TWOFOLD_MACHINE_H
 #define TWOFOLD_MACHINE_H
 
+#include "twofold/contact.h"
 #include "twofold/real.h"
 #include "twofold/status.h"
-#include "twofold/tyre.h"
 
 TF_BEGIN_C
-
-/// Which of several consistent modes a step takes. All rules share the order:
-/// - A slip that is still consistent goes on: off h = 0 the future is unique,
-///   and a second consistent mode beside it an artefact of the finite step.
-/// - A slip never enters an escaping stick: both fields point away from it.
-/// - An attracting stick goes on.
-/// - Where the present mode is lost: attracting stick, pinned, slip (the
-///   faster one if both), escaping stick, in this order.
-/// - At h = g = 0 every mode is lost, and a slip leaves along a limit
-///   direction. A direction to which its neighbours turn attracts: such a slip
-///   comes after the attracting stick and before pinned. Of two modes of one
-///   kind the one whose slip grows faster is taken.
-/// The rule itself decides how an escaping stick ends, and what a wheel does
-/// that comes to h = g = 0 where it may rest: RANDOM lets it rest, pinned, till
-/// its draw; the others take it into an attracting stick or slip where one is
-/// consistent, because rest is not stable then.
-typedef enum {
-  TF_RULE_PERSIST,    ///< stay while it is consistent (default)
-  TF_RULE_SLIP_PLUS,  ///< slip to h > 0 as soon as that is consistent
-  TF_RULE_SLIP_MINUS, ///< slip to h < 0 as soon as that is consistent
-  TF_RULE_RANDOM      ///< leave at a constant rate [1/s], by an even draw: an
-                      ///< escaping stick among the slips, a pinned wheel among
-                      ///< all other modes that are consistent
-} tf_rule_t;
-#define TF_RULES 4
-
-/// "persist" "slip+" "slip-" "random".
-#define tf_rule_name TF_LINK(tf_rule_name)
-TF_API const char *tf_rule_name(unsigned rule);
-
-/// The law at h = g = 0: under which F and M the wheel rests (JUMP only).
-typedef enum {
-  TF_REST_HULL,   ///< convex hull of the limits of slip, Filippov's law:
-                  ///< |M| <= kappa mu, |F| <= 4 mu/3 - |M|/(3 kappa) (default)
-  TF_REST_SQUARE, ///< that of stick: |M| <= kappa mu, |F| <= mu
-  TF_REST_BOW_TIE ///< the paper's: |M| <= kappa |F|, |F| <= mu. Not convex: at
-                  ///< some points h = g = 0 it leaves no future
-} tf_rest_law_t;
-#define TF_REST_LAWS 3
-
-/// "hull" "square" "bow_tie".
-#define tf_rest_law_name TF_LINK(tf_rest_law_name)
-TF_API const char *tf_rest_law_name(unsigned law);
 
 /// The budget of machines that set none (tf_params_t.segments): into how many
 /// segments a step may be split by events (changes of the mode, kinks of the
@@ -125,17 +82,11 @@ typedef struct {
   tf_real_t m_a_d2;   ///< m a d^2 [kg^2 m^2]
   tf_real_t inertia;  ///< m beta^2 + theta dt c1 [kg m^2]
   tf_real_t mu_sin_gamma, mu_d_sin_gamma; ///< [N], [N m]
-  tf_real_t stick_kappa; ///< kappa where stick carries a moment, else 0
-  tf_real_t kappa_mu;    ///< stick_kappa mu [N m]
-  /// 1/mu, 1/kappa_mu, 1/(mu dt), 0 where that is not finite.
-  tf_real_t inv_mu, inv_kappa_mu, inv_mu_dt;
-  uint64_t exit_threshold; ///< (1 - exp(-rate dt)) 2^63
-  tf_real_t tolerance;     ///< at least 64 epsilon of the real type
-  uint16_t segments;       ///< budget of tf_step_located, at least 1
-  tf_tyre_t tyre;
-  tf_rule_t rule;
-  tf_rest_law_t rest;
+  tf_real_t inv_mu_dt; ///< 1/(mu dt), 0 where that is not finite
+  tf_real_t tolerance; ///< at least 64 epsilon of the real type
+  uint16_t segments;   ///< budget of tf_step_located, at least 1
   bool with_angle;
+  tf_contact_t contact;
 } tf_machine_t;
 
 /// The state: everything that the future depends on. No pointers: memcpy is
@@ -193,12 +144,6 @@ TF_API tf_input_t tf_input_default(const tf_machine_t *machine);
 ///   the step [rad/s]. dt: in, of the machine, > 0 [s].
 #define tf_turntable_to TF_LINK(tf_turntable_to)
 TF_API void tf_turntable_to(tf_input_t *input, tf_real_t omega0, tf_real_t dt);
-
-/// Slip of the wheel against the turntable.
-typedef struct {
-  tf_real_t h; ///< lateral [m/s], (h)
-  tf_real_t g; ///< rolling [m/s], (g)
-} tf_slip_t;
 
 /// Slip speeds, (h) and (g): with z = w - omega0 and p = v - d z
 ///   h = -p sin(gamma) - r z cos(gamma), g = -p cos(gamma) + r z sin(gamma).

@@ -42,7 +42,7 @@ typedef struct {
 /// Returns: TF_OK; TF_BAD_STATE (nothing touched).
 /// Trust: the set is that of the instant, whatever dt is; a step may find
 ///   another one. It is empty, and the mode pinned, where the law of rest
-///   leaves no future; the hull leaves one (docs/INCLUSION.md).
+///   leaves no future; the hull leaves one but at r = 0 (docs/INCLUSION.md).
 #define tf_begin TF_LINK(tf_begin)
 TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
                             const tf_input_t *input, tf_report_t *report);
@@ -88,17 +88,17 @@ TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
 ///   the wheel crosses the axis by more than 2 beta); TF_STALLED (advanced, but
 ///   stalls); TF_BAD_STATE, TF_DIVERGED, TF_STEP_TOO_LONG (state untouched,
 ///   report holds the status).
-/// Trust: where it says TF_OK, the mode is one of the set, h and g have its
-///   signs, or are 0 within their rounding, as it asks, no energy is created
-///   but for that share, and what follows h = g = 0 is what law and rule say. A
-///   slip with h = g = 0 within reach follows its course there, and the mode in
-///   which that ends is in the set, although next to r = 0 the inclusion of the
-///   step may not have it. It bounds no truncation error; the steps that were
-///   found to break the rest, and how often: docs/VERIFICATION.md. All of it is
-///   said of the inputs that the step was told. An alpha of 0 and another
-///   omega0 than that of the step before is a turntable that jumps: a ramp
-///   without alpha (tf_turntable_to) is a chain of jumps, each at the start of
-///   its step, and another motion than the ramp.
+/// Trust: TF_OK means that the step ends in a mode of the set; that h and g
+///   have the signs which this mode asks for, or are 0 within their rounding;
+///   that the step makes no more energy than the shares above; and that law and
+///   rule allow what follows h = g = 0. A slip that comes near h = g = 0
+///   follows its course there, and the set has the mode in which that ends,
+///   although the inclusion of the step may lack it next to r = 0. TF_OK bounds
+///   no truncation error. docs/VERIFICATION.md has the steps that were found to
+///   break the rest, and how often. All of this holds for the inputs that the
+///   step was given: where alpha is 0 and omega0 is not that of the step
+///   before, the turntable jumps. So a ramp without alpha (tf_turntable_to) is
+///   a chain of jumps, each at the start of its step, and another motion.
 #define tf_step TF_LINK(tf_step)
 TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
                            const tf_input_t *input, tf_report_t *report);

@@ -48,7 +48,7 @@ typedef enum {
 #define TF_STATE_BYTES (4 * TF_REAL_BYTES + 5)
 #define TF_REPORT_BYTES (6 * TF_REAL_BYTES + 5)
 #define TF_COMPACT_BYTES (3 * TF_REAL_BYTES + 2)
-#define TF_HEARTBEAT_BYTES 68u
+#define TF_HEARTBEAT_BYTES 72u
 #define TF_EXPIRED_BYTES 4u
 #define TF_PARAMETER_BYTES (3 * TF_REAL_BYTES + 32)
 
@@ -87,6 +87,7 @@ typedef struct {
   uint32_t expired;   ///< inputs from outside that were not renewed in time
   uint32_t skipped;   ///< ticks that got no step
   uint32_t run;       ///< tf_schema_t.run
+  uint32_t chain;     ///< tf_frame_chain of all frames before this one
 } tf_heartbeat_t;
 
 /// Hash of all parameters that the motion depends on, the same on every board:
@@ -109,10 +110,8 @@ TF_API uint32_t tf_run_hash(uint32_t before, const tf_schema_t *schema,
 TF_API size_t tf_send_schema(uint8_t *wire, uint32_t *sequence, uint64_t tick,
                              const tf_schema_t *schema);
 
-/// Names, types, scales and units of the payloads, for tf_send_layout:
-/// "name,type,scale,unit", separated by ";". Types: real (of the size in the
-/// schema), u8, i8, u16, u32, u64. The number times the scale is in the unit;
-/// where both are left out it is a count or a code.
+/// Names, types, scales and units of the payloads, for tf_send_layout, in the
+/// form that docs/PROTOCOL.md has (02 layout).
 #define tf_layout_state TF_LINK(tf_layout_state)
 TF_API_DATA const char *const tf_layout_state;
 #define tf_layout_report TF_LINK(tf_layout_report)
@@ -141,8 +140,7 @@ TF_API size_t tf_send_report(uint8_t *wire, uint32_t *sequence, uint64_t tick,
                              const tf_report_t *report,
                              tf_input_source_t source);
 
-/// Frame TF_DOWN_COMPACT, of TF_COMPACT_BYTES: r, v, w, mode and choices, on a
-/// slow line in place of state and report; `twofold monitor` reads it.
+/// Frame TF_DOWN_COMPACT, of TF_COMPACT_BYTES: r, v, w, mode and choices.
 #define tf_send_compact TF_LINK(tf_send_compact)
 TF_API size_t tf_send_compact(uint8_t *wire, uint32_t *sequence,
                               const tf_state_t *state,
@@ -190,12 +188,13 @@ typedef struct {
 } tf_line_t;
 
 /// Of frames: state and report in each record, and, where commands are taken,
-/// the answer to one; a heartbeat, a schema and the three layouts each second.
+/// the answer to one; a heartbeat, a schema and the three layouts each second;
+/// of each also the tail that it has where has_tags.
 /// baud: in, of 10 bits a byte; 0: not known. scene, build: in, names.
 #define tf_line_of_frames TF_LINK(tf_line_of_frames)
 TF_API tf_line_t tf_line_of_frames(uint32_t rate, uint32_t baud,
                                    const char *scene, const char *build,
-                                   bool takes_commands);
+                                   bool takes_commands, bool has_tags);
 
 /// Returns: what a record every so many steps, > 0, asks of the line.
 #define tf_line_asks TF_LINK(tf_line_asks)

@@ -19,7 +19,8 @@ static tf_design_obstacle_t obstacle_at(const tf_machine_t *k,
                                         const tf_input_t *input, tf_real_t r,
                                         tf_real_t w) {
   const tf_state_t at_r = {.r = r}, at_w = {.w = w};
-  if (k->tyre.law != TF_TYRE_JUMP || !(k->tyre.mu > 0)) return TF_DESIGN_LAW;
+  if (k->contact.tyre.law != TF_TYRE_JUMP || !(k->contact.tyre.mu > 0))
+    return TF_DESIGN_LAW;
   if (!(magnitude(k->sin_gamma) >= TF_MIN_SINE) ||
       !(magnitude(k->cos_gamma) >= TF_MIN_SINE))
     return TF_DESIGN_GAMMA;
@@ -70,7 +71,7 @@ static tf_design_obstacle_t design_at(const tf_machine_t *machine,
   if (obstacle == TF_DESIGN_R || obstacle == TF_DESIGN_SPRING) return obstacle;
   // The normal form reads no other constant that depends on kappa or k2.
   tf_machine_t designed = *machine;
-  designed.stick_kappa = out->kappa;
+  designed.contact.stick_kappa = out->kappa;
   designed.k2 = out->k2;
   return tf_normal_form(&designed, input, &point, &out->two_fold) == TF_OK
              ? obstacle

@@ -105,9 +105,9 @@ static int two_folds_at(const tf_machine_t *k, const tf_input_t *input,
 // What keeps the machine from having a two-fold in any motion.
 static tf_absence_t absence_in(const tf_machine_t *k, tf_real_t sine) {
   tf_real_t r[2];
-  if (!tf_tyre_is_set_valued(k->tyre.law) || !(k->tyre.mu > 0))
+  if (!tf_tyre_is_set_valued(k->contact.tyre.law) || !(k->contact.tyre.mu > 0))
     return TF_ABSENCE_LAW;
-  if (!(k->stick_kappa > 0)) return TF_ABSENCE_MOMENT;
+  if (!(k->contact.stick_kappa > 0)) return TF_ABSENCE_MOMENT;
   return singular_radii(k, sine, false, r) > 0 ? TF_ABSENCE_NONE
                                                : TF_ABSENCE_ARM;
 }
@@ -191,7 +191,7 @@ static unsigned paper_case_of(const tf_two_fold_t *at) {
 // and K++ - K+- that of (1, 1), along which r is constant.
 static void classify(const tf_machine_t *k, tf_two_fold_t *at,
                      tf_real_t through) {
-  const tf_real_t mu = k->tyre.mu;
+  const tf_real_t mu = k->contact.tyre.mu;
   const tf_real_t scale =
       square_root(magnitude(at->Kpp)) * square_root(magnitude(at->Kmm));
   at->type = (uint8_t)type_of(k, at, scale);
@@ -209,8 +209,8 @@ TF_API tf_status_t tf_normal_form(const tf_machine_t *machine,
                                   tf_two_fold_t *out) {
   const tf_machine_t *k = machine;
   const tf_state_t state = {.r = point->r, .v = point->v, .w = point->w};
-  const tf_real_t mu = k->tyre.mu;
-  if (!tf_tyre_is_set_valued(k->tyre.law)) return TF_BAD_PARAMETER;
+  const tf_real_t mu = k->contact.tyre.mu;
+  if (!tf_tyre_is_set_valued(k->contact.tyre.law)) return TF_BAD_PARAMETER;
   if (!in_range(&state, input) || point->r == 0 ||
       !(point->g > 0 || point->g < 0))
     return TF_BAD_STATE;

@@ -2,8 +2,8 @@
 // from the same enumeration of modes that the located step uses.
 #include "twofold/surface.h"
 
-#include "../friction/consistent.h"
 #include "../friction/mode_set.h"
+#include "../model/consistent.h"
 #include "field.h"
 
 TF_API const char *tf_region_name(unsigned region) {
@@ -48,8 +48,8 @@ static tf_surface_t surface_of(const tf_machine_t *k, const tf_input_t *input,
   out.delassus = A;
   out.lambda_is_given = within(lambda, TF_REAL_MAX);
   out.lambda = out.lambda_is_given ? lambda : 0;
-  out.plus = field_under(k, input, x, k->tyre.mu);
-  out.minus = field_under(k, input, x, -k->tyre.mu);
+  out.plus = field_under(k, input, x, k->contact.tyre.mu);
+  out.minus = field_under(k, input, x, -k->contact.tyre.mu);
   out.scaled = rescaled_field(k, input, x);
   if (out.region <= TF_REGION_ESCAPING)
     out.stick = field_under(k, input, x, consistent.lambda[x->minus]);
@@ -60,12 +60,13 @@ TF_API tf_status_t tf_surface_at(const tf_machine_t *machine,
                                  const tf_input_t *input, tf_real_t r,
                                  tf_real_t v, tf_real_t w, tf_surface_t *out) {
   const tf_state_t state = {.r = r, .v = v, .w = w};
-  if (!tf_tyre_is_set_valued(machine->tyre.law)) return TF_BAD_PARAMETER;
+  if (!tf_tyre_is_set_valued(machine->contact.tyre.law))
+    return TF_BAD_PARAMETER;
   if (!in_range(&state, input)) return TF_BAD_STATE;
   const tf_slip_t slip = slip_speeds(machine, r, v, w - input->omega0);
   // Without a moment nothing depends on s = sign(g), and h = g = 0 is a point
   // like any other.
-  if (machine->stick_kappa > 0 && !(slip.g > 0) && !(slip.g < 0)) {
+  if (machine->contact.stick_kappa > 0 && !(slip.g > 0) && !(slip.g < 0)) {
     *out = (tf_surface_t){.slip = slip, .region = TF_REGION_CODIM2};
     return TF_OK;
   }

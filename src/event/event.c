@@ -6,7 +6,7 @@
 // signs at the ends of steps, as in Piiroinen and Kuznetsov (2008), may pass
 // over a pair of roots.
 
-#include "../friction/rest_motion.h"
+#include "../model/rest_motion.h"
 #include "segment.h"
 
 // (of_p p + of_q q) / t^zeros, for a sum with a zero of that order at t = 0.
@@ -74,25 +74,63 @@ TF_INLINE bool vanishes_before(const series_t *series, int order,
   return true;
 }
 
-// The same for a combination, whose series is made only where it may vanish.
+// What the terms of p and q beyond their lines together can add within a time,
+// at most.
+typedef struct {
+  tf_real_t p, q;
+} beyond_t;
+
+TF_INLINE beyond_t changes_beyond_lines(const taylor_t *motion,
+                                        tf_real_t length) {
+  const int n = motion->order;
+  const tf_real_t *p = motion->p.c, *q = motion->q.c;
+  beyond_t sum = {magnitude(p[n]), magnitude(q[n])};
+  for (int i = n - 1; i > 1; i--) {
+    sum.p = sum.p * length + magnitude(p[i]);
+    sum.q = sum.q * length + magnitude(q[i]);
+  }
+  // is_rootless() would see no more than that, but for its rounding.
+  const tf_real_t more = (1 + 64 * TF_REAL_EPSILON) * length * length;
+  return (beyond_t){sum.p * more, sum.q * more};
+}
+
+// Whether a combination keeps its sign whatever that adds: then is_rootless()
+// would find so, too. Most are settled by this, without their own terms.
+TF_INLINE bool combination_stays(const taylor_t *motion, combination_t c,
+                                 beyond_t beyond, tf_real_t length) {
+  const tf_real_t change = combined_term(motion, c, 1) * length;
+  return c.zeros == 0 &&
+         combined_term(motion, c, 0) + (change < 0 ? change : 0) >
+             magnitude(c.of_p) * beyond.p + magnitude(c.of_q) * beyond.q;
+}
+
 TF_INLINE bool combination_vanishes(const taylor_t *motion, combination_t c,
                                     tf_real_t *time) {
-  const int order = motion->order, zeros = c.zeros;
-  tf_real_t sum = 0;
-  for (int n = order; n > zeros; n--)
-    sum = (sum + magnitude(combined_term(motion, c, n))) * *time;
-  const tf_real_t first = combined_term(motion, c, zeros);
-  if (first > sum) return false;
-  series_t series = {{first}};
-  for (int n = 1; n <= order - zeros; n++)
-    series.c[n] = combined_term(motion, c, n + zeros);
-  return vanishes_before(&series, order, time);
+  const int degree = motion->order - c.zeros;
+  series_t series;
+  for (int n = 0; n <= degree; n++)
+    series.c[n] = combined_term(motion, c, n + c.zeros);
+  return vanishes_before(&series, degree, time);
+}
+
+// Whether A keeps its sign while r changes by what its terms can at most. Most
+// segments are settled by this.
+TF_INLINE bool delassus_stays(const taylor_t *motion, delassus_quadratic_t at,
+                              tf_real_t length) {
+  const tf_real_t r = motion->r.c[0];
+  const tf_real_t change =
+      magnitude(motion->r.c[1]) * length +
+      change_beyond_line(&motion->r, motion->order, length);
+  return magnitude(delassus_quadratic_at(at, r)) >
+         (magnitude(delassus_quadratic_rate(at, r, 1)) + change) * change;
 }
 
 TF_INLINE bool delassus_vanishes(const taylor_t *motion,
                                  const segment_t *segment, tf_real_t *time) {
   const delassus_quadratic_t at =
       delassus_quadratic(motion->machine, (tf_real_t)segment->sign_g);
+  if (!segment->A_starts_at_zero && delassus_stays(motion, at, *time))
+    return false;
   series_t A;
   magnitude_of_A(motion, at, segment->A_starts_at_zero ? 1 : 0, &A);
   return vanishes_before(&A, motion->order, time);
@@ -100,11 +138,16 @@ TF_INLINE bool delassus_vanishes(const taylor_t *motion,
 
 static event_t event_in_slip(const taylor_t *motion, const segment_t *segment,
                              tf_real_t *time) {
+  const combination_t h = magnitude_of_h(motion, segment);
+  const combination_t g = magnitude_of_g(motion, segment);
+  const beyond_t beyond = changes_beyond_lines(motion, *time);
   event_t event = EVENT_NONE;
-  if (combination_vanishes(motion, magnitude_of_h(motion, segment), time))
+  if (!combination_stays(motion, h, beyond, *time) &&
+      combination_vanishes(motion, h, time))
     event = EVENT_H_ZERO;
-  if (motion->machine->stick_kappa == 0) return event;
-  if (combination_vanishes(motion, magnitude_of_g(motion, segment), time))
+  if (motion->machine->contact.stick_kappa == 0) return event;
+  if (!combination_stays(motion, g, beyond, *time) &&
+      combination_vanishes(motion, g, time))
     event = EVENT_G_ZERO;
   return event;
 }
@@ -113,8 +156,10 @@ static event_t event_in_slip(const taylor_t *motion, const segment_t *segment,
 TF_INLINE bool is_released(const taylor_t *motion, tf_real_t *time) {
   const int order = motion->order;
   const series_t *lambda = &motion->F;
-  const tf_real_t mu = motion->machine->tyre.mu;
-  if (magnitude(lambda->c[0]) + change_within(lambda, order, *time) < mu)
+  const tf_real_t mu = motion->machine->contact.tyre.mu;
+  const tf_real_t others = change_beyond_line(lambda, order, *time);
+  const tf_real_t at_end = lambda->c[0] + lambda->c[1] * *time; // of the line
+  if (magnitude(lambda->c[0]) + others < mu && magnitude(at_end) + others < mu)
     return false;
   series_t below, above;
   margin_of(lambda, order, 1, mu, &below);
@@ -126,7 +171,7 @@ TF_INLINE bool is_released(const taylor_t *motion, tf_real_t *time) {
 static event_t event_in_stick(const taylor_t *motion, const segment_t *segment,
                               tf_real_t *time) {
   event_t event = is_released(motion, time) ? EVENT_RELEASE : EVENT_NONE;
-  if (motion->machine->stick_kappa == 0) return event;
+  if (motion->machine->contact.stick_kappa == 0) return event;
   if (combination_vanishes(motion, magnitude_of_g(motion, segment), time))
     event = EVENT_CODIM2;
   if (delassus_vanishes(motion, segment, time)) event = EVENT_TWO_FOLD;

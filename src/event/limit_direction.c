@@ -7,6 +7,7 @@
 
 // The solution along a limit direction.
 typedef struct {
+  taylor_t motion; // of its own: a try that fails leaves that of the slip
   segment_t segment;
   tf_real_t r;        // where it has h = g = 0 [m]
   tf_real_t time;     // since then; negative before [s]
@@ -15,36 +16,43 @@ typedef struct {
 
 // The motion to h = g = 0 takes about speed/acceleration. The search is worth
 // its cost where that is much longer than the series reaches, but not many
-// steps.
+// steps, and where the slip goes straight to or from there, but for what a
+// curved limit solution turns: where (p, q) and (p', q') are at most atan(1/2)
+// apart.
 TF_API bool tf_may_be_stiff(const trajectory_t *path, tf_real_t length) {
   const taylor_t *motion = &path->motion;
   const tf_real_t speed = magnitude(motion->p.c[0]) + magnitude(motion->q.c[0]);
   const tf_real_t acceleration =
       magnitude(motion->p.c[1]) + magnitude(motion->q.c[1]);
-  return path->segment.contact == CONTACT_SLIP &&
-         motion->machine->stick_kappa > 0 &&
+  const tf_real_t p0 = motion->p.c[0], q0 = motion->q.c[0];
+  const tf_real_t p1 = motion->p.c[1], q1 = motion->q.c[1];
+  const bool is_straight =
+      2 * magnitude(p0 * q1 - q0 * p1) <= magnitude(p0 * p1 + q0 * q1);
+  return path->segment.contact == CONTACT_SLIP && is_straight &&
+         motion->machine->contact.stick_kappa > 0 &&
          speed > 8 * acceleration * length &&
          speed < 16 * acceleration * motion->machine->dt;
 }
 
 // Expands the solution that has h = g = 0 at limit->r, limit->time ago; false
 // where no limit direction attracts the slip.
-static bool series_of_limit_solution(trajectory_t *path,
+static bool series_of_limit_solution(const trajectory_t *path,
                                      limit_solution_t *limit) {
-  taylor_t *motion = &path->motion;
-  const tf_machine_t *k = motion->machine;
+  const tf_machine_t *k = path->motion.machine;
+  const tf_input_t *input = path->motion.input;
   segment_t *segment = &limit->segment;
-  const tf_real_t omega = path->omega - motion->input->alpha * limit->time;
-  const rates_t rates = rates_at(k, motion->input, limit->r, 0, 0, omega);
+  const tf_real_t omega = path->omega - input->alpha * limit->time;
+  const rates_t rates = rates_at(k, input, limit->r, 0, 0, omega);
   const codim2_field_t field = tf_codim2_field_of(k, &rates);
-  if (!tf_codim2_attractor(k, &field, segment->sign_g, segment->sign_h,
-                           &segment->T))
+  if (!tf_codim2_attractor(&k->contact, &field, segment->sign_g,
+                           segment->sign_h, &segment->T))
     return false;
-  begin_taylor(motion, k, motion->input, omega,
+  begin_taylor(&limit->motion, k, input, omega,
                (phase_point_t){limit->r, 0, 0});
   // This contact always has a series.
-  (void)tf_taylor_coefficients(motion, segment, 0);
-  limit->friction = k->tyre.mu * (magnitude(rates.Fp) + magnitude(rates.Fq));
+  (void)tf_taylor_coefficients(&limit->motion, segment, 0);
+  limit->friction =
+      k->contact.tyre.mu * (magnitude(rates.Fp) + magnitude(rates.Fq));
   return true;
 }
 
@@ -65,9 +73,9 @@ static tf_real_t time_along(const taylor_t *motion, tf_real_t p, tf_real_t q) {
 // Finds the limit solution next to the slip and returns whether it is near
 // enough to take its place. Its r and time are exact to second order in the
 // slip after the first expansion and to fourth after the second.
-static bool is_on_limit_solution(trajectory_t *path, tf_real_t allowed,
+static bool is_on_limit_solution(const trajectory_t *path, tf_real_t allowed,
                                  limit_solution_t *limit) {
-  const taylor_t *motion = &path->motion;
+  const taylor_t *motion = &limit->motion;
   const phase_point_t now = path->now;
   const tf_real_t q = now.r * now.z;
   tf_real_t missed = 0, growth = 0;
@@ -85,24 +93,28 @@ static bool is_on_limit_solution(trajectory_t *path, tf_real_t allowed,
                                     (1 + magnitude(motion->exponent)));
   }
   return missed * growth <= allowed &&
-         tf_segment_length(motion, limit->time, allowed) == limit->time;
+         tf_segment_length(motion, limit->time, (error_t){allowed, 0}) ==
+             limit->time;
 }
 
 TF_API bool tf_follow_limit_direction(trajectory_t *path, tf_real_t allowed) {
   limit_solution_t limit = {.segment = path->segment, .r = path->now.r};
+  limit.motion.speed = path->motion.speed;
   limit.segment.contact = CONTACT_CODIM2_SLIP;
   limit.segment.h_zero_order = 1;
   limit.segment.g_starts_at_zero = true;
   if (!is_on_limit_solution(path, allowed, &limit)) return false;
-  const taylor_t *motion = &path->motion;
+  const taylor_t *motion = &limit.motion;
   tf_real_t end = limit.time + path->remaining, event_time;
   if (limit.time < 0 && end > 0) end = 0;
   if (limit.time > 0) {
-    end = tf_segment_length(motion, end, allowed);
+    end = tf_segment_length(motion, end, (error_t){allowed, 0});
     if (!(end > limit.time) ||
         tf_next_event(motion, &limit.segment, end, &event_time))
       return false;
   }
+  path->motion = *motion;
   tf_advance(path, limit.time, end);
+  tf_take_force(path, end);
   return true;
 }

@@ -10,8 +10,8 @@
 TF_API bool tf_may_be_stiff(const trajectory_t *path, tf_real_t length);
 
 // Moves along the limit direction that attracts the slip, to h = g = 0 at most.
-// False, with the series overwritten, where the slip is further from that
-// direction than the error that is allowed.
+// False, and nothing has changed, where the slip is further from that direction
+// than the error that is allowed.
 #define tf_follow_limit_direction TF_LINK(tf_follow_limit_direction)
 TF_API bool tf_follow_limit_direction(trajectory_t *path, tf_real_t allowed);
 

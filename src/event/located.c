@@ -19,7 +19,7 @@
 static tf_status_t validate_located(const tf_machine_t *k,
                                     const tf_state_t *state,
                                     const tf_input_t *input) {
-  const tf_tyre_law_t law = k->tyre.law;
+  const tf_tyre_law_t law = k->contact.tyre.law;
   if (!tf_tyre_is_set_valued(law) && law != TF_TYRE_NONE)
     return TF_BAD_PARAMETER;
   if (state->mode >= TF_MODES || !in_range(state, input)) return TF_BAD_STATE;
@@ -31,6 +31,7 @@ static void begin_trajectory(trajectory_t *path, const tf_machine_t *k,
   path->state = state;
   path->motion.machine = k;
   path->motion.input = input;
+  path->motion.speed = 0;
   const tf_real_t turn = input->alpha * k->dt;
   path->omega = input->omega0 - turn;
   path->turn = magnitude(turn);
@@ -40,6 +41,7 @@ static void begin_trajectory(trajectory_t *path, const tf_machine_t *k,
   path->remaining = k->dt;
   path->angle = 0;
   path->is_over = path->is_unsure = false;
+  path->spent = 0;
   path->mode = state->mode;
   path->set = 0;
   path->force = (tf_force_t){0, 0};
@@ -53,14 +55,22 @@ static bool end_in_new_segment(trajectory_t *path) {
   return true;
 }
 
-// In place of a segment. Where no limit direction is near nothing changes, and
-// the next segment begins where this one did.
-static bool try_limit_direction(trajectory_t *path, span_t span) {
-  const tf_real_t allowed = span.error + trajectory_rounding(path);
-  if (!tf_follow_limit_direction(path, allowed)) return true;
+// Whether a slip next to h = g = 0 went along a limit direction. A try that
+// fails counts as a segment, so that no segment of the budget costs both.
+static bool goes_along_limit_direction(trajectory_t *path, span_t span) {
+  const bool is_asked = path->spent % STIFFNESS_EVERY == 0 || span.length == 0;
+  if (!is_asked || !tf_may_be_stiff(path, span.length)) return false;
+  if (tf_follow_limit_direction(path, span.error + trajectory_rounding(path)))
+    return true;
+  path->spent++;
+  return false;
+}
+
+// The choice at h = g = 0, if the slip has come there.
+static bool end_along_limit_direction(trajectory_t *path) {
   const bool at_codim2 = magnitude(path->now.p) + magnitude(path->now.z) == 0;
   path->is_over = !at_codim2 && !(path->remaining > 0);
-  return !at_codim2 || tf_next_segment(path, EVENT_CODIM2);
+  return at_codim2 ? tf_next_segment(path, EVENT_CODIM2) : true;
 }
 
 // The time at which a stick reaches the two-fold A = 0, if the velocities
@@ -69,7 +79,7 @@ static bool try_limit_direction(trajectory_t *path, span_t span) {
 static tf_real_t time_of_near_two_fold(const trajectory_t *path, span_t span) {
   const taylor_t *motion = &path->motion;
   const tf_machine_t *k = motion->machine;
-  if (path->segment.contact != CONTACT_STICK || k->stick_kappa == 0 ||
+  if (path->segment.contact != CONTACT_STICK || k->contact.stick_kappa == 0 ||
       !(span.length < path->remaining))
     return 0;
   const delassus_quadratic_t at =
@@ -80,39 +90,53 @@ static tf_real_t time_of_near_two_fold(const trajectory_t *path, span_t span) {
   const tf_real_t time = A * rate < 0 ? -A / rate : 0;
   const bool near = time > span.length && time <= path->remaining &&
                     term_size(motion, 1) * time <= CAPTURE_ERRORS * span.error;
-  return near && magnitude(motion->F.c[1]) * time <= CLOSE_SHARE * k->tyre.mu
-             ? time
-             : 0;
+  const tf_real_t change = magnitude(motion->F.c[1]) * time;
+  return near && change <= CLOSE_SHARE * k->contact.tyre.mu ? time : 0;
+}
+
+// How far the trajectory is from h = g = 0 [m/s], where either z or r becomes 0
+// (place_at_codim2): r, which is an integral of v over the segment, by what it
+// may be off by there.
+static tf_real_t distance_to_codim2(const trajectory_t *path, tf_real_t time) {
+  const phase_point_t now = path->now;
+  const rates_t rates = tf_trajectory_rates(path);
+  return magnitude(now.p) + (rates.vz > rates.rz
+                                 ? magnitude(now.r) / time
+                                 : path->motion.length * magnitude(now.z));
 }
 
 // Whether a slip whose h or g is 0 at the end of a segment has reached both
 // there.
-static bool is_at_codim2(const trajectory_t *path, span_t span,
-                         tf_slip_t start) {
+static bool is_at_codim2(const trajectory_t *path, span_t span) {
+  const taylor_t *motion = &path->motion;
+  const tf_slip_t start =
+      slip_from_pq(motion->machine, motion->p.c[0], motion->q.c[0]);
   const tf_real_t close =
       CLOSE_SHARE * (magnitude(start.h) + magnitude(start.g));
   const tf_real_t missed = CAPTURE_ERRORS * span.error;
   const tf_real_t capture =
       (missed < close ? missed : close) + trajectory_rounding(path);
   return magnitude(path->now.p) + magnitude(path->now.r * path->now.z) <=
-         capture;
+             capture &&
+         distance_to_codim2(path, span.length) <= capture;
 }
 
 // One segment, up to its first event, and the choice of the next one; false
 // where there is none.
-static bool integrate_segment(trajectory_t *path, bool ask_for_stiffness) {
+static bool integrate_segment(trajectory_t *path) {
   // Expand: (13), (14) with (15) or (16).
   if (!tf_begin_series(path)) return false;
   if (!(path->remaining > 0)) return end_in_new_segment(path);
 
   // Length, by the last terms of the series.
   const span_t span = tf_segment_span(path);
-  if (!(span.length > 0)) return false;
 
   // Next to a singular point the series are short, and the motion is near to
   // one through that point: slip to h = g = 0, stick to a two-fold.
-  if (ask_for_stiffness && tf_may_be_stiff(path, span.length))
-    return try_limit_direction(path, span);
+  if (goes_along_limit_direction(path, span))
+    return end_along_limit_direction(path);
+  if (!(span.length > 0) || path->spent > path->motion.machine->segments)
+    return false;
   const tf_real_t two_fold = time_of_near_two_fold(path, span);
   if (two_fold > 0) {
     tf_advance(path, 0, two_fold);
@@ -123,13 +147,14 @@ static bool integrate_segment(trajectory_t *path, bool ask_for_stiffness) {
   tf_real_t time;
   event_t event =
       tf_next_event(&path->motion, &path->segment, span.length, &time);
-  const tf_slip_t start = trajectory_slip(path);
 
   // Advance. In stick the series of q = r z is truncated, which leaves an h.
   tf_advance(path, 0, time);
+  if (event == EVENT_RELEASE || !(path->remaining > 0))
+    tf_take_force(path, time);
   if (is_stick(path->mode)) tf_project(path);
   if ((event == EVENT_H_ZERO || event == EVENT_G_ZERO) &&
-      path->motion.machine->stick_kappa > 0 && is_at_codim2(path, span, start))
+      path->motion.machine->contact.stick_kappa > 0 && is_at_codim2(path, span))
     event = EVENT_CODIM2;
 
   // Continue in the contact that follows.
@@ -139,14 +164,12 @@ static bool integrate_segment(trajectory_t *path, bool ask_for_stiffness) {
 
 // Whether the segments of the budget end the step.
 static bool integrate_step(trajectory_t *path) {
-  const int budget = path->motion.machine->segments;
   if (!tf_first_segment(path)) return false;
-  for (int i = 0; i < budget; i++) {
-    if (!integrate_segment(path, i % STIFFNESS_EVERY == STIFFNESS_EVERY - 1))
+  while (!path->is_over)
+    if (path->spent++ >= path->motion.machine->segments ||
+        !integrate_segment(path))
       return false;
-    if (path->is_over) return true;
-  }
-  return false;
+  return true;
 }
 
 // The whole step by tf_step. What that refuses, degrades or finds too coarse,
@@ -201,8 +224,8 @@ static tf_real_t residual_at_end(const trajectory_t *path, tf_slip_t slip) {
   const tf_machine_t *k = path->motion.machine;
   const outcome_t stick = {.mode = path->mode};
   if (!is_slip(path->mode)) return mode_residual(k, &stick, path->force, slip);
-  return slip_law_residual(&k->tyre, path->mode == TF_SLIP_PLUS ? 1 : -1,
-                           path->force, slip);
+  return slip_law_residual(
+      &k->contact.tyre, path->mode == TF_SLIP_PLUS ? 1 : -1, path->force, slip);
 }
 
 // The name of the mode at the end. Where no event decides, it goes by the signs
@@ -211,7 +234,7 @@ static unsigned mode_at_end(const trajectory_t *path, tf_slip_t slip) {
   if (path->segment.contact == CONTACT_NONE && slip.h != 0)
     return slip.h < 0 ? TF_SLIP_MINUS : TF_SLIP_PLUS;
   if (path->segment.contact == CONTACT_STICK && slip.g != 0 &&
-      path->motion.machine->stick_kappa == 0)
+      path->motion.machine->contact.stick_kappa == 0)
     return slip.g < 0 ? TF_STICK_MINUS : TF_STICK_PLUS;
   return path->mode;
 }
@@ -224,7 +247,7 @@ static tf_status_t commit_located(trajectory_t *path, const tf_input_t *input,
   const end_state_t end = end_of(path);
   if (!in_reach(end.r, end.v, end.w)) return refuse_step(report, TF_DIVERGED);
   const tf_slip_t slip = slip_speeds(k, end.r, end.v, end.w - input->omega0);
-  const bool contact = k->tyre.law != TF_TYRE_NONE;
+  const bool contact = k->contact.tyre.law != TF_TYRE_NONE;
   path->set &= ~TF_MODE_BIT(path->mode);
   path->mode = mode_at_end(path, slip);
   // The mode at the end may come from a smaller set than the largest one.
@@ -251,7 +274,8 @@ static tf_status_t commit_located(trajectory_t *path, const tf_input_t *input,
 // names it has is decided by where it is at the end.
 static void name_stick(trajectory_t *path) {
   const unsigned sticks = path->set & STICKS;
-  if (path->motion.machine->stick_kappa > 0 || is_slip(path->mode)) return;
+  if (path->motion.machine->contact.stick_kappa > 0 || is_slip(path->mode))
+    return;
   path->mode = trajectory_slip(path).g < 0 ? TF_STICK_MINUS : TF_STICK_PLUS;
   path->set = (path->set & ~sticks) | TF_MODE_BIT(path->mode);
 }

@@ -3,7 +3,7 @@
 #ifndef TF_SEGMENT_H
 #define TF_SEGMENT_H
 
-#include "../friction/codim2.h"
+#include "../model/consistent.h"
 #include "series.h"
 
 // How the contact gives the force, which closes the recurrence of the series.
@@ -42,12 +42,18 @@ typedef enum {
 TF_API bool tf_taylor_coefficients(taylor_t *motion, const segment_t *segment,
                                    tf_real_t time);
 
+// An error that is allowed over a time [m/s]: what does not hang on the time,
+// and what goes with it, as the change of the velocities does. A force that
+// stops them within a part of the time changes them by a part of what it would.
+typedef struct {
+  tf_real_t at_once, by_change;
+} error_t;
+
 // The longest part of a time over which the last two terms of a series of the
-// highest order stay below the error that is allowed [m/s]; 0 where there is
-// none.
+// highest order stay below the error that is allowed; 0 where there is none.
 #define tf_segment_length TF_LINK(tf_segment_length)
 TF_API tf_real_t tf_segment_length(const taylor_t *motion, tf_real_t time,
-                                   tf_real_t allowed);
+                                   error_t allowed);
 
 // By how much the angle of the disc has changed since time 0 of the series
 // [rad].

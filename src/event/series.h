@@ -9,8 +9,8 @@
 #ifndef TF_SERIES_H
 #define TF_SERIES_H
 
+#include "../friction/tyre_law.h"
 #include "../model/mechanics.h"
-#include "../model/tyre_law.h"
 #include "../num/polynomial.h"
 
 // With fewer terms than these a size cannot be predicted from two others.
@@ -23,18 +23,18 @@ typedef struct {
 typedef struct {
   const tf_machine_t *machine;
   const tf_input_t *input;
-  series_t r, p, z, w, q; // motion
-  series_t rw, F, M;      // r w, force, moment
-  int order;              // of the last terms of the motion
-  tf_real_t time;         // for which the series are made [s]
-  tf_real_t allowed;      // error over that time [m/s]
+  series_t r, p, z, w, q;   // motion
+  series_t rw, F, M;        // r w, force, moment
+  int order;                // of the last terms of the motion
+  tf_real_t time;           // for which the series are made [s]
+  tf_real_t allowed;        // error over that time [m/s]
+  tf_real_t at_once;        // that part of it which does not grow with the time
+  tf_real_t free_p, free_z; // p' and z' without friction, without sign
+  tf_real_t speed; // largest velocities at the start of a segment of the step
   tf_real_t inverse_m;
   tf_real_t inverse_J; // 1 / (m (beta^2 + r^2)) at the start
-  tf_real_t arm;       // r cos(gamma) at the start
-  tf_real_t gyration;  // sqrt(beta^2 + r^2) at the start
-  // The sizes of the terms of the velocities at that time, as multiples of that
-  // error, and the factor that makes them from those of the last terms.
-  tf_real_t size[SERIES_ORDER + 1], power;
+  tf_real_t m_over_J;
+  tf_real_t length; // that makes rad/s comparable with m/s
   // For CONTACT_CODIM2_SLIP: a small distance of another slip from this one
   // changes as t^exponent.
   tf_real_t exponent;
@@ -54,20 +54,27 @@ static const tf_real_t reciprocal[] = {
     TF_R(1.0) / 9,
 };
 
-// Term n of a^2, where equal products are computed once.
-TF_INLINE tf_real_t square_term(const series_t *a, int n) {
-  tf_real_t sum = 0;
-  for (int i = (n - 1) / 2; i > 0; i--) sum += a->c[i] * a->c[n - i];
+// The sum of a_i a_(n-i) over 0 < i < n, or a_0^2 for n = 0. Equal products are
+// computed once.
+TF_INLINE tf_real_t inner_square(const series_t *a, int n) {
+  const int first = (n - 1) / 2;
+  const tf_real_t middle = n % 2 == 0 ? a->c[n / 2] * a->c[n / 2] : 0;
+  if (first < 1) return middle;
+  tf_real_t sum = a->c[first] * a->c[n - first];
+  for (int i = first - 1; i > 0; i--) sum += a->c[i] * a->c[n - i];
   sum += sum;
-  if (n % 2 == 0) sum += a->c[n / 2] * a->c[n / 2];
-  return n == 0 ? sum : sum + 2 * a->c[0] * a->c[n];
+  return n % 2 == 0 ? sum + middle : sum;
 }
 
-// The size of the n-th terms of the velocities [m/s^(n+1)]. Times the radius of
-// gyration rad/s become m/s, also where r is 0.
+// Term n of a^2.
+TF_INLINE tf_real_t square_term(const series_t *a, int n) {
+  const tf_real_t sum = inner_square(a, n);
+  return n == 0 ? sum : sum + 2 * (a->c[0] * a->c[n]);
+}
+
+// The size of the n-th terms of the velocities [m/s^(n+1)].
 TF_INLINE tf_real_t term_size(const taylor_t *motion, int n) {
-  return magnitude(motion->p.c[n]) +
-         motion->gyration * magnitude(motion->z.c[n]);
+  return magnitude(motion->p.c[n]) + motion->length * magnitude(motion->z.c[n]);
 }
 
 // The terms 0 of the motion.
@@ -84,109 +91,156 @@ TF_INLINE void begin_taylor(taylor_t *motion, const tf_machine_t *k,
   motion->rw.c[0] = at.r * motion->w.c[0];
   motion->inverse_m = 1 / k->m;
   const tf_real_t gyration2 = gyration2_at(k, at.r);
-  motion->gyration = square_root(gyration2);
-  motion->inverse_J = 1 / (k->m * gyration2);
-  motion->arm = at.r * k->cos_gamma;
+  motion->length = square_root(gyration2);
+  motion->m_over_J = 1 / gyration2;
+  motion->inverse_J = motion->m_over_J * motion->inverse_m;
 }
 
-// Sums of products of the terms known before term n + 1, without the products
-// that have a term 0 or, for r w, of r_n and w_1.
+// Terms n + 1 of p and w without friction, and those of r w and r z without the
+// terms n + 1 of w and z.
 typedef struct {
-  tf_real_t r_w;  // term n + 1 of r w, and of r z: from term 2 on z is w
-  tf_real_t r_rw; // term n + 1 of r (r w)
-  tf_real_t rw_w; // term n of (r w) w
-  tf_real_t F_r;  // term n of F r
-} motion_sums_t;
+  tf_real_t p, w, r_w, r_z;
+} next_terms_t;
 
-// One loop for all: they are so short that each would cost more than its sum.
-TF_INLINE motion_sums_t motion_sums(const taylor_t *motion, int n) {
-  const tf_real_t *r = motion->r.c, *w = motion->w.c, *rw = motion->rw.c;
-  const tf_real_t *F = motion->F.c;
-  motion_sums_t sum = {0, 0, 0, 0};
-  for (int i = 1; i < n; i++) {
-    sum.r_w += r[i] * w[n + 1 - i];
-    sum.r_rw += r[i] * rw[n + 1 - i];
-    sum.rw_w += rw[i] * w[n - i];
-    sum.F_r += F[n - i] * r[i];
-  }
-  sum.r_rw += r[n] * rw[1];
-  sum.F_r += F[0] * r[n];
-  sum.rw_w += rw[n] * w[0];
-  return sum;
-}
-
-// (13), (14): term n + 1 of the motion, but for the terms n of F and M, which
-// add_friction_term() adds once the contact has given them. The products with
-// the newest terms come last: the others are added while those are still being
-// computed.
-TF_INLINE void extend_motion(taylor_t *motion, int n) {
+// (13), (14) without friction, and term n + 1 of r. The products with the
+// newest terms come last: the others are added while those are still being
+// computed. One loop for all sums: they are so short that each would cost more
+// than its sum.
+TF_INLINE next_terms_t next_terms(taylor_t *motion, int n) {
   const tf_machine_t *k = motion->machine;
-  tf_real_t *r = motion->r.c, *w = motion->w.c, *z = motion->z.c;
-  tf_real_t *rw = motion->rw.c;
-  const tf_real_t v = slider_velocity(k, motion->p.c[n], z[n]);
-  const tf_real_t over = reciprocal[n + 1];
-  r[n + 1] = v * over;
-  motion_sums_t sum = {0, 0, 0, 0};
-  tf_real_t r_w = 0, r_z = 0; // term n + 1 without the term n + 1 of w and z
+  const tf_real_t *w = motion->w.c, *z = motion->z.c, *rw = motion->rw.c;
+  const tf_real_t *F = motion->F.c;
+  tf_real_t *r = motion->r.c;
+  // Terms n + 1 of r w, which from term 2 on is r z, and of r (r w), and terms
+  // n of (r w) w and F r.
+  tf_real_t r_w = 0, r_z = 0, r_rw = 0, rw_w = 0, F_r = 0;
   if (n > 0) {
-    sum = motion_sums(motion, n);
-    r_w = sum.r_w + r[n] * w[1];
-    r_z = sum.r_w + r[n] * z[1];
+    F_r = F[0] * r[n];
+    if (n > 1) {
+      r_w = r[n - 1] * w[2];
+      r_rw = r[n - 1] * rw[2];
+      rw_w = rw[n - 1] * w[1];
+      F_r += r[n - 1] * F[1];
+    }
+    for (int i = n - 2; i > 0; i--) {
+      r_w += r[i] * w[n + 1 - i];
+      r_rw += r[i] * rw[n + 1 - i];
+      rw_w += rw[i] * w[n - i];
+      F_r += r[i] * F[n - i];
+    }
+    r_rw += r[n] * rw[1];
+    rw_w += rw[n] * w[0];
+    r_z = r_w + r[n] * z[1];
+    r_w += r[n] * w[1];
   }
-  r_w += r[n + 1] * w[0];
-  r_z += r[n + 1] * z[0];
-  const tf_real_t r2_w = sum.r_rw + r[n + 1] * rw[0] + r[0] * r_w;
+  const tf_real_t v = slider_velocity(k, motion->p.c[n], z[n]);
+  const tf_real_t over = reciprocal[n + 1], r_next = v * over;
+  r[n + 1] = r_next;
+  r_w += r_next * w[0];
+  r_z += r_next * z[0];
+  const tf_real_t r2_w = r_rw + r[0] * r_w + r_next * rw[0];
   const tf_real_t Q_r =
-      radial_force_term(k, motion->input, n, r[n], v, sum.rw_w + rw[0] * w[n]);
-  const tf_real_t torque = momentum_rate_term(k, motion->input, n, w[n], Q_r) +
-                           sum.F_r * k->cos_gamma;
-  motion->p.c[n + 1] = Q_r * (motion->inverse_m * over);
-  w[n + 1] =
-      torque * (motion->inverse_J * over) - r2_w * (k->m * motion->inverse_J);
-  z[n + 1] = w[n + 1];
-  if (n == 0) {
-    motion->p.c[1] += k->d * motion->input->alpha;
-    z[1] -= motion->input->alpha;
-  }
-  rw[n + 1] = r_w + r[0] * w[n + 1];
-  motion->q.c[n + 1] = r_z + r[0] * z[n + 1];
+      radial_force_term(k, motion->input, n, r[n], v, rw_w + rw[0] * w[n]);
+  const tf_real_t torque =
+      momentum_rate_term(k, motion->input, n, w[n], Q_r) + F_r * k->cos_gamma;
+  const tf_real_t p = Q_r * (motion->inverse_m * over);
+  return (next_terms_t){
+      n == 0 ? p + k->d * motion->input->alpha : p,
+      torque * (motion->inverse_J * over) - r2_w * motion->m_over_J, r_w, r_z};
 }
+
+// What one unit of what a contact gives, T or lambda, is as F and M, and what
+// they add to p' and to w' and z'.
+typedef struct {
+  tf_real_t F, M, p, z;
+} friction_t;
+
+TF_INLINE friction_t friction_of(const taylor_t *motion, tf_real_t F,
+                                 tf_real_t M) {
+  const tf_machine_t *k = motion->machine;
+  const tf_real_t arm = motion->r.c[0] * k->cos_gamma;
+  return (friction_t){F, M, F * k->sin_gamma * motion->inverse_m,
+                      (F * arm + M) * motion->inverse_J};
+}
+
+// Sets the terms n of F and M, from term n of what the contact gives, and with
+// them the terms n + 1 of the motion.
+TF_INLINE void set_terms(taylor_t *motion, int n, const next_terms_t *next,
+                         const friction_t *by, tf_real_t given) {
+  const tf_real_t share = given * reciprocal[n + 1], r = motion->r.c[0];
+  const tf_real_t w = next->w + by->z * share;
+  const tf_real_t z = n == 0 ? w - motion->input->alpha : w;
+  if (n == 0) {
+    motion->free_p = magnitude(next->p);
+    motion->free_z = magnitude(next->w - motion->input->alpha);
+  }
+  motion->F.c[n] = by->F * given;
+  motion->M.c[n] = by->M * given;
+  motion->p.c[n + 1] = next->p + by->p * share;
+  motion->w.c[n + 1] = w;
+  motion->z.c[n + 1] = z;
+  motion->rw.c[n + 1] = next->r_w + r * w;
+  motion->q.c[n + 1] = next->r_z + r * z;
+}
+
+// Times the radius of gyration rad/s become m/s in the norm of the kinetic
+// energy, also where r is 0. But a heavy disc has so much of that, that p could
+// be off by itself and more: p counts in what z gives v and q as well, whose
+// lengths are d and r. So z counts by both: where p and z are off by a share of
+// P and Z, by no more than that share of either sum.
+TF_INLINE void weigh_heavy_disc(taylor_t *motion) {
+  const tf_real_t time = magnitude(motion->time);
+  const tf_real_t arm = magnitude(motion->machine->d) +
+                        magnitude(motion->r.c[0]) +
+                        magnitude(motion->r.c[1]) * time;
+  if (!(arm < motion->length)) return;
+  const tf_real_t P =
+      magnitude(motion->p.c[0]) + magnitude(motion->p.c[1]) * time;
+  const tf_real_t Z =
+      magnitude(motion->z.c[0]) + magnitude(motion->z.c[1]) * time;
+  if (Z > 0) motion->length *= (P + arm * Z) / (P + motion->length * Z);
+}
+
+// The sizes of the terms of the velocities at the time of a series, as shares
+// of the error allowed, and the factor that makes them from those of the last
+// terms.
+typedef struct {
+  tf_real_t of[SERIES_ORDER + 1], power;
+} sizes_t;
 
 // Notes the terms n, and returns whether the series may end with them: over the
 // time of the series the last term is allowed as an error, and so is the one
 // that would follow it. That one is predicted from the two before the last, so
 // that a last term which happens to be 0 does not hide it.
-TF_INLINE bool is_long_enough(taylor_t *motion, int n) {
-  tf_real_t *size = motion->size;
+TF_INLINE bool is_long_enough(taylor_t *motion, sizes_t *sizes, int n) {
+  // The first call has n = 1, which sets what the others read.
+  // cppcheck-suppress ctuuninitvar
+  tf_real_t *size = sizes->of;
   motion->order = n;
-  motion->power *= motion->time;
-  size[n] = term_size(motion, n) * motion->power;
   if (n == 1) {
-    motion->allowed = motion->machine->tolerance * (size[0] + size[1]);
+    sizes->power = 1;
+    weigh_heavy_disc(motion);
+  }
+  sizes->power *= motion->time;
+  size[n] = term_size(motion, n) * sizes->power;
+  if (n == 1) {
+    size[0] = term_size(motion, 0);
+    if (size[0] > motion->speed) motion->speed = size[0];
+    // Friction may end the slip at once, the other forces go on.
+    const tf_real_t tolerance = motion->machine->tolerance;
+    const tf_real_t free =
+        (motion->free_p + motion->length * motion->free_z) * sizes->power;
+    motion->at_once =
+        tolerance * (motion->speed + (free < size[1] ? free : size[1]));
+    motion->allowed = tolerance * (motion->speed + size[1]);
     const tf_real_t inverse =
         motion->allowed > 0 ? 1 / motion->allowed : TF_REAL_MAX;
     size[0] *= inverse;
     size[1] *= inverse;
-    motion->power *= inverse;
+    sizes->power *= inverse;
   }
   return n >= MIN_ORDER && size[n] <= 1 &&
          size[n - 1] * size[n - 1] <= size[n - 3];
-}
-
-// Sets the terms n of F and M and adds what they do to term n + 1 of the
-// motion.
-TF_INLINE void add_friction_term(taylor_t *motion, int n, tf_real_t F,
-                                 tf_real_t M) {
-  const tf_machine_t *k = motion->machine;
-  const tf_real_t over = reciprocal[n + 1];
-  const tf_real_t dz = (F * motion->arm + M) * (motion->inverse_J * over);
-  motion->F.c[n] = F;
-  motion->M.c[n] = M;
-  motion->p.c[n + 1] += F * (k->sin_gamma * motion->inverse_m * over);
-  motion->w.c[n + 1] += dz;
-  motion->z.c[n + 1] += dz;
-  motion->rw.c[n + 1] += motion->r.c[0] * dz;
-  motion->q.c[n + 1] += motion->r.c[0] * dz;
 }
 
 #endif

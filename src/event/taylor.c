@@ -1,11 +1,36 @@
 // The Taylor coefficients of a segment: each contact closes the recurrence of
 // (13), (14) in its own form.
-#include "../friction/rest_motion.h"
+#include "../model/rest_motion.h"
 #include "segment.h"
 
-// Each shortening takes a quarter off a segment.
+// Each shortening takes a quarter off a segment, or, where the terms exceed the
+// error so far that they still do then, leaves an eighth of it.
 #define MAX_SHORTENINGS 64
 #define SHORTENING TF_R(0.75)
+#define FAR TF_R(0x1p30)
+#define FAR_SHORTENING TF_R(0.125)
+
+// Calls extend(..., n) for the terms from 1 on, until it returns that they are
+// long enough. With a constant n the sums of a term have no loops: a fifth less
+// time of a located run, but three times the code of a series. So that is for
+// hosts, by their pointers. The operations and their order are the same.
+#ifdef TF_REAL_FLOAT
+#define EXTEND_BEYOND_5(extend, motion, sizes, a, b) false
+#else
+#define EXTEND_BEYOND_5(extend, motion, sizes, a, b) \
+  (extend(motion, sizes, a, b, 6) || extend(motion, sizes, a, b, 7))
+#endif
+#define EXTEND_BY_NEED(extend, motion, sizes, a, b)                            \
+  if (sizeof(void *) > 4)                                                      \
+    (void)(extend(motion, sizes, a, b, 1),                                     \
+           extend(motion, sizes, a, b, 2) || extend(motion, sizes, a, b, 3) || \
+               extend(motion, sizes, a, b, 4) ||                               \
+               extend(motion, sizes, a, b, 5) ||                               \
+               EXTEND_BEYOND_5(extend, motion, sizes, a, b));                  \
+  else                                                                         \
+    for (int n = 1; n < SERIES_ORDER && !extend(motion, sizes, a, b, n);       \
+         n++) {                                                                \
+    }
 
 // (15). In slip the force goes with T(y) = tan(a atan y), y = |g/h|, and
 // T' = a (1 + T^2) psi' with psi' = (g' h - g h')/(h^2 + g^2). That rate is the
@@ -16,6 +41,8 @@ typedef struct {
   series_t T2;          // T^2
   series_t R2;          // p^2 + q^2; from h = g = 0 that over t^2
   tf_real_t inverse_R2; // 1 over its term 0
+  tf_real_t a;
+  tf_real_t turn; // what one of p_n q_0 - p_0 q_n adds to T_n
 } slip_angle_t;
 
 // Term n of p' q - q' p where both begin with t.
@@ -45,81 +72,112 @@ TF_INLINE tf_real_t T_term(const slip_angle_t *angle, tf_real_t a, int n) {
 
 // (force), (moment): the series of T has the sign of g h, so that F1 goes by
 // the sign of g and M1 by none.
-TF_INLINE void add_tyre_term(taylor_t *motion, const segment_t *segment, int n,
-                             tf_real_t T) {
-  const tf_tyre_t *tyre = &motion->machine->tyre;
-  tf_real_t F = slip_F1(tyre, (tf_real_t)segment->sign_g) * T;
-  if (n == 0) F += slip_F0(tyre, (tf_real_t)segment->sign_h);
-  add_friction_term(motion, n, F, slip_M1(tyre, 1) * T);
+TF_INLINE friction_t tyre_by_T(const taylor_t *motion,
+                               const segment_t *segment) {
+  const tf_tyre_t *tyre = &motion->machine->contact.tyre;
+  return friction_of(motion, slip_F1(tyre, (tf_real_t)segment->sign_g),
+                     slip_M1(tyre, 1));
 }
 
-// Terms n - 1 of R^2, T^2 and psi' and the sum for T_n, in two loops: term by
-// term as above, but the sums are so short that each loop would cost more.
-static tf_real_t next_slip_angle(const taylor_t *motion, slip_angle_t *angle,
-                                 tf_real_t a, int n) {
-  const tf_real_t *p = motion->p.c, *q = motion->q.c, *T = angle->T.c;
+// The terms 0 of F and M, which have more than T, and terms 1 of the motion.
+static void begin_slip(taylor_t *motion, const segment_t *segment,
+                       const friction_t *by_T, tf_real_t T) {
+  const tf_real_t F0 =
+      slip_F0(&motion->machine->contact.tyre, (tf_real_t)segment->sign_h);
+  const friction_t friction =
+      friction_of(motion, F0 + by_T->F * T, by_T->M * T);
+  const next_terms_t next = next_terms(motion, 0);
+  set_terms(motion, 0, &next, &friction, 1);
+}
+
+// Terms n of R^2 and T^2.
+TF_INLINE void extend_squares(const taylor_t *motion, slip_angle_t *angle,
+                              int n) {
+  const tf_real_t *p = motion->p.c, *q = motion->q.c;
+  angle->R2.c[n] = inner_square(&motion->p, n) + inner_square(&motion->q, n) +
+                   2 * (p[0] * p[n] + q[0] * q[n]);
+  angle->T2.c[n] = square_term(&angle->T, n);
+}
+
+// Terms n - 1 of R^2, T^2 and psi', and T_n. What hangs on the newest terms,
+// p_n and q_n, comes last, and by a factor of its own, so that little has to
+// wait for them. p_i q_(n-i) and p_(n-i) q_i have the same weight.
+TF_INLINE tf_real_t next_slip_angle(const taylor_t *motion, slip_angle_t *angle,
+                                    int n) {
+  const tf_real_t *p = motion->p.c, *q = motion->q.c;
+  // cppcheck-suppress [uninitvar, ctuuninitvar]
+  const tf_real_t *R2 = angle->R2.c, *T2 = angle->T2.c;
   tf_real_t *psi_rate = angle->psi_rate.c;
-  tf_real_t R2 = 0, T2 = 0, weight = (tf_real_t)n;
-  tf_real_t cross = weight * p[n] * q[0]; // term n - 1 of p' q - q' p
-  for (int i = 0; i < n; i++) {
-    R2 += p[i] * p[n - 1 - i] + q[i] * q[n - 1 - i];
-    T2 += T[i] * T[n - 1 - i];
-    cross -= weight * p[i] * q[n - i];
-    weight -= 2;
+  tf_real_t cross = 0, sum = 0; // term n - 1 of p' q - q' p; for T_n
+  if (n > 1) extend_squares(motion, angle, n - 1);
+  const int first = (n - 1) / 2;
+  if (first > 0)
+    cross = (tf_real_t)(n - 2 * first) *
+            (p[n - first] * q[first] - p[first] * q[n - first]);
+  for (int i = first - 1; i > 0; i--)
+    cross += (tf_real_t)(n - 2 * i) * (p[n - i] * q[i] - p[i] * q[n - i]);
+  if (n > 1) {
+    cross -= R2[n - 1] * psi_rate[0];
+    sum = T2[n - 1] * psi_rate[0];
   }
-  angle->R2.c[n - 1] = R2;
-  angle->T2.c[n - 1] = T2;
-  tf_real_t sum = 0;
-  for (int i = 1; i < n; i++) {
-    cross -= angle->R2.c[i] * psi_rate[n - 1 - i];
-    sum += angle->T2.c[i] * psi_rate[n - 1 - i];
+  for (int i = n - 2; i > 0; i--) {
+    cross -= R2[i] * psi_rate[n - 1 - i];
+    sum += T2[i] * psi_rate[n - 1 - i];
   }
-  psi_rate[n - 1] = cross * angle->inverse_R2;
-  sum += (1 + angle->T2.c[0]) * psi_rate[n - 1];
-  return a * sum * reciprocal[n];
+  const tf_real_t newest = p[n] * q[0] - p[0] * q[n];
+  psi_rate[n - 1] = (cross + (tf_real_t)n * newest) * angle->inverse_R2;
+  return (angle->a * sum + angle->turn * cross) * reciprocal[n] +
+         angle->turn * newest;
+}
+
+// Term n of T and terms n + 1 of the motion. Returns is_long_enough().
+TF_INLINE bool extend_slip(taylor_t *motion, sizes_t *sizes,
+                           slip_angle_t *angle, const friction_t *by_T, int n) {
+  const next_terms_t next = next_terms(motion, n);
+  const tf_real_t T = next_slip_angle(motion, angle, n);
+  angle->T.c[n] = T;
+  set_terms(motion, n, &next, by_T, T);
+  return is_long_enough(motion, sizes, n + 1);
 }
 
 // (15) away from h = g = 0.
 static void taylor_slip(taylor_t *motion, const segment_t *segment) {
-  const tf_tyre_t *tyre = &motion->machine->tyre;
-  const tf_slip_t slip =
-      slip_from_pq(motion->machine, motion->p.c[0], motion->q.c[0]);
+  const tf_tyre_t *tyre = &motion->machine->contact.tyre;
+  const friction_t by_T = tyre_by_T(motion, segment);
+  const tf_real_t p = motion->p.c[0], q = motion->q.c[0];
+  const tf_slip_t slip = slip_from_pq(motion->machine, p, q);
   const tf_real_t H = (tf_real_t)segment->sign_h * slip.h;
   const tf_real_t G = (tf_real_t)segment->sign_g * slip.g;
-  slip_angle_t angle = {.inverse_R2 = 1 / (motion->p.c[0] * motion->p.c[0] +
-                                           motion->q.c[0] * motion->q.c[0])};
-  angle.T.c[0] = (tf_real_t)(segment->sign_h * segment->sign_g) *
-                 cot_psi(tyre, G > 0 ? G : 0, H > 0 ? H : 0);
-  extend_motion(motion, 0);
-  add_tyre_term(motion, segment, 0, angle.T.c[0]);
-  (void)is_long_enough(motion, 1);
-  for (int n = 1; n < SERIES_ORDER; n++) {
-    angle.T.c[n] = next_slip_angle(motion, &angle, tyre->T_series[0], n);
-    extend_motion(motion, n);
-    add_tyre_term(motion, segment, n, angle.T.c[n]);
-    if (is_long_enough(motion, n + 1)) return;
-  }
+  const tf_real_t T = (tf_real_t)(segment->sign_h * segment->sign_g) *
+                      cot_psi(tyre, G > 0 ? G : 0, H > 0 ? H : 0);
+  // Term by term: zeros would cost more than the rest, and none is read before
+  // it is set, which cppcheck does not see.
+  slip_angle_t angle;
+  angle.a = tyre->T_series[0];
+  angle.inverse_R2 = 1 / (p * p + q * q);
+  angle.turn = angle.a * (1 + T * T) * angle.inverse_R2;
+  angle.T.c[0] = T;
+  begin_slip(motion, segment, &by_T, T);
+  sizes_t sizes;
+  (void)is_long_enough(motion, &sizes, 1);
+  EXTEND_BY_NEED(extend_slip, motion, &sizes, &angle, &by_T);
 }
 
 // How much of a change of T at h = g = 0 comes back through psi'. The solution
 // there is singular: p and q begin with t, so that psi' is that of p/t and q/t.
 // A small distance from it changes as t^(gain - 1).
 static tf_real_t limit_direction_gain(const taylor_t *motion,
-                                      const segment_t *segment,
+                                      const friction_t *by_T,
                                       const slip_angle_t *angle) {
-  const tf_tyre_t *tyre = &motion->machine->tyre;
-  const tf_real_t T = angle->T.c[0];
-  const tf_real_t F1 = slip_F1(tyre, (tf_real_t)segment->sign_g);
-  const tf_real_t dp = F1 * motion->machine->sin_gamma / motion->machine->m;
-  const tf_real_t dq = motion->r.c[0] * (F1 * motion->arm + slip_M1(tyre, 1)) *
-                       motion->inverse_J;
-  return tyre->T_series[0] * (1 + T * T) *
-         (dp * motion->q.c[1] - motion->p.c[1] * dq) / angle->R2.c[0];
+  const tf_real_t T = angle->T.c[0], dq = motion->r.c[0] * by_T->z;
+  return motion->machine->contact.tyre.T_series[0] * (1 + T * T) *
+         (by_T->p * motion->q.c[1] - motion->p.c[1] * dq) / angle->R2.c[0];
 }
 
 // Out of a singular point the sizes of the terms do not predict the next ones.
 static void take_all_terms(taylor_t *motion) {
-  (void)is_long_enough(motion, 1);
+  sizes_t sizes;
+  (void)is_long_enough(motion, &sizes, 1);
   motion->order = SERIES_ORDER;
 }
 
@@ -127,25 +185,27 @@ static void take_all_terms(taylor_t *motion) {
 // which T_n enters linearly: T_n is what it would be without itself, over
 // 1 - gain/(n + 1). Away from a resonance that is not 0.
 static void taylor_codim2_slip(taylor_t *motion, const segment_t *segment) {
-  const tf_tyre_t *tyre = &motion->machine->tyre;
-  slip_angle_t angle = {.inverse_R2 = 0};
+  const tf_tyre_t *tyre = &motion->machine->contact.tyre;
+  const friction_t by_T = tyre_by_T(motion, segment);
+  slip_angle_t angle = {.a = tyre->T_series[0]};
   angle.T.c[0] = (tf_real_t)(segment->sign_h * segment->sign_g) * segment->T;
-  extend_motion(motion, 0);
-  add_tyre_term(motion, segment, 0, angle.T.c[0]);
+  begin_slip(motion, segment, &by_T, angle.T.c[0]);
   angle.R2.c[0] =
       motion->p.c[1] * motion->p.c[1] + motion->q.c[1] * motion->q.c[1];
   angle.inverse_R2 = 1 / angle.R2.c[0];
-  const tf_real_t gain = limit_direction_gain(motion, segment, &angle);
+  const tf_real_t gain = limit_direction_gain(motion, &by_T, &angle);
   motion->exponent = gain - 1;
+  const friction_t none = {0, 0, 0, 0};
   for (int n = 1; n < SERIES_ORDER; n++) {
-    extend_motion(motion, n);
+    const next_terms_t next = next_terms(motion, n);
+    set_terms(motion, n, &next, &none, 0);
     angle.psi_rate.c[n - 1] =
         psi_rate_term(&angle, n - 1, cross_term(motion, n + 1));
     angle.T2.c[n - 1] = square_term(&angle.T, n - 1);
     const tf_real_t T =
         T_term(&angle, tyre->T_series[0], n) / (1 - gain * reciprocal[n + 1]);
     angle.T.c[n] = T;
-    add_tyre_term(motion, segment, n, T);
+    set_terms(motion, n, &next, &by_T, T);
     angle.psi_rate.c[n - 1] =
         psi_rate_term(&angle, n - 1, cross_term(motion, n + 1));
     tf_real_t R2 = 0;
@@ -157,35 +217,44 @@ static void taylor_codim2_slip(taylor_t *motion, const segment_t *segment) {
   take_all_terms(motion);
 }
 
-TF_INLINE tf_real_t h_term(const taylor_t *motion, int n) {
-  return slip_from_pq(motion->machine, motion->p.c[n], motion->q.c[n]).h;
+// Stick: F = lambda, M = s kappa lambda.
+TF_INLINE friction_t friction_by_lambda(const taylor_t *motion,
+                                        const segment_t *segment) {
+  return friction_of(motion, 1,
+                     signed_kappa(motion->machine, segment->sign_g < 0));
 }
 
-// Stick: F = lambda, M = s kappa lambda.
-TF_INLINE void add_lambda_term(taylor_t *motion, tf_real_t s_kappa, int n,
-                               tf_real_t lambda) {
-  add_friction_term(motion, n, lambda, s_kappa * lambda);
+// Term n + 1 of h without friction.
+TF_INLINE tf_real_t next_h(const taylor_t *motion, int n,
+                           const next_terms_t *next) {
+  const tf_real_t z = n == 0 ? next->w - motion->input->alpha : next->w;
+  return slip_from_pq(motion->machine, next->p, next->r_z + motion->r.c[0] * z)
+      .h;
 }
 
 // (16). Term n + 1 of h has to be 0, and (n + 1) times it is what it would be
 // without lambda_n, less A lambda_n.
+TF_INLINE bool extend_stick(taylor_t *motion, sizes_t *sizes,
+                            const friction_t *by_lambda, tf_real_t inverse_A,
+                            int n) {
+  const next_terms_t next = next_terms(motion, n);
+  const tf_real_t h_rate = next_h(motion, n, &next) * (tf_real_t)(n + 1);
+  set_terms(motion, n, &next, by_lambda, h_rate * inverse_A);
+  return is_long_enough(motion, sizes, n + 1);
+}
+
 static bool taylor_stick(taylor_t *motion, const segment_t *segment) {
   const tf_machine_t *k = motion->machine;
   const bool minus = segment->sign_g < 0;
-  const tf_real_t s_kappa = signed_kappa(k, minus);
-  const tf_real_t arm = stick_arm(k, motion->arm, minus);
-  const tf_real_t A = delassus_from(k, motion->arm * arm * motion->inverse_J);
+  const friction_t by_lambda = friction_by_lambda(motion, segment);
+  const tf_real_t arm = motion->r.c[0] * k->cos_gamma;
+  const tf_real_t A =
+      delassus_from(k, arm * stick_arm(k, arm, minus) * motion->inverse_J);
   if (A == 0) return false;
   const tf_real_t inverse_A = 1 / A;
-  extend_motion(motion, 0);
-  add_lambda_term(motion, s_kappa, 0, h_term(motion, 1) * inverse_A);
-  (void)is_long_enough(motion, 1);
-  for (int n = 1; n < SERIES_ORDER; n++) {
-    extend_motion(motion, n);
-    const tf_real_t h_rate = h_term(motion, n + 1) * (tf_real_t)(n + 1);
-    add_lambda_term(motion, s_kappa, n, h_rate * inverse_A);
-    if (is_long_enough(motion, n + 1)) break;
-  }
+  sizes_t sizes;
+  (void)extend_stick(motion, &sizes, &by_lambda, inverse_A, 0);
+  EXTEND_BY_NEED(extend_stick, motion, &sizes, &by_lambda, inverse_A);
   return true;
 }
 
@@ -194,38 +263,35 @@ static bool taylor_stick(taylor_t *motion, const segment_t *segment) {
 // the line, and its zero lambda_(n-1). The second trial is the force of
 // 1 m/s^2: no unit of mass moves a bit.
 static bool taylor_two_fold(taylor_t *motion, const segment_t *segment) {
-  const tf_real_t s_kappa = signed_kappa(motion->machine, segment->sign_g < 0);
+  const friction_t by_lambda = friction_by_lambda(motion, segment);
   const tf_real_t m = motion->machine->m;
-  extend_motion(motion, 0);
+  next_terms_t before = next_terms(motion, 0);
   for (int n = 1; n < SERIES_ORDER; n++) {
     tf_real_t h[2];
     for (int trial = 0; trial < 2; trial++) {
-      extend_motion(motion, n - 1);
-      add_lambda_term(motion, s_kappa, n - 1, (tf_real_t)trial * m);
-      extend_motion(motion, n);
-      h[trial] = h_term(motion, n + 1);
+      set_terms(motion, n - 1, &before, &by_lambda, (tf_real_t)trial * m);
+      const next_terms_t next = next_terms(motion, n);
+      h[trial] = next_h(motion, n, &next);
     }
     const tf_real_t slope = h[0] - h[1];
     if (slope == 0) return false;
-    extend_motion(motion, n - 1);
-    add_lambda_term(motion, s_kappa, n - 1, h[0] / slope * m);
-    extend_motion(motion, n);
+    set_terms(motion, n - 1, &before, &by_lambda, h[0] / slope * m);
+    before = next_terms(motion, n);
   }
   // The last term of lambda would need term SERIES_ORDER + 1 of h: it is left
   // 0.
-  add_lambda_term(motion, s_kappa, SERIES_ORDER - 1, 0);
+  set_terms(motion, SERIES_ORDER - 1, &before, &by_lambda, 0);
   take_all_terms(motion);
   return true;
 }
 
 static void taylor_constant_force(taylor_t *motion, tf_real_t F) {
-  extend_motion(motion, 0);
-  add_friction_term(motion, 0, F, 0);
-  (void)is_long_enough(motion, 1);
-  for (int n = 1; n < SERIES_ORDER; n++) {
-    extend_motion(motion, n);
-    add_friction_term(motion, n, 0, 0);
-    if (is_long_enough(motion, n + 1)) return;
+  const friction_t friction = friction_of(motion, F, 0);
+  sizes_t sizes;
+  for (int n = 0; n < SERIES_ORDER; n++) {
+    const next_terms_t next = next_terms(motion, n);
+    set_terms(motion, n, &next, &friction, n == 0 ? 1 : 0);
+    if (is_long_enough(motion, &sizes, n + 1)) return;
   }
 }
 
@@ -251,9 +317,9 @@ static bool close_recurrence(taylor_t *motion, const segment_t *segment) {
       taylor_constant_force(motion, 0);
       return true;
     case CONTACT_SLIP:
-      if (motion->machine->tyre.law == TF_TYRE_COULOMB)
-        taylor_constant_force(
-            motion, (tf_real_t)segment->sign_h * motion->machine->tyre.mu);
+      if (motion->machine->contact.tyre.law == TF_TYRE_COULOMB)
+        taylor_constant_force(motion, (tf_real_t)segment->sign_h *
+                                          motion->machine->contact.tyre.mu);
       else
         taylor_slip(motion, segment);
       return true;
@@ -275,8 +341,6 @@ static bool close_recurrence(taylor_t *motion, const segment_t *segment) {
 TF_API bool tf_taylor_coefficients(taylor_t *motion, const segment_t *segment,
                                    tf_real_t time) {
   motion->time = time;
-  motion->power = 1;
-  motion->size[0] = term_size(motion, 0);
   if (!close_recurrence(motion, segment)) return false;
   if (segment->contact != CONTACT_PINNED)
     motion->F.c[motion->order] = motion->M.c[motion->order] = 0;
@@ -291,21 +355,33 @@ TF_API tf_real_t tf_angle_change(const taylor_t *motion, tf_real_t t) {
 }
 
 TF_API tf_real_t tf_segment_length(const taylor_t *motion, tf_real_t time,
-                                   tf_real_t allowed) {
+                                   error_t allowed) {
   const tf_real_t size = magnitude(time);
-  tf_real_t power = 1,
-            share = 1; // of the time, and of what a shortening leaves
+  tf_real_t power = 1;
+  tf_real_t near = 1, far = 1; // what the shortenings leave of that
   for (int n = 1; n < SERIES_ORDER; n++) {
     power *= size;
-    share *= SHORTENING;
+    near *= SHORTENING;
+    far *= FAR_SHORTENING;
   }
   tf_real_t last_but_one = term_size(motion, SERIES_ORDER - 1) * power;
   tf_real_t last = term_size(motion, SERIES_ORDER) * power * size;
-  for (int i = 0; i < MAX_SHORTENINGS; i++) {
-    if (last_but_one + last <= allowed) return time;
-    time *= SHORTENING;
-    last_but_one *= share;
-    last *= share * SHORTENING;
+  tf_real_t by_change = allowed.by_change;
+  tf_real_t error = allowed.at_once + by_change;
+  int left = MAX_SHORTENINGS;
+  for (; left > 0 && last_but_one + last > FAR * error; left--) {
+    time *= FAR_SHORTENING;
+    by_change *= FAR_SHORTENING;
+    last_but_one *= far;
+    last *= far * FAR_SHORTENING;
+    error = allowed.at_once + by_change;
   }
-  return 0;
+  for (; left > 0 && !(last_but_one + last <= error); left--) {
+    time *= SHORTENING;
+    by_change *= SHORTENING;
+    last_but_one *= near;
+    last *= near * SHORTENING;
+    error = allowed.at_once + by_change;
+  }
+  return left > 0 ? time : 0;
 }

@@ -14,12 +14,12 @@ TF_API bool tf_begin_series(trajectory_t *path) {
 
 TF_API span_t tf_segment_span(const trajectory_t *path) {
   const taylor_t *motion = &path->motion;
-  const tf_real_t allowed = motion->allowed;
-  const tf_real_t length =
-      motion->order < SERIES_ORDER
-          ? path->remaining
-          : tf_segment_length(motion, path->remaining, allowed);
-  return (span_t){length, allowed};
+  if (motion->order < SERIES_ORDER)
+    return (span_t){path->remaining, motion->allowed};
+  const error_t allowed = {motion->at_once, motion->allowed - motion->at_once};
+  const tf_real_t length = tf_segment_length(motion, path->remaining, allowed);
+  return (span_t){
+      length, allowed.at_once + allowed.by_change * (length / path->remaining)};
 }
 
 TF_API void tf_advance(trajectory_t *path, tf_real_t from, tf_real_t to) {
@@ -28,22 +28,24 @@ TF_API void tf_advance(trajectory_t *path, tf_real_t from, tf_real_t to) {
   const int order = motion->order;
   phase_point_t now = {motion->r.c[order], motion->p.c[order],
                        motion->z.c[order]};
-  tf_force_t force = {motion->F.c[order], motion->M.c[order]};
   for (int n = order - 1; n >= 0; n--) {
     now.r = now.r * to + motion->r.c[n];
     now.p = now.p * to + motion->p.c[n];
     now.z = now.z * to + motion->z.c[n];
-    force.F = force.F * to + motion->F.c[n];
-    force.M = force.M * to + motion->M.c[n];
   }
   path->now = now;
-  path->force = force;
   if (motion->machine->with_angle) {
     path->angle += tf_angle_change(motion, to);
     if (from != 0) path->angle -= tf_angle_change(motion, from);
   }
   path->omega += motion->input->alpha * time;
   path->remaining = time < path->remaining ? path->remaining - time : 0;
+}
+
+TF_API void tf_take_force(trajectory_t *path, tf_real_t time) {
+  const taylor_t *motion = &path->motion;
+  path->force = (tf_force_t){value_at(&motion->F, motion->order, time),
+                             value_at(&motion->M, motion->order, time)};
 }
 
 TF_API void tf_project(trajectory_t *path) {

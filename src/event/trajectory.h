@@ -16,6 +16,7 @@ typedef struct {
   tf_real_t angle;     // of the disc, since the start of the step [rad]
   bool is_over;        // at the end of the step, and force is that of the end
   bool is_unsure;      // a slip has come to h = g = 0, or as a stick: not known
+  uint16_t spent; // of the budget: segments, and tries of a limit direction
   unsigned mode;
   unsigned set; // the largest set of consistent modes met in the step
   tf_force_t force;
@@ -72,6 +73,11 @@ TF_API span_t tf_segment_span(const trajectory_t *path);
 // Moves along the series from one of its times to another.
 #define tf_advance TF_LINK(tf_advance)
 TF_API void tf_advance(trajectory_t *path, tf_real_t from, tf_real_t to);
+
+// Takes the force of the series at one of its times. A segment that another one
+// follows needs none, but for what ends a stick.
+#define tf_take_force TF_LINK(tf_take_force)
+TF_API void tf_take_force(trajectory_t *path, tf_real_t time);
 
 // Puts the trajectory on h = 0 by an impulse of the friction force, which is
 // the shortest path there in the metric of the kinetic energy.

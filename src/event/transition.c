@@ -5,7 +5,6 @@
 #include "transition.h"
 
 #include "../friction/mode_set.h"
-#include "../friction/select.h"
 
 static void keep_largest_set(trajectory_t *path, unsigned set) {
   if (size_of(set) >= size_of(path->set)) path->set = set;
@@ -24,11 +23,11 @@ static void enter_mode(trajectory_t *path, unsigned mode, contact_t slip,
 // One of the consistent modes, by the declared rule; TF_NO_MODE where none is
 // admissible.
 static unsigned selected_mode(trajectory_t *path,
-                              const solutions_t *solutions) {
+                              const tf_contact_modes_t *solutions) {
   const tf_machine_t *k = path->motion.machine;
   keep_largest_set(path, solutions->set);
-  return tf_select(k->rule, k->exit_threshold, solutions, path->mode,
-                   path->state->tick, path->state->seed);
+  return tf_contact_choose(&k->contact, solutions, path->mode,
+                           path->state->tick, path->state->seed);
 }
 
 // From h = 0, g != 0. A slip that crosses h = 0 is left where it is: where h
@@ -50,26 +49,26 @@ static bool leave_h_zero(trajectory_t *path) {
 }
 
 // Whether a slip that comes to h = g = 0 within the error may have stuck just
-// before, and that decides what follows: no limit direction of its quadrant
-// leads it there, but an attracting stick does, which would rest where the slip
-// goes on.
+// before, and that decides what follows: an attracting stick leads there, which
+// would rest where the slip goes on, and no limit direction of the quadrant of
+// the slip does, which costs most to see.
 static bool may_have_stuck(const trajectory_t *path,
                            const codim2_field_t *field,
                            const consistent_modes_t *consistent,
                            unsigned mode) {
-  const segment_t *segment = &path->segment;
+  const tf_contact_t *contact = &path->motion.machine->contact;
   tf_real_t T;
   bool sticks = false;
-  if (tf_codim2_attractor(path->motion.machine, field, segment->sign_g,
-                          segment->sign_h, &T))
-    return false;
   for (int s = 0; s < 2; s++) {
     const stick_t stick = stick_at(field, s);
     sticks |= stick.attracts && stick.rate < 0 && within(stick.x, 1);
   }
   return sticks &&
-         mode != tf_leave_codim2(path->motion.machine, field, TF_STICK_PLUS,
-                                 true, path->state, consistent);
+         mode != tf_leave_codim2(contact, field, TF_STICK_PLUS, true,
+                                 path->state->tick, path->state->seed,
+                                 consistent) &&
+         !tf_codim2_attractor(contact, field, path->segment.sign_g,
+                              path->segment.sign_h, &T);
 }
 
 static bool leave_codim2(trajectory_t *path, bool arrives) {
@@ -80,15 +79,17 @@ static bool leave_codim2(trajectory_t *path, bool arrives) {
   const rates_t rates = tf_trajectory_rates(path);
   const codim2_field_t field = tf_codim2_field_of(k, &rates);
   consistent_modes_t consistent;
-  tf_codim2_modes(k, &field, &consistent);
+  tf_codim2_modes(&k->contact, &field, &consistent);
   unsigned mode =
-      tf_leave_codim2(k, &field, path->mode, arrives, path->state, &consistent);
+      tf_leave_codim2(&k->contact, &field, path->mode, arrives,
+                      path->state->tick, path->state->seed, &consistent);
   if (arrives && is_slip(path->mode))
     path->is_unsure |= may_have_stuck(path, &field, &consistent, mode);
   // A wheel that comes to rest is asked for its exit at once, as it would be at
   // the start of the next step. The draw of RANDOM is one of that.
-  if (arrives && mode == TF_PINNED && k->rule != TF_RULE_RANDOM)
-    mode = tf_leave_codim2(k, &field, mode, false, path->state, &consistent);
+  if (arrives && mode == TF_PINNED && k->contact.rule != TF_RULE_RANDOM)
+    mode = tf_leave_codim2(&k->contact, &field, mode, false, path->state->tick,
+                           path->state->seed, &consistent);
   keep_largest_set(path, consistent.solutions.set);
   if (mode == TF_NO_MODE) return false;
   segment_t segment = {.h_zero_order = 1, .g_starts_at_zero = true};
@@ -114,12 +115,12 @@ static bool keep_leaving(trajectory_t *path) {
   const rates_t rates = tf_trajectory_rates(path);
   consistent_modes_t consistent;
   surface_modes(k, &rates, minus, &consistent);
-  const solutions_t *solutions = &consistent.solutions;
+  const tf_contact_modes_t *solutions = &consistent.solutions;
   const tf_real_t g_rate =
       g_rate_in_stick(k, &rates, minus, consistent.lambda[minus]);
   if (!has(solutions->set, path->mode) || !(minus ? g_rate < 0 : g_rate > 0) ||
-      tf_select(k->rule, k->exit_threshold, solutions, path->mode,
-                path->state->tick, path->state->seed) != path->mode)
+      tf_contact_choose(&k->contact, solutions, path->mode, path->state->tick,
+                        path->state->seed) != path->mode)
     return false;
   tf_project(path);
   keep_largest_set(path, solutions->set);
@@ -179,7 +180,7 @@ TF_API bool tf_first_segment(trajectory_t *path) {
   const tf_machine_t *k = path->motion.machine;
   const tf_slip_t slip = trajectory_slip(path);
   const tf_real_t rounding = rounding_at_start(path);
-  if (k->tyre.law == TF_TYRE_NONE) {
+  if (k->contact.tyre.law == TF_TYRE_NONE) {
     begin_without_contact(path, slip.h);
     return true;
   }
@@ -196,7 +197,7 @@ TF_API bool tf_first_segment(trajectory_t *path) {
     begin_in_slip(path, slip);
     return true;
   }
-  if (k->stick_kappa > 0 && !rolls && within(slip.g, rounding))
+  if (k->contact.stick_kappa > 0 && !rolls && within(slip.g, rounding))
     return keep_leaving(path) || leave_codim2(path, false);
   return (rolls && keep_stick(path, slip.g < 0)) || leave_h_zero(path);
 }

@@ -4,45 +4,32 @@
 // component across it (Antali and Stepan 2018, for extended Filippov systems).
 #include "codim2.h"
 
-#include "../model/tyre_law.h"
 #include "mode_set.h"
 #include "rest_law.h"
-#include "select.h"
 
 static const search_t exits = {true, false, 0};
 
-TF_API codim2_field_t tf_codim2_field_of(const tf_machine_t *k,
-                                         const rates_t *rates) {
-  const tf_slip_t free = slip_from_pq(k, rates->dp, rates->dq);
-  const tf_slip_t F = slip_from_pq(k, rates->Fp, rates->Fq);
-  const tf_slip_t M = slip_from_pq(k, 0, rates->Mq);
-  const tf_real_t mu = k->tyre.mu;
-  return (codim2_field_t){
-      {free.h, mu * F.h, k->kappa_mu * M.h},
-      {free.g, mu * F.g, k->kappa_mu * M.g},
-      {rates->pinning.F * k->inv_mu, rates->pinning.M * k->inv_kappa_mu}};
-}
-
-TF_API bool tf_codim2_attractor(const tf_machine_t *k,
+TF_API bool tf_codim2_attractor(const tf_contact_t *contact,
                                 const codim2_field_t *field, int sign_g,
                                 int sign_h, tf_real_t *T) {
-  const quadrant_t q = tf_quadrant_of(&k->tyre, field, sign_g, sign_h);
+  const quadrant_t q = tf_quadrant_of(&contact->tyre, field, sign_g, sign_h);
   const search_t last = {false, false, TF_REAL_MAX};
-  const limit_direction_t to =
-      tf_search_quadrant(&k->tyre, &q, &last, no_direction);
+  limit_direction_t to = no_direction;
+  tf_search_quadrant(&contact->tyre, &q, &last, &to);
   if (to.sign_g) *T = to.T;
   return to.sign_g != 0;
 }
 
 // The best exit into the side h > 0 or h < 0, from both of its quadrants.
-static void add_exit(const tf_machine_t *k, const codim2_field_t *field,
+static void add_exit(const tf_contact_t *contact, const codim2_field_t *field,
                      int sign_h, consistent_modes_t *out) {
   const int slip = sign_h > 0 ? 0 : 1;
   limit_direction_t best = no_direction;
   for (int n = 0; n < 2; n++) {
-    const quadrant_t q = tf_quadrant_of(&k->tyre, field, n ? 1 : -1, sign_h);
-    if (tf_may_leave(&q, k->tyre.T_anchor[TF_TYRE_ANCHORS - 1]))
-      best = tf_search_quadrant(&k->tyre, &q, &exits, best);
+    const quadrant_t q =
+        tf_quadrant_of(&contact->tyre, field, n ? 1 : -1, sign_h);
+    if (tf_may_leave(&q, contact->tyre.T_anchor[TF_TYRE_ANCHORS - 1]))
+      tf_search_quadrant(&contact->tyre, &q, &exits, &best);
   }
   if (!best.sign_g) return;
   const unsigned bit = TF_MODE_BIT(TF_SLIP_PLUS + slip);
@@ -55,52 +42,53 @@ static void add_exit(const tf_machine_t *k, const codim2_field_t *field,
 
 // The stick with the sign s of g, if the law has the force that keeps h at 0
 // and g gets that sign under it. Returns how fast g grows, 0 where it does not.
-static tf_real_t add_stick(const tf_machine_t *k, const codim2_field_t *field,
-                           int s, consistent_modes_t *out) {
-  solutions_t *solutions = &out->solutions;
+static tf_real_t add_stick(const tf_contact_t *contact,
+                           const codim2_field_t *field, int s,
+                           consistent_modes_t *out) {
+  tf_contact_modes_t *solutions = &out->solutions;
   const stick_t stick = stick_at(field, s);
   if (stick.attracts)
     solutions->attracting |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
   if (!within(stick.x, 1) || !(stick.rate > 0)) return 0;
   solutions->set |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
-  out->lambda[s] = stick.x * k->tyre.mu;
+  out->lambda[s] = stick.x * contact->tyre.mu;
   return stick.rate;
 }
 
-TF_API void tf_codim2_modes(const tf_machine_t *k, const codim2_field_t *field,
+TF_API void tf_codim2_modes(const tf_contact_t *contact,
+                            const codim2_field_t *field,
                             consistent_modes_t *out) {
   *out = (consistent_modes_t){.solutions = {.set = 0}};
-  add_exit(k, field, 1, out);
-  add_exit(k, field, -1, out);
-  const tf_real_t plus = add_stick(k, field, 0, out);
-  const tf_real_t minus = add_stick(k, field, 1, out);
+  add_exit(contact, field, 1, out);
+  add_exit(contact, field, -1, out);
+  const tf_real_t plus = add_stick(contact, field, 0, out);
+  const tf_real_t minus = add_stick(contact, field, 1, out);
   out->solutions.near_stick = minus > plus ? TF_STICK_MINUS : TF_STICK_PLUS;
-  if (rests_under(k->rest, field->pin.x, field->pin.y))
+  if (rests_under(contact->rest, field->pin.x, field->pin.y))
     out->solutions.set |= (uint8_t)TF_MODE_BIT(TF_PINNED);
 }
 
-TF_API multipliers_t tf_codim2_multipliers(const tf_machine_t *k,
+TF_API multipliers_t tf_codim2_multipliers(const tf_contact_t *contact,
                                            const consistent_modes_t *modes,
                                            unsigned mode) {
   if (!is_slip(mode)) {
-    const tf_real_t x = modes->lambda[mode == TF_STICK_MINUS] * k->inv_mu;
-    return (multipliers_t){x, mode == TF_STICK_MINUS ? -x : x};
+    const tf_real_t x = modes->lambda[mode == TF_STICK_MINUS] * contact->inv_mu;
+    return stick_multipliers(x, mode == TF_STICK_MINUS);
   }
   const tf_real_t side = mode == TF_SLIP_PLUS ? TF_R(1.0) : TF_R(-1.0);
-  return signed_multipliers(multipliers_at(&k->tyre, modes->T[mode]), side,
-                            (tf_real_t)modes->sign_g[mode]);
+  return signed_multipliers(multipliers_at(&contact->tyre, modes->T[mode]),
+                            side, (tf_real_t)modes->sign_g[mode]);
 }
 
-TF_API unsigned tf_leave_codim2(const tf_machine_t *k,
+TF_API unsigned tf_leave_codim2(const tf_contact_t *contact,
                                 const codim2_field_t *field, unsigned from,
-                                bool arrives, const tf_state_t *state,
+                                bool arrives, uint64_t tick, uint32_t seed,
                                 const consistent_modes_t *modes) {
-  solutions_t s = modes->solutions;
+  tf_contact_modes_t s = modes->solutions;
   // Where the law of stick holds the wheel, a stick that arrives goes on.
   if (arrives && !is_slip(from) &&
       rests_under(TF_REST_BOW_TIE, field->pin.x, field->pin.y))
     s.attracting |= (uint8_t)TF_MODE_BIT(TF_PINNED);
   const bool lost = arrives || (from != TF_PINNED && !has(s.set, from));
-  return tf_select(k->rule, k->exit_threshold, &s, lost ? TF_NO_MODE : from,
-                   state->tick, state->seed);
+  return tf_contact_choose(contact, &s, lost ? TF_NO_MODE : from, tick, seed);
 }

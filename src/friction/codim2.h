@@ -13,8 +13,17 @@
 #ifndef TF_CODIM2_H
 #define TF_CODIM2_H
 
-#include "consistent.h"
+#include "inclusion.h"
 #include "quadrant.h"
+
+// The consistent modes of an instant, as tf_contact_choose reads them, and how
+// each slip leaves.
+typedef struct {
+  tf_contact_modes_t solutions;
+  tf_real_t lambda[2]; // of stick+ and stick-, where they are in the set
+  tf_real_t T[2];      // cot(psi) along which slip+, slip- leave h = g = 0
+  int sign_g[2];       // and the sign of g there
+} consistent_modes_t;
 
 // The stick with one sign of g (s: 0 for +, 1 for -) at h = g = 0: the
 // multiplier that keeps h at 0, how fast |g| grows under it, and whether its
@@ -31,25 +40,21 @@ TF_INLINE stick_t stick_at(const codim2_field_t *field, int s) {
   return (stick_t){x, sign * (g.c0 + x * (g.cx + sign * g.cy)), slope < 0};
 }
 
-// h = g = 0 means p = 0 and r z = 0: the wheel turns with the turntable, or the
-// slider passes the axis. Set to 0 is whichever of z and r changes r z now.
-TF_INLINE void place_at_codim2(const rates_t *now, tf_real_t *r, tf_real_t *z) {
-  if (now->vz > now->rz)
-    *r = 0;
-  else
-    *z = 0;
+// The multipliers under which neither h nor g changes; too large where friction
+// cannot do that.
+TF_INLINE multipliers_t balancing_multipliers(affine_t h, affine_t g) {
+  const tf_real_t det = h.cx * g.cy - h.cy * g.cx;
+  const tf_real_t x = h.cy * g.c0 - h.c0 * g.cy;
+  const tf_real_t y = h.c0 * g.cx - h.cx * g.c0;
+  if (det == 0) return (multipliers_t){TF_REAL_MAX, TF_REAL_MAX};
+  return (multipliers_t){x / det, y / det};
 }
-
-// That of an instant.
-#define tf_codim2_field_of TF_LINK(tf_codim2_field_of)
-TF_API codim2_field_t tf_codim2_field_of(const tf_machine_t *k,
-                                         const rates_t *rates);
 
 // The limit direction of one quadrant of the (g, h) plane to which a slip near
 // h = g = 0 turns, whether it falls in or leaves: its T = cot(psi). False where
 // there is none.
 #define tf_codim2_attractor TF_LINK(tf_codim2_attractor)
-TF_API bool tf_codim2_attractor(const tf_machine_t *k,
+TF_API bool tf_codim2_attractor(const tf_contact_t *contact,
                                 const codim2_field_t *field, int sign_g,
                                 int sign_h, tf_real_t *T);
 
@@ -68,7 +73,7 @@ typedef struct {
 // the cells between the anchors of the angle kernel, each with the velocity in
 // its middle, to its limit direction, h = 0 or the end of the step.
 #define tf_codim2_course TF_LINK(tf_codim2_course)
-TF_API codim2_course_t tf_codim2_course(const tf_machine_t *k,
+TF_API codim2_course_t tf_codim2_course(const tf_contact_t *contact,
                                         const codim2_field_t *field,
                                         tf_slip_t slip, int sign_h);
 
@@ -77,12 +82,13 @@ TF_API codim2_course_t tf_codim2_course(const tf_machine_t *k,
 // faster. `attracting` has the slips that attract as well, h_limit their s',
 // and near_stick is the faster stick.
 #define tf_codim2_modes TF_LINK(tf_codim2_modes)
-TF_API void tf_codim2_modes(const tf_machine_t *k, const codim2_field_t *field,
+TF_API void tf_codim2_modes(const tf_contact_t *contact,
+                            const codim2_field_t *field,
                             consistent_modes_t *out);
 
 // The multipliers of a slip or stick of these modes that leaves h = g = 0.
 #define tf_codim2_multipliers TF_LINK(tf_codim2_multipliers)
-TF_API multipliers_t tf_codim2_multipliers(const tf_machine_t *k,
+TF_API multipliers_t tf_codim2_multipliers(const tf_contact_t *contact,
                                            const consistent_modes_t *modes,
                                            unsigned mode);
 
@@ -90,9 +96,9 @@ TF_API multipliers_t tf_codim2_multipliers(const tf_machine_t *k,
 // where there is none. from: the mode of the motion. arrives: it comes there,
 // and has lost its mode; else it is there, and keeps its mode as the rule says.
 #define tf_leave_codim2 TF_LINK(tf_leave_codim2)
-TF_API unsigned tf_leave_codim2(const tf_machine_t *k,
+TF_API unsigned tf_leave_codim2(const tf_contact_t *contact,
                                 const codim2_field_t *field, unsigned from,
-                                bool arrives, const tf_state_t *state,
+                                bool arrives, uint64_t tick, uint32_t seed,
                                 const consistent_modes_t *modes);
 
 #endif

@@ -1,6 +1,5 @@
 // The course of a slip near h = g = 0, where its velocity (h', g') depends on
 // its angle alone.
-#include "../model/tyre_law.h"
 #include "codim2.h"
 
 // Through how many quadrants a slip comes at most. It crosses h = 0 where h'
@@ -97,7 +96,7 @@ static bool cross_cell(const tf_tyre_t *tyre, const quadrant_t *q, tf_real_t C,
   if (has_come_to_codim2(at)) return true;
   const tf_real_t size = square_root(at->H * at->H + at->G * at->G);
   const tf_real_t H_mid = at->H + size * C, G_mid = at->G + size * S;
-  const tf_real_t T = cot_psi(tyre, G_mid, H_mid);
+  const tf_real_t T = tf_cot_psi(tyre, G_mid, H_mid);
   const tf_real_t H_rate = q->h0 + q->h1 * T, G_rate = q->g0 + q->g1 * T;
   const tf_real_t remaining = 1 - at->time;
   const tf_real_t across = H_rate * S - G_rate * C;
@@ -142,22 +141,22 @@ static bool cross_quadrant(const tf_tyre_t *tyre, const quadrant_t *q,
   return true;
 }
 
-TF_API codim2_course_t tf_codim2_course(const tf_machine_t *k,
+TF_API codim2_course_t tf_codim2_course(const tf_contact_t *contact,
                                         const codim2_field_t *field,
                                         tf_slip_t slip, int sign_h) {
-  const tf_tyre_t *tyre = &k->tyre;
+  const tf_tyre_t *tyre = &contact->tyre;
   const direction_t steepest = {0, 1, tyre->T_anchor[TF_TYRE_ANCHORS - 1]};
   const direction_t flattest = {1, 0, 0};
   const tf_real_t H = (tf_real_t)sign_h * slip.h;
   course_point_t now = {H > 0 ? H : 0, magnitude(slip.g), 0, {0, 0}};
   int sign_g = slip.g < 0 ? -1 : 1;
-  direction_t at = {now.H, now.G, cot_psi(tyre, now.G, now.H)};
+  direction_t at = {now.H, now.G, tf_cot_psi(tyre, now.G, now.H)};
   quadrant_t q = tf_quadrant_of(tyre, field, sign_g, sign_h);
   bool upwards = angular_rate(&q, at) > 0;
   for (int i = 0; i < QUADRANTS; i++) {
     const search_t next = {false, upwards, at.T};
-    const limit_direction_t to =
-        tf_search_quadrant(tyre, &q, &next, no_direction);
+    limit_direction_t to = no_direction;
+    tf_search_quadrant(tyre, &q, &next, &to);
     if (!cross_quadrant(tyre, &q, &to, upwards, at.T, &now)) {
       const tf_slip_t end = {(tf_real_t)sign_h * now.H,
                              (tf_real_t)sign_g * now.G};

@@ -19,20 +19,15 @@
 
 #include <stdint.h>
 
-#include "../model/tyre_law.h"
 #include "../num/kernel.h"
+#include "mode_set.h"
 #include "rest_law.h"
-#include "twofold/mode.h"
-#include "twofold/tyre.h"
-
-// c0 + cx x + cy y + cxx x^2 + cxy x y + cyy y^2, all [m/s].
-typedef struct {
-  tf_real_t c0, cx, cy, cxx, cxy, cyy;
-} form_t;
+#include "twofold/contact.h"
+#include "tyre_law.h"
 
 // The inclusion (incl) of one step.
 typedef struct {
-  form_t h, g;
+  tf_form_t h, g;
   tf_real_t g_now;        // g before the step: decides a tie of s [m/s]
   bool has_moment;        // false: cy, cxy, cyy are 0 and stick depends on no s
   tf_rest_law_t rest;     // the law at h = g = 0
@@ -40,26 +35,14 @@ typedef struct {
                           // where g+ can have both signs
 } inclusion_t;
 
-// Its solutions.
-typedef struct {
-  uint8_t set;          // bit TF_MODE_BIT(mode) for each consistent mode
-  uint8_t attracting;   // bits of the sticks with a positive Delassus scalar;
-                        // at h = g = 0 of the slips that attract as well,
-                        // and of pinned if a stick goes on in it
-  uint8_t near_stick;   // the stick on the present side of g: decides a tie
-  tf_real_t x[2];       // of stick+, stick- where in the set, in [-1, 1]
-  tf_real_t tau[2];     // y / x at h -> 0 of slip+, slip-
-  tf_real_t h_limit[2]; // h+ of slip+, slip- under the force at h -> 0
-} solutions_t;
-
-TF_INLINE tf_real_t form_value(const form_t *f, tf_real_t x, tf_real_t y) {
+TF_INLINE tf_real_t form_value(const tf_form_t *f, tf_real_t x, tf_real_t y) {
   return f->c0 + x * (f->cx + x * f->cxx) +
          y * (f->cy + x * f->cxy + y * f->cyy);
 }
 
 // Whether a form that is `now` at the start can come to 0 within the step: by
 // how much it moves, free and under the forces of the law.
-TF_INLINE bool may_vanish(const form_t *f, tf_real_t now) {
+TF_INLINE bool may_vanish(const tf_form_t *f, tf_real_t now) {
   return within(now, magnitude(f->c0 - now) + MAX_SLIP_FORCE(magnitude(f->cx)) +
                          magnitude(f->cy));
 }
@@ -71,7 +54,7 @@ typedef struct {
   tf_real_t c0, c1, c2, at_upper, at_lower;
 } quadratic_t;
 
-TF_INLINE quadratic_t along(const form_t *f, int s) {
+TF_INLINE quadratic_t along(const tf_form_t *f, int s) {
   quadratic_t on = {f->c0, s ? f->cx - f->cy : f->cx + f->cy, 0, 0, 0};
   on.c2 = s ? f->cxx + f->cyy - f->cxy : f->cxx + f->cyy + f->cxy;
   on.at_upper = f->c0 + on.c2 + on.c1;
@@ -102,13 +85,13 @@ TF_INLINE bool stick_attracts(const quadratic_t *h) { return h->c1 < 0; }
 #define MINUS_SIGN 2u
 #define BOTH_SIGNS 3u
 
-TF_INLINE tf_real_t most_change(const form_t *f) {
+TF_INLINE tf_real_t most_change(const tf_form_t *f) {
   const tf_real_t X = MAX_SLIP_FORCE(TF_R(1.0));
   return X * (magnitude(f->cx) + magnitude(f->cxy) + X * magnitude(f->cxx)) +
          (magnitude(f->cy) + magnitude(f->cyy));
 }
 
-TF_INLINE unsigned signs_of(const form_t *g) {
+TF_INLINE unsigned signs_of(const tf_form_t *g) {
   const tf_real_t most = most_change(g);
   if (g->c0 > most) return PLUS_SIGN;
   if (-g->c0 > most) return MINUS_SIGN;
@@ -177,7 +160,7 @@ TF_INLINE bool has_sign_of_g(tf_real_t g_end, int s, bool has_moment) {
 
 // The stick of one s, if there is one.
 TF_INLINE void solve_stick(const quadratic_t *h, const quadratic_t *g, int s,
-                           bool has_moment, solutions_t *out) {
+                           bool has_moment, tf_contact_modes_t *out) {
   const bool above = slip_plus_solves(h), one = above != slip_minus_solves(h);
   const bool two = one && has_two_roots(h, above);
   if (stick_attracts(h))
@@ -257,7 +240,14 @@ TF_RARE tf_real_t share_at_g_zero(tf_real_t side, slip_ends_t at,
 
 // The slip at h -> 0 on one side, whatever its share of the moment.
 TF_INLINE void solve_slip(const inclusion_t *in, int slip, tf_real_t side,
-                          slip_ends_t at, solutions_t *out) {
+                          slip_ends_t at, tf_contact_modes_t *out) {
+  if (!in->has_moment) { // both s are one law
+    out->tau[slip] = 1;
+    out->h_limit[slip] = at.h_plus;
+    if (side * at.h_plus > 0)
+      out->set |= (uint8_t)TF_MODE_BIT(TF_SLIP_PLUS + slip);
+    return;
+  }
   const tf_real_t h_bend = in->h.cyy, g_bend = in->g.cyy;
   tf_real_t tau =
       moment_share(at.g_plus, at.g_minus, g_bend, side * at.h_plus > 0,
@@ -275,7 +265,7 @@ TF_INLINE void solve_slip(const inclusion_t *in, int slip, tf_real_t side,
 
 // Every g+ has the sign of one s.
 TF_INLINE void enumerate_one_sign(const inclusion_t *in, int s,
-                                  solutions_t *out) {
+                                  tf_contact_modes_t *out) {
   const quadratic_t h = along(&in->h, s);
   const bool plus = slip_plus_solves(&h), minus = slip_minus_solves(&h);
   out->set = (uint8_t)(plus << TF_SLIP_PLUS | minus << TF_SLIP_MINUS);
@@ -290,7 +280,8 @@ TF_INLINE void enumerate_one_sign(const inclusion_t *in, int s,
 }
 
 // g+ may have either sign: codimension two is within reach of this step.
-TF_INLINE void enumerate_both_signs(const inclusion_t *in, solutions_t *out) {
+TF_INLINE void enumerate_both_signs(const inclusion_t *in,
+                                    tf_contact_modes_t *out) {
   const quadratic_t h0 = along(&in->h, 0), h1 = along(&in->h, 1);
   const quadratic_t g0 = along(&in->g, 0), g1 = along(&in->g, 1);
   out->set = 0;
@@ -307,7 +298,7 @@ TF_INLINE void enumerate_both_signs(const inclusion_t *in, solutions_t *out) {
 }
 
 TF_INLINE void enumerate(const inclusion_t *in, unsigned signs,
-                         solutions_t *out) {
+                         tf_contact_modes_t *out) {
   const bool at_plus =
       signs == BOTH_SIGNS ? in->g_now >= 0 : signs == PLUS_SIGN;
   out->near_stick = at_plus ? TF_STICK_PLUS : TF_STICK_MINUS;
@@ -317,6 +308,52 @@ TF_INLINE void enumerate(const inclusion_t *in, unsigned signs,
     enumerate_one_sign(in, 0, out);
   else
     enumerate_one_sign(in, 1, out);
+}
+
+// The same as a function, for who need be small rather than fast.
+#define tf_enumerate TF_LINK(tf_enumerate)
+TF_API void tf_enumerate(const inclusion_t *in, unsigned signs,
+                         tf_contact_modes_t *out);
+
+// The multipliers that end a step at a slip, from a guess, by two steps of
+// Newton's method; NaN where friction cannot steer both h and g.
+#define tf_multipliers_to TF_LINK(tf_multipliers_to)
+TF_API multipliers_t tf_multipliers_to(const tf_form_t *h, const tf_form_t *g,
+                                       tf_slip_t to, multipliers_t guess);
+
+// Whether a step that does not begin at rest has h = g = 0 within reach: a slip
+// that is so near, or a stick whose g changes its sign.
+TF_INLINE bool slip_reaches_codim2(const tf_form_t *h, const tf_form_t *g,
+                                   tf_slip_t now) {
+  return may_vanish(h, now.h) && may_vanish(g, now.g);
+}
+
+TF_INLINE bool stick_reaches_codim2(unsigned mode, unsigned signs,
+                                    unsigned set) {
+  const unsigned own = mode == TF_STICK_PLUS ? PLUS_SIGN : MINUS_SIGN;
+  return signs != own && !has(set, mode);
+}
+
+// The multipliers of a stick, of a slip at the slip `at`, and of one at h -> 0.
+TF_INLINE multipliers_t stick_multipliers(tf_real_t x, bool minus) {
+  return (multipliers_t){x, minus ? -x : x};
+}
+
+// rare: where it need be small rather than fast.
+TF_INLINE multipliers_t slip_multipliers(const tf_tyre_t *tyre, tf_real_t side,
+                                         tf_slip_t at, bool rare) {
+  if (tyre->law == TF_TYRE_COULOMB) return (multipliers_t){side, 0};
+  return rare ? tf_jump_multipliers(tyre, side, at.h, at.g)
+              : jump_multipliers(tyre, side, at.h, at.g);
+}
+
+TF_INLINE multipliers_t limit_multipliers(tf_real_t side, tf_real_t tau) {
+  return (multipliers_t){side, tau * side};
+}
+
+// The force under multipliers.
+TF_INLINE tf_force_t force_under(const tf_contact_t *contact, multipliers_t m) {
+  return (tf_force_t){m.x * contact->tyre.mu, m.y * contact->kappa_mu};
 }
 
 // Natural map of F in mu Sgn(h).

@@ -164,8 +164,9 @@ static separators_t find_separators(const tf_tyre_t *tyre,
 
 static limit_direction_t limit_direction_in(const tf_tyre_t *tyre,
                                             const quadrant_t *q, int anchor,
-                                            const cell_t *cell, bracket_t in) {
-  const cell_point_t zero = zero_in(tyre, cell, in);
+                                            bracket_t in) {
+  const cell_t cell = cell_of(q, anchor, tyre->T_anchor[anchor]);
+  const cell_point_t zero = zero_in(tyre, &cell, in);
   const tf_real_t T = cot_psi_beyond(tyre->T_anchor[anchor], zero.u);
   const direction_t at = direction_in(anchor, zero.x, T);
   const tf_real_t length = square_root(at.C * at.C + at.S * at.S);
@@ -185,34 +186,46 @@ static bool is_better(const search_t *search, const limit_direction_t *next,
                                                   : next->is_attractor;
 }
 
-// Whether a limit direction between two values of T may be better, from what is
-// known before it is solved for. Both accelerations are affine in T.
-static bool may_be_better(const search_t *search, const quadrant_t *q,
-                          bool attracts, tf_real_t low, tf_real_t high,
-                          const limit_direction_t *best) {
-  if (search->leaves)
-    return (attracts || !best->is_attractor) &&
-           (q->g0 + q->g1 * low > 0 || q->g0 + q->g1 * high > 0) &&
-           (q->h0 + q->h1 * low > 0 || q->h0 + q->h1 * high > 0);
-  return attracts &&
-         (search->upwards ? (high >= search->T) & (best->sign_g == 0)
-                          : low <= search->T);
-}
-
-// The part of the cell of an anchor that is searched, and T at its ends.
+// The part of the cell of an anchor that lies in the quadrant: T at its ends,
+// and x there.
 typedef struct {
   int anchor;
-  tf_real_t low, high, T_low, T_high;
+  tf_real_t T_low, T_high;
 } cell_part_t;
+
+static tf_real_t low_end(int anchor) { return anchor > 0 ? -border[0] : 0; }
+
+static tf_real_t high_end(int anchor) {
+  return anchor < TF_TYRE_ANCHORS - 1 ? border[0] : 0;
+}
+
+// Whether what is asked for may lie in a cell. Both accelerations are affine in
+// T.
+static bool may_be_in(const search_t *search, const quadrant_t *q,
+                      const cell_part_t *span) {
+  const tf_real_t low = span->T_low, high = span->T_high;
+  if (search->leaves)
+    return (q->g0 + q->g1 * low > 0 || q->g0 + q->g1 * high > 0) &&
+           (q->h0 + q->h1 * low > 0 || q->h0 + q->h1 * high > 0);
+  return search->upwards ? high >= search->T : low <= search->T;
+}
+
+// Whether a limit direction there may be better, from what is known before it
+// is solved for.
+static bool may_be_better(const search_t *search, bool attracts,
+                          const limit_direction_t *best) {
+  if (search->leaves) return attracts || !best->is_attractor;
+  return search->upwards ? attracts & (best->sign_g == 0) : attracts;
+}
 
 // Whether the angular rate surely has this sign where T has a value in a cell:
 // for one T it is linear in x.
 static bool has_sign_at(const quadrant_t *q, const cell_part_t *span,
                         tf_real_t T, bool positive) {
-  return (angular_rate(q, direction_in(span->anchor, span->low, T)) > 0) ==
-             positive &&
-         (angular_rate(q, direction_in(span->anchor, span->high, T)) > 0) ==
-             positive;
+  return (angular_rate(q, direction_in(span->anchor, low_end(span->anchor),
+                                       T)) > 0) == positive &&
+         (angular_rate(q, direction_in(span->anchor, high_end(span->anchor),
+                                       T)) > 0) == positive;
 }
 
 // Where in a cell T has a value: u - u0 is a form of a cell as well.
@@ -220,61 +233,71 @@ static tf_real_t x_at_T(const tf_tyre_t *tyre, const cell_part_t *span,
                         tf_real_t T) {
   const tf_real_t T_anchor = tyre->T_anchor[span->anchor];
   const cell_t has_u = {-(T - T_anchor) / (1 + T * T_anchor), 1, 0, 0};
-  return zero_in(tyre, &has_u, (bracket_t){span->low, span->high, false}).x;
+  return zero_in(
+             tyre, &has_u,
+             (bracket_t){low_end(span->anchor), high_end(span->anchor), false})
+      .x;
 }
 
-// Searches a cell, from its lower end with this sign of the angular rate.
-// Returns the sign at its upper end. A separator at which the rate has the sign
-// of its lower neighbour separates nothing.
-static bool search_cell(const tf_tyre_t *tyre, const quadrant_t *q,
+// T at the border below a cell, which is that above the last one.
+static tf_real_t T_below(const tf_tyre_t *tyre, int anchor, tf_real_t u) {
+  return anchor > 0 ? cot_psi_beyond(tyre->T_anchor[anchor - 1], u) : 0;
+}
+
+static cell_part_t cell_part(const tf_tyre_t *tyre, int anchor, tf_real_t u) {
+  const bool last = anchor == TF_TYRE_ANCHORS - 1;
+  return (cell_part_t){
+      anchor, T_below(tyre, anchor, u),
+      last ? tyre->T_anchor[anchor] : T_below(tyre, anchor + 1, u)};
+}
+
+// A cell begins with the angular rate with which the one below it ends.
+static bool begins_positive(const quadrant_t *q, const cell_part_t *span) {
+  const direction_t at =
+      span->anchor > 0 ? direction_in(span->anchor - 1, border[0], span->T_low)
+                       : (direction_t){1, 0, 0};
+  return angular_rate(q, at) > 0;
+}
+
+// Searches a cell. A separator at which the rate has the sign of its lower
+// neighbour separates nothing.
+static void search_cell(const tf_tyre_t *tyre, const quadrant_t *q,
                         const separators_t *separators, const cell_part_t *span,
-                        bool positive, const search_t *search,
-                        limit_direction_t *best) {
+                        const search_t *search, limit_direction_t *best) {
   const int anchor = span->anchor;
-  const cell_t cell = cell_of(q, anchor, tyre->T_anchor[anchor]);
-  tf_real_t begin = span->low;
+  bool positive = begins_positive(q, span);
+  tf_real_t begin = low_end(span->anchor);
   for (int n = 0; n <= SEPARATORS; n++) {
     const bool last = n == SEPARATORS;
     const tf_real_t T = last ? span->T_high : separators->T[n];
     if (!last && (!(T > span->T_low && T < span->T_high) ||
                   has_sign_at(q, span, T, positive)))
       continue;
-    const tf_real_t end = last ? span->high : x_at_T(tyre, span, T);
-    const bool after = angular_rate(q, direction_in(anchor, end, T)) > 0;
+    const tf_real_t end = last ? high_end(span->anchor) : x_at_T(tyre, span, T);
     const bracket_t part = {begin, end, positive};
-    const bool changes = after != positive;
     begin = end;
-    positive = after;
-    if (!changes ||
-        !may_be_better(search, q, part.falls, span->T_low, span->T_high, best))
+    positive = angular_rate(q, direction_in(anchor, end, T)) > 0;
+    if (positive == part.falls || !may_be_better(search, part.falls, best))
       continue;
-    const limit_direction_t next =
-        limit_direction_in(tyre, q, anchor, &cell, part);
+    const limit_direction_t next = limit_direction_in(tyre, q, anchor, part);
     if (is_better(search, &next, best)) *best = next;
   }
-  return positive;
 }
 
-// They lie where the angular rate changes its sign between two neighbours of
-// the borders of the cells and the separators.
-TF_API limit_direction_t tf_search_quadrant(const tf_tyre_t *tyre,
-                                            const quadrant_t *q,
-                                            const search_t *search,
-                                            limit_direction_t best) {
+// Limit directions lie where the angular rate changes its sign between two
+// neighbours of the borders of the cells and the separators. Of those from T on
+// the first is found in the first cell that has any, upwards or downwards.
+TF_API void tf_search_quadrant(const tf_tyre_t *tyre, const quadrant_t *q,
+                               const search_t *search,
+                               limit_direction_t *best) {
   const separators_t separators = find_separators(tyre, q);
   const tf_real_t u_border = cot_psi_near_zero(tyre, border[0]);
-  bool positive = angular_rate(q, (direction_t){1, 0, 0}) > 0;
-  cell_part_t span = {0, 0, 0, 0, 0};
-  for (int anchor = 0; anchor < TF_TYRE_ANCHORS; anchor++) {
-    const bool last = anchor == TF_TYRE_ANCHORS - 1;
-    const tf_real_t T = tyre->T_anchor[anchor];
-    span.anchor = anchor;
-    span.high = last ? 0 : border[0];
-    span.T_high = last ? T : cot_psi_beyond(T, u_border);
-    positive =
-        search_cell(tyre, q, &separators, &span, positive, search, &best);
-    span.low = -border[0];
-    span.T_low = span.T_high;
+  const bool down = !search->leaves && !search->upwards;
+  for (int i = 0; i < TF_TYRE_ANCHORS; i++) {
+    const int anchor = down ? TF_TYRE_ANCHORS - 1 - i : i;
+    const cell_part_t span = cell_part(tyre, anchor, u_border);
+    if (may_be_in(search, q, &span))
+      search_cell(tyre, q, &separators, &span, search, best);
+    if (!search->leaves && best->sign_g) break;
   }
-  return best;
 }

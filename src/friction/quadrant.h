@@ -2,7 +2,7 @@
 #ifndef TF_QUADRANT_H
 #define TF_QUADRANT_H
 
-#include "../model/tyre_law.h"
+#include "tyre_law.h"
 
 // c0 + cx x + cy y in the multipliers of force and moment.
 typedef struct {
@@ -62,11 +62,10 @@ typedef struct {
   tf_real_t T;
 } search_t;
 
-// The one that is asked for, or the best so far where none is better.
+// Puts the one that is asked for in the place of the best so far, where it is
+// better.
 #define tf_search_quadrant TF_LINK(tf_search_quadrant)
-TF_API limit_direction_t tf_search_quadrant(const tf_tyre_t *tyre,
-                                            const quadrant_t *q,
-                                            const search_t *search,
-                                            limit_direction_t best);
+TF_API void tf_search_quadrant(const tf_tyre_t *tyre, const quadrant_t *q,
+                               const search_t *search, limit_direction_t *best);
 
 #endif

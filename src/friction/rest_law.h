@@ -7,8 +7,8 @@
 #ifndef TF_REST_LAW_H
 #define TF_REST_LAW_H
 
-#include "../model/tyre_law.h"
-#include "twofold/machine.h"
+#include "twofold/contact.h"
+#include "tyre_law.h"
 
 typedef struct {
   tf_real_t x0, x1, y0, y1;

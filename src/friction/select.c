@@ -1,11 +1,10 @@
 // Which of several consistent modes a step takes.
-#include "select.h"
-
 #include "mode_set.h"
+#include "twofold/contact.h"
 #include "twofold/philox.h"
 
 // The stick of a non-empty set; of two, the one on the present side of g.
-static unsigned stick_of(unsigned sticks, const solutions_t *solutions) {
+static unsigned stick_of(unsigned sticks, const tf_contact_modes_t *solutions) {
   if (has(sticks, solutions->near_stick)) return solutions->near_stick;
   return has(sticks, TF_STICK_PLUS) ? TF_STICK_PLUS : TF_STICK_MINUS;
 }
@@ -57,7 +56,8 @@ static unsigned rule_exit(tf_rule_t rule, uint64_t exit_threshold, unsigned set,
 }
 
 // The faster slip of a non-empty set.
-static unsigned fastest_of(unsigned slips, const solutions_t *solutions) {
+static unsigned fastest_of(unsigned slips,
+                           const tf_contact_modes_t *solutions) {
   const bool plus_is_faster =
       magnitude(solutions->h_limit[0]) >= magnitude(solutions->h_limit[1]);
   if (has(slips, TF_SLIP_PLUS) && (plus_is_faster || slips != SLIPS))
@@ -65,9 +65,10 @@ static unsigned fastest_of(unsigned slips, const solutions_t *solutions) {
   return TF_SLIP_MINUS;
 }
 
-TF_API unsigned tf_select(tf_rule_t rule, uint64_t exit_threshold,
-                          const solutions_t *solutions, unsigned mode,
-                          uint64_t tick, uint32_t seed) {
+TF_API unsigned tf_contact_choose(const tf_contact_t *contact,
+                                  const tf_contact_modes_t *solutions,
+                                  unsigned mode, uint64_t tick, uint32_t seed) {
+  const tf_rule_t rule = contact->rule;
   const unsigned set = solutions->set;
   const unsigned sticks = set & STICKS, slips = set & SLIPS;
   const unsigned attracting = set & solutions->attracting;
@@ -84,7 +85,7 @@ TF_API unsigned tf_select(tf_rule_t rule, uint64_t exit_threshold,
     return fastest_of(attracting & SLIPS, solutions);
   if (!lost || waits_for_draw) {
     const unsigned next =
-        rule_exit(rule, exit_threshold, set, mode, tick, seed);
+        rule_exit(rule, contact->exit_threshold, set, mode, tick, seed);
     if (has(set, next)) return next;
   }
   if (has(set, TF_PINNED)) return TF_PINNED;

@@ -4,8 +4,7 @@
 #ifndef TF_SLIP_RESIDUAL_H
 #define TF_SLIP_RESIDUAL_H
 
-#include "../model/tyre_law.h"
-#include "twofold/machine.h"
+#include "tyre_law.h"
 
 // |F - law| + |M - law|, and how far h is on the other side, with 1 m/s counted
 // as 1 N and 1 N m as 1 N. At h = g = 0 the law holds every angle, and what is

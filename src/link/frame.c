@@ -6,21 +6,20 @@
 #include "header.h"
 #include "twofold/wire.h"
 
-#define CRC_BYTES 5
 // Of a frame without its zeros: COBS code, header and CRC.
-#define SHORTEST (1 + TF_FRAME_HEADER + CRC_BYTES)
+#define SHORTEST (1 + TF_FRAME_HEADER + TF_FRAME_CRC)
 
 // Seven bits a byte, the lowest first, and the top bit set: no byte is zero.
 // The bits follow the data in the order of a code word of the CRC, so that
 // bursts are detected across the boundary of the two as well.
 static void put_crc(uint8_t *at, uint32_t crc) {
-  for (unsigned i = 0; i < CRC_BYTES; i++, crc >>= 7)
+  for (unsigned i = 0; i < TF_FRAME_CRC; i++, crc >>= 7)
     at[i] = (uint8_t)(0x80u | (crc & 0x7fu));
 }
 
 static bool has_crc(const uint8_t *at, uint32_t crc) {
   unsigned wrong = 0;
-  for (unsigned i = 0; i < CRC_BYTES; i++) {
+  for (unsigned i = 0; i < TF_FRAME_CRC; i++) {
     wrong |= at[i] ^ (0x80u | (unsigned)(crc & 0x7fu));
     crc >>= 7;
   }
@@ -65,11 +64,15 @@ TF_API size_t tf_frame_seal(uint8_t *wire, uint8_t type, size_t length,
   uint8_t *at = tf_frame_header(wire, type, length, *sequence, tick) + length;
   stuff(wire + 1, at);
   put_crc(at, tf_crc32(0, wire + 1, (size_t)(at - wire) - 1));
-  at += CRC_BYTES;
+  at += TF_FRAME_CRC;
   wire[0] = 0;
   *at++ = 0;
   ++*sequence;
   return (size_t)(at - wire);
+}
+
+TF_API uint32_t tf_frame_chain(uint32_t before, const uint8_t *crc) {
+  return tf_crc32(before, crc, TF_FRAME_CRC);
 }
 
 TF_API void tf_decoder_init(tf_decoder_t *decoder, uint8_t *buffer,
@@ -100,7 +103,7 @@ static void count_accepted(tf_decoder_t *decoder, const tf_frame_t *frame) {
 static bool unpack_frame(tf_decoder_t *decoder, size_t used,
                          tf_frame_t *frame) {
   uint8_t *code = decoder->buffer;
-  const size_t stuffed = used - CRC_BYTES; // if there are so many
+  const size_t stuffed = used - TF_FRAME_CRC; // if there are so many
   if (used < SHORTEST || !has_crc(code + stuffed, tf_crc32(0, code, stuffed)) ||
       !tf_unstuff(code, stuffed)) {
     decoder->bad++;

@@ -57,7 +57,7 @@ TF_API void tf_link_begin_session(tf_link_t *link, uint32_t number,
   link->describe = true;
 }
 
-// Whether a command is of this session and comes for the first time; of the
+// Whether a command names the open session and comes for the first time; of the
 // session before, whose last number is used up, nothing does. Returns:
 // TF_ANSWER_DONE, or why not.
 static int admit(const tf_link_t *link, const tf_frame_t *frame) {

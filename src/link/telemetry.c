@@ -3,6 +3,7 @@
 #include "twofold/telemetry.h"
 
 #include "crc.h"
+#include "twofold/command.h"
 
 // Appends as much of a text as fits before `end`. Returns: the byte after it.
 static uint8_t *put_text(uint8_t *at, const uint8_t *end, const char *text) {
@@ -108,7 +109,7 @@ TF_API const char *const tf_layout_heartbeat =
     "steps,u32;refused,u32;overruns,u32;dropped,u32;bad,u32;ignored,u32;"
     "min,u32,1e-9,s;mean,u32,1e-9,s;max,u32,1e-9,s;period,u32,1e-9,s;"
     "degraded,u32;fell_back,u32;coarse,u32;stalled,u32;expired,u32;"
-    "skipped,u32;run,u32";
+    "skipped,u32;run,u32;chain,u32";
 
 TF_API size_t tf_send_layout(uint8_t *wire, uint32_t *sequence, uint64_t tick,
                              tf_type_t type, const char *layout) {
@@ -163,7 +164,7 @@ TF_API size_t tf_send_heartbeat(uint8_t *wire, uint32_t *sequence,
       heartbeat->exec_min, heartbeat->exec_mean, heartbeat->exec_max,
       heartbeat->period,   heartbeat->degraded,  heartbeat->fell_back,
       heartbeat->coarse,   heartbeat->stalled,   heartbeat->expired,
-      heartbeat->skipped,  heartbeat->run};
+      heartbeat->skipped,  heartbeat->run,       heartbeat->chain};
   uint8_t *at = wire + TF_FRAME_AT;
   for (size_t i = 0; i < TF_HEARTBEAT_BYTES / 4; i++)
     at = tf_wire_put(at, counters[i], 4);
@@ -178,17 +179,18 @@ TF_API void tf_read_heartbeat(const uint8_t *payload,
       &heartbeat->exec_min, &heartbeat->exec_mean, &heartbeat->exec_max,
       &heartbeat->period,   &heartbeat->degraded,  &heartbeat->fell_back,
       &heartbeat->coarse,   &heartbeat->stalled,   &heartbeat->expired,
-      &heartbeat->skipped,  &heartbeat->run};
+      &heartbeat->skipped,  &heartbeat->run,       &heartbeat->chain};
   for (size_t i = 0; i < TF_HEARTBEAT_BYTES / 4; i++)
     *counters[i] = (uint32_t)tf_wire_get(payload + 4 * i, 4);
 }
 
-// Without its payload a frame has TF_FRAME_SIZE(0) bytes.
+// Without its payload a frame has TF_FRAME_SIZE(0) bytes, and its tail.
 TF_API tf_line_t tf_line_of_frames(uint32_t rate, uint32_t baud,
                                    const char *scene, const char *build,
-                                   bool takes_commands) {
+                                   bool takes_commands, bool has_tags) {
   // As one type, in which none of these sums comes near the end.
-  const uint32_t frame = TF_FRAME_SIZE(0), heartbeat = TF_HEARTBEAT_BYTES;
+  const uint32_t frame = TF_FRAME_SIZE(0) + (has_tags ? TF_TAIL_BYTES : 0u);
+  const uint32_t heartbeat = TF_HEARTBEAT_BYTES;
   const uint32_t step = TF_STATE_BYTES + TF_REPORT_BYTES;
   const uint32_t names = length_of(scene) + length_of(build);
   const uint32_t schema = 29u + TF_REAL_BYTES + names + 2u;

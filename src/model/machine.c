@@ -1,4 +1,4 @@
-// Kinematics and energy of the prepared machine, and names of its rules.
+// Kinematics and energy of the prepared machine.
 #include "twofold/machine.h"
 
 #include "mechanics.h"
@@ -29,15 +29,4 @@ TF_API tf_status_t tf_speed_for_slip(const tf_machine_t *machine, tf_real_t r,
 TF_API tf_real_t tf_energy(const tf_machine_t *machine, const tf_state_t *state,
                            tf_real_t r0) {
   return twice_energy(machine, state->r, state->v, state->w, r0) / 2;
-}
-
-TF_API const char *tf_rule_name(unsigned rule) {
-  static const char *const names[TF_RULES] = {"persist", "slip+", "slip-",
-                                              "random"};
-  return rule < TF_RULES ? names[rule] : "unknown rule";
-}
-
-TF_API const char *tf_rest_law_name(unsigned law) {
-  static const char *const names[TF_REST_LAWS] = {"hull", "square", "bow_tie"};
-  return law < TF_REST_LAWS ? names[law] : "unknown law of rest";
 }

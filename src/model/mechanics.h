@@ -145,7 +145,7 @@ TF_INLINE tf_real_t spin_rate_under(tf_real_t arm, tf_force_t f, tf_real_t J) {
 
 // s kappa, by the sign of g; `minus` where g < 0.
 TF_INLINE tf_real_t signed_kappa(const tf_machine_t *k, bool minus) {
-  return minus ? -k->stick_kappa : k->stick_kappa;
+  return minus ? -k->contact.stick_kappa : k->contact.stick_kappa;
 }
 
 // The arm of lambda about the axis, r cos(gamma) + s kappa [m]: lambda acts on
@@ -176,7 +176,7 @@ typedef struct {
 
 TF_INLINE delassus_quadratic_t delassus_quadratic(const tf_machine_t *k,
                                                   tf_real_t sign_g) {
-  return (delassus_quadratic_t){sign_g * k->stick_kappa * k->cos_gamma,
+  return (delassus_quadratic_t){sign_g * k->contact.stick_kappa * k->cos_gamma,
                                 k->beta2 * k->sin_gamma * k->sin_gamma};
 }
 

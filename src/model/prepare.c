@@ -2,6 +2,7 @@
 // them from then on. No step calls this.
 #include <stddef.h>
 
+#include "../friction/prepared.h"
 #include "step_length.h"
 
 #define ALL_LAWS ((1u << TF_TYRE_LAWS) - 1u)
@@ -22,8 +23,8 @@ TF_API const tf_parameter_range_t tf_parameter_ranges[TF_PARAMETERS] = {
     RANGE(c2, "N s/m", ALL_LAWS, 0.0, 1e12),
     RANGE(r0, "m", ALL_LAWS, -1e6, 1e6),
     RANGE(omega0, "rad/s", ALL_LAWS, -1e6, 1e6),
-    RANGE(mu, "N", ALL_LAWS, 0.0, 1e9),
-    RANGE(kappa, "m", KAPPA_LAWS, 1e-9, 1e6),
+    RANGE(mu, "N", ALL_LAWS, 0.0, MAX_MU),
+    RANGE(kappa, "m", KAPPA_LAWS, MIN_KAPPA, MAX_KAPPA),
     {"gamma", "rad", offsetof(tf_params_t, gamma), ALL_LAWS, -PI_HERE, PI_HERE},
     RANGE(epsilon, "m/s", LAW(SMOOTH), 1e-12, 1e6),
     RANGE(k, "1/m^2", STRING_LAWS, 1e-9, 1e12),
@@ -33,7 +34,7 @@ TF_API const tf_parameter_range_t tf_parameter_ranges[TF_PARAMETERS] = {
     RANGE(a, "m", LAW(STRING), 1e-9, 1e6),
     RANGE(theta, "1", ALL_LAWS, 0.5, 1.0),
     RANGE(dt, "s", ALL_LAWS, 1e-9, 1.0),
-    RANGE(rate, "1/s", ALL_LAWS, 0.0, 1e9),
+    RANGE(rate, "1/s", ALL_LAWS, 0.0, MAX_RATE),
     RANGE(tolerance, "1", ALL_LAWS, 0.0, 1e-3),
     {"segments", "1", offsetof(tf_params_t, segments), ALL_LAWS, 0,
      TF_LOCATED_MAX_SEGMENTS}};
@@ -54,47 +55,17 @@ static int first_offender(const tf_params_t *params) {
   return -1;
 }
 
-// T at the anchors from T(inf) = 6 kappa by halving and adding angles, then
-// its Taylor series at 0 from (1 + y^2) T' = a (1 + T^2):
-//   (2n+1) c_n = a [y^(2n)] T^2 - (2n-1) c_(n-1),   c_0 = a.
-static void prepare_angle_kernel(tf_tyre_t *tyre, tf_real_t kappa) {
-  tf_real_t *T = tyre->T_anchor;
-  T[0] = 0;
-  T[8] = 6 * kappa;
-  T[4] = half_tangent(T[8]);
-  T[2] = half_tangent(T[4]);
-  T[1] = half_tangent(T[2]);
-  T[3] = (T[2] + T[1]) / (1 - T[2] * T[1]);
-  // Above pi/4 from T(inf) downwards: a sum of angles would multiply the
-  // rounding of its terms by (1 + T^2)/T.
-  T[5] = (T[8] - T[3]) / (1 + T[8] * T[3]);
-  T[6] = (T[8] - T[2]) / (1 + T[8] * T[2]);
-  T[7] = (T[8] - T[1]) / (1 + T[8] * T[1]);
-  const tf_real_t a =
-      tf_small_arctangent(half_tangent(T[1])) * TF_R(10.185916357881301489);
-  tyre->T_series[0] = a;
-  for (int n = 1; n < TF_TYRE_TERMS; n++) {
-    const tf_real_t before = (tf_real_t)(2 * n - 1) * tyre->T_series[n - 1];
-    tf_real_t square = 0;
-    for (int i = 0; i < n; i++)
-      square += tyre->T_series[i] * tyre->T_series[n - 1 - i];
-    tyre->T_series[n] = (a * square - before) / (tf_real_t)(2 * n + 1);
-  }
-  tyre->inv_18_kappa = 1 / (18 * kappa);
-  tyre->inv_6_kappa = 1 / (6 * kappa);
-}
-
 static void prepare_tyre(tf_tyre_t *tyre, const tf_params_t *params) {
   *tyre = (tf_tyre_t){.law = params->law, .mu = params->mu};
   switch (params->law) {
     case TF_TYRE_SMOOTH:
       tyre->epsilon = params->epsilon;
       tyre->kappa = params->kappa;
-      prepare_angle_kernel(tyre, params->kappa);
+      tf_prepare_angle_kernel(tyre, params->kappa);
       break;
     case TF_TYRE_JUMP:
       tyre->kappa = params->kappa;
-      prepare_angle_kernel(tyre, params->kappa);
+      tf_prepare_angle_kernel(tyre, params->kappa);
       break;
     case TF_TYRE_TWO_PIECE: // Appendix B's choice of constants
       tyre->k = params->k;
@@ -116,13 +87,6 @@ static void prepare_tyre(tf_tyre_t *tyre, const tf_params_t *params) {
   }
 }
 
-// Whether stick carries a moment. Where friction counts as none it does not:
-// 1/mu is 0 then, and any force would pass as one that pins the wheel.
-static bool carries_moment(const tf_params_t *params) {
-  return params->law == TF_TYRE_JUMP && inverse_or_0(params->mu) > 0 &&
-         inverse_or_0(params->kappa * params->mu) > 0;
-}
-
 TF_API tf_status_t tf_prepare(tf_machine_t *machine, const tf_params_t *params,
                               int *offender) {
   const int first = first_offender(params);
@@ -140,27 +104,25 @@ TF_API tf_status_t tf_prepare(tf_machine_t *machine, const tf_params_t *params,
                             .omega0 = params->omega0,
                             .beta2 = params->beta * params->beta,
                             .theta = params->theta,
-                            .rule = params->rule,
-                            .rest = params->rest,
                             .with_angle = params->with_angle};
-  prepare_tyre(&machine->tyre, params);
+  prepare_tyre(&machine->contact.tyre, params);
+  tf_complete_contact(&machine->contact, params->rest, params->rule,
+                      params->rate * dt);
   set_step_length(machine, dt);
   tf_sine_cosine(params->gamma, &machine->sin_gamma, &machine->cos_gamma);
+  // No number is pi. On the axis A and N vanish with r only where this is 0:
+  // with the 1e-16 that rounding leaves of it no stick would get past r = 0.
+  if (within(machine->sin_gamma, TF_REAL_EPSILON * magnitude(params->gamma)))
+    machine->sin_gamma = 0;
   machine->minus_sin_gamma = -machine->sin_gamma;
   machine->d_sin_gamma = d * machine->sin_gamma;
   const tf_real_t mu = params->mu;
-  machine->stick_kappa = carries_moment(params) ? params->kappa : 0;
   machine->mu_sin_gamma = mu * machine->sin_gamma;
   machine->mu_d_sin_gamma = mu * machine->d_sin_gamma;
-  machine->kappa_mu = machine->stick_kappa * mu;
-  machine->inv_mu = inverse_or_0(mu);
-  machine->inv_kappa_mu = inverse_or_0(machine->kappa_mu);
-  const tf_real_t p = tf_exit_probability(params->rate * dt);
   // A finer tolerance would ask a series for less than its rounding.
   const tf_real_t finest = 64 * TF_REAL_EPSILON;
   machine->tolerance = params->tolerance > finest ? params->tolerance : finest;
   const uint16_t segments = (uint16_t)params->segments;
   machine->segments = segments > 0 ? segments : TF_LOCATED_SEGMENTS;
-  machine->exit_threshold = (uint64_t)(p * TF_R(9223372036854775808.0));
   return TF_OK;
 }

@@ -38,8 +38,9 @@ TF_INLINE rates_t rates_at(const tf_machine_t *k, const tf_input_t *input,
   a.N = slip_from_pq(k, a.dp, a.dq).h;
   for (int s = 0; s < 2; s++) a.A[s] = delassus_at(k, arm, s, J);
   a.vz = magnitude(v * z);
-  a.rz = magnitude(r) * (magnitude(z_rate) +
-                         k->tyre.mu * (magnitude(arm) + k->stick_kappa) / J);
+  a.rz = magnitude(r) *
+         (magnitude(z_rate) +
+          k->contact.tyre.mu * (magnitude(arm) + k->contact.stick_kappa) / J);
   // Larger than any mu where the disc already turns against the turntable, and
   // with sin gamma = 0, where friction cannot keep the slider from moving.
   a.pinning.F =
@@ -56,7 +57,7 @@ typedef struct {
 
 TF_INLINE slip_limits_t slip_limits(const tf_machine_t *k, const rates_t *a,
                                     int s) {
-  const tf_real_t Amu = a->A[s] * k->tyre.mu;
+  const tf_real_t Amu = a->A[s] * k->contact.tyre.mu;
   return (slip_limits_t){a->N - Amu, a->N + Amu};
 }
 
@@ -70,7 +71,7 @@ TF_INLINE bool is_sliding(slip_limits_t h_rate) {
 // g > 0, 1 for g < 0; A(s) is not 0.
 TF_INLINE tf_real_t stick_lambda(const tf_machine_t *k, const rates_t *a,
                                  int s) {
-  return clip(a->N / a->A[s], -k->tyre.mu, k->tyre.mu);
+  return clip(a->N / a->A[s], -k->contact.tyre.mu, k->contact.tyre.mu);
 }
 
 #endif

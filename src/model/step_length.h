@@ -9,11 +9,6 @@
 // The shortest step of a machine [s].
 #define MIN_STEP TF_R(1e-9)
 
-// 1/x, kept finite: friction below the smallest normal number counts as none.
-TF_INLINE tf_real_t inverse_or_0(tf_real_t x) {
-  return x >= TF_REAL_MIN ? 1 / x : 0;
-}
-
 // The chance of an exit stays that of a whole step: one draw decides it.
 TF_INLINE void set_step_length(tf_machine_t *k, tf_real_t dt) {
   const tf_real_t theta_dt = k->theta * dt;
@@ -26,7 +21,7 @@ TF_INLINE void set_step_length(tf_machine_t *k, tf_real_t dt) {
   k->m_plus_a = k->m + a;
   k->m_a_d2 = k->m * a * k->d * k->d;
   k->inertia = k->m * k->beta2 + theta_dt * k->c1;
-  k->inv_mu_dt = inverse_or_0(k->tyre.mu * dt);
+  k->inv_mu_dt = inverse_or_0(k->contact.tyre.mu * dt);
 }
 
 #endif

@@ -125,9 +125,9 @@ TF_API balanced_end_t tf_balanced_end(const tf_machine_t *k,
                                       const tf_input_t *input, unsigned mode,
                                       tf_force_t force) {
   given_t x = {k, state, input, magnitude(force.F), force.M};
-  if (tf_tyre_is_set_valued(k->tyre.law)) {
-    if (!is_slip(mode)) x.most = k->tyre.mu;
-    x.M = clip(force.M, -k->kappa_mu, k->kappa_mu);
+  if (tf_tyre_is_set_valued(k->contact.tyre.law)) {
+    if (!is_slip(mode)) x.most = k->contact.tyre.mu;
+    x.M = clip(force.M, -k->contact.kappa_mu, k->contact.kappa_mu);
   }
   tf_real_t excess;
   balanced_end_t end = end_with(&x, &excess);
@@ -140,7 +140,7 @@ TF_API balanced_end_t tf_balanced_end(const tf_machine_t *k,
   const tf_slip_t slip =
       slip_speeds(k, end.at.r, end.at.v, end.at.w - input->omega0);
   end.mode = slip_of_sign(slip.h, state->mode);
-  if (tf_tyre_is_set_valued(k->tyre.law))
+  if (tf_tyre_is_set_valued(k->contact.tyre.law))
     end.delassus = delassus_at(k, end.at.r * k->cos_gamma, slip.g < 0,
                                inertia_at(k, end.at.r));
   return end;
@@ -156,14 +156,15 @@ static void take_balanced_end(const balanced_end_t *end, step_end_t *to) {
   to->outcome.delassus = end->delassus;
 }
 
-TF_API step_end_t tf_checked_end(const tf_machine_t *k, const tf_state_t *state,
-                                 const tf_input_t *input, step_end_t to) {
+TF_API void tf_checked_end(const tf_machine_t *k, const tf_state_t *state,
+                           const tf_input_t *input, step_end_t *to) {
   const end_state_t from = {state->r, state->v, state->w};
-  const end_state_t at = to.end.at;
-  const unsigned mode = to.outcome.mode;
-  const tf_force_t force = to.end.force;
-  const tf_real_t energy = mean_energy(k, input, from, at);
+  const end_state_t at = to->end.at;
+  const unsigned mode = to->outcome.mode;
+  const tf_force_t force = to->end.force;
   const balance_t b = balance_of(k, is_midpoint(k), input, from, at, force.F);
+  if (is_balanced(&b) && !ends_slip(state->mode, mode)) return;
+  const tf_real_t energy = mean_energy(k, input, from, at);
   const bool coarse = is_too_coarse(k, &b, energy, from, at) ||
                       (ends_slip(state->mode, mode) && is_impulse(k, from, at));
   const bool creates = creates_energy(&b, energy);
@@ -174,10 +175,9 @@ TF_API step_end_t tf_checked_end(const tf_machine_t *k, const tf_state_t *state,
     // the axis it may end on the other side, and b is that of one end.
     if (creates || (end.mode == mode && end.force.F == force.F &&
                     (end.at.r > 0) == (at.r > 0)))
-      take_balanced_end(&end, &to);
+      take_balanced_end(&end, to);
   }
   const bool jumps = jumps_axis(k, &b, at.r - from.r);
-  if ((creates || coarse || jumps) && to.outcome.status == TF_OK)
-    to.outcome.status = TF_COARSE;
-  return to;
+  if ((creates || coarse || jumps) && to->outcome.status == TF_OK)
+    to->outcome.status = TF_COARSE;
 }

@@ -1,6 +1,6 @@
 // How a motion begins: which mode a state is in, and the law at that instant.
-#include "../friction/codim2.h"
 #include "../friction/mode_set.h"
+#include "../model/consistent.h"
 #include "twofold/step.h"
 
 // The law at this instant: the modes that are possible, and under each of them
@@ -20,8 +20,8 @@ static instant_t instant_of(const tf_machine_t *k, const tf_state_t *x,
   at.slip = tf_slip(k, r, x->v, x->w, u->omega0);
   at.rounding = slip_rounding(k, r, x->v, x->w, u->omega0);
   at.rates = rates_at(k, u, r, slider_speed(k, x->v, z), z, u->omega0);
-  at.is_codim2 = tf_tyre_is_set_valued(k->tyre.law) && k->stick_kappa > 0 &&
-                 within(at.slip.h, at.rounding) &&
+  at.is_codim2 = tf_tyre_is_set_valued(k->contact.tyre.law) &&
+                 k->contact.stick_kappa > 0 && within(at.slip.h, at.rounding) &&
                  within(at.slip.g, at.rounding);
   if (!at.is_codim2) return at;
   place_at_codim2(&at.rates, &r, &z);
@@ -32,7 +32,7 @@ static instant_t instant_of(const tf_machine_t *k, const tf_state_t *x,
 // Off h = 0 and at g != 0.
 static unsigned possible_modes(const tf_machine_t *k, instant_t *at) {
   const tf_slip_t slip = at->slip;
-  if (!tf_tyre_is_set_valued(k->tyre.law))
+  if (!tf_tyre_is_set_valued(k->contact.tyre.law))
     return TF_MODE_BIT(slip.h < 0 ? TF_SLIP_MINUS : TF_SLIP_PLUS);
   if (slip.h > at->rounding) return TF_MODE_BIT(TF_SLIP_PLUS);
   if (slip.h < -at->rounding) return TF_MODE_BIT(TF_SLIP_MINUS);
@@ -57,7 +57,7 @@ static tf_force_t first_force(const tf_machine_t *k, const instant_t *at,
                               unsigned mode) {
   const int s = at->slip.g < 0;
   if (is_slip(mode))
-    return tf_tyre_force(&k->tyre, mode ? TF_R(-1.0) : 1, at->slip.h,
+    return tf_tyre_force(&k->contact.tyre, mode ? TF_R(-1.0) : 1, at->slip.h,
                          at->slip.g);
   const tf_real_t lambda = at->modes.lambda[s];
   return (tf_force_t){lambda, signed_kappa(k, s) * lambda};
@@ -68,19 +68,20 @@ static tf_force_t first_force(const tf_machine_t *k, const instant_t *at,
 static unsigned mode_at_codim2(const tf_machine_t *k, const tf_state_t *x,
                                instant_t *at, tf_force_t *force) {
   const codim2_field_t field = tf_codim2_field_of(k, &at->rates);
-  tf_codim2_modes(k, &field, &at->modes);
+  tf_codim2_modes(&k->contact, &field, &at->modes);
   const unsigned set = at->modes.solutions.set;
   unsigned mode = has(set, x->mode) ? x->mode : TF_PINNED;
   if (!has(set, mode))
-    mode = tf_leave_codim2(k, &field, mode, false, x, &at->modes);
+    mode = tf_leave_codim2(&k->contact, &field, mode, false, x->tick, x->seed,
+                           &at->modes);
   *force = (tf_force_t){0, 0};
   if (mode == TF_NO_MODE) return TF_PINNED;
   if (mode == TF_PINNED) {
     *force = at->rates.pinning;
     return mode;
   }
-  const multipliers_t m = tf_codim2_multipliers(k, &at->modes, mode);
-  *force = (tf_force_t){k->tyre.mu * m.x, k->kappa_mu * m.y};
+  const multipliers_t m = tf_codim2_multipliers(&k->contact, &at->modes, mode);
+  *force = force_under(&k->contact, m);
   return mode;
 }
 
@@ -100,8 +101,9 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
   report->mode = state->mode;
   report->choices = (uint8_t)size_of(report->set);
   report->slip = at.slip;
-  report->delassus =
-      tf_tyre_is_set_valued(machine->tyre.law) ? at.rates.A[at.slip.g < 0] : 0;
+  report->delassus = tf_tyre_is_set_valued(machine->contact.tyre.law)
+                         ? at.rates.A[at.slip.g < 0]
+                         : 0;
   report->residual = 0;
   report->status = TF_OK;
   return TF_OK;

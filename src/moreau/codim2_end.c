@@ -2,8 +2,8 @@
 // lost. What follows that point is asked of tf_leave_codim2, which knows
 // nothing of where a step happens to end, so that the branch does not depend on
 // it.
-#include "../friction/codim2.h"
-#include "../friction/rest_motion.h"
+#include "../model/consistent.h"
+#include "../model/rest_motion.h"
 #include "rare_end.h"
 
 // The rest of a step behind h = g = 0 is not shorter than 1/32 of it, so that
@@ -50,7 +50,7 @@ static bool signs_agree(const free_motion_t *c, unsigned mode,
 // passes g = 0 changes g by more than the rounding of one step, a quarter of
 // that of several, and does not decay.
 static bool rests_at_g_zero(const free_motion_t *c, const inclusion_t *in,
-                            const solutions_t *s, unsigned mode,
+                            const tf_contact_modes_t *s, unsigned mode,
                             tf_real_t rounding) {
   const bool minus = mode == TF_STICK_MINUS;
   const quadratic_t h = along(&in->h, minus);
@@ -58,7 +58,7 @@ static bool rests_at_g_zero(const free_motion_t *c, const inclusion_t *in,
   if (!(s->attracting & TF_MODE_BIT(mode)) ||
       slip_plus_solves(&h) != slip_minus_solves(&h))
     return false;
-  const forced_end_t end = end_by(c, (multipliers_t){x, minus ? -x : x});
+  const forced_end_t end = end_by(c, stick_multipliers(x, minus));
   const tf_real_t g = end_slip(c, &end).g;
   const tf_real_t change = g - in->g_now;
   const bool decays = within(g, magnitude(in->g_now));
@@ -66,19 +66,12 @@ static bool rests_at_g_zero(const free_motion_t *c, const inclusion_t *in,
          signs_agree(c, mode, &end);
 }
 
-// Whether a motion comes to h = g = 0 in a step, in which share of it, the sum
-// of its multipliers over that, and in which mode: a slip may stick before.
-typedef struct {
-  bool comes;
-  tf_real_t share;
-  multipliers_t sum;
-  unsigned from;
-} arrival_t;
-
-// A stick comes there if it solves but with the other sign of g. One whose g is
-// already past 0, and not by rounding, has left that point.
-static arrival_t arrival_of_stick(const inclusion_t *in, int s,
-                                  tf_real_t rounding) {
+// How a motion comes to h = g = 0 in a step, as the course of a slip has it:
+// mode, share, sum and from count. A stick comes there if it solves but with
+// the other sign of g. One whose g is already past 0, and not by rounding, has
+// left that point.
+static codim2_course_t arrival_of_stick(const inclusion_t *in, int s,
+                                        tf_real_t rounding) {
   const quadratic_t h = along(&in->h, s), g = along(&in->g, s);
   const tf_real_t x = root_within(h.c0, h.c1, h.c2);
   const tf_real_t end = quadratic_at(&g, x);
@@ -87,24 +80,16 @@ static arrival_t arrival_of_stick(const inclusion_t *in, int s,
   const tf_real_t change = in->g_now - end;
   const tf_real_t share =
       comes && change != 0 ? clip(in->g_now / change, 0, 1) : 0;
-  return (arrival_t){comes && slip_plus_solves(&h) == slip_minus_solves(&h),
-                     share,
-                     {share * x, s ? -share * x : share * x},
-                     s ? TF_STICK_MINUS : TF_STICK_PLUS};
-}
-
-// The multipliers under which neither h nor g changes; too large where friction
-// cannot do that. Those of in->pin also stop what h and g are at the start.
-static multipliers_t balancing_multipliers(affine_t h, affine_t g) {
-  const tf_real_t det = h.cx * g.cy - h.cy * g.cx;
-  const tf_real_t x = h.cy * g.c0 - h.c0 * g.cy;
-  const tf_real_t y = h.c0 * g.cx - h.cx * g.c0;
-  if (det == 0) return (multipliers_t){TF_REAL_MAX, TF_REAL_MAX};
-  return (multipliers_t){x / det, y / det};
+  const bool solves = slip_plus_solves(&h) == slip_minus_solves(&h);
+  return (codim2_course_t){.mode = comes && solves ? TF_PINNED : TF_NO_MODE,
+                           .share = share,
+                           .sum = {share * x, s ? -share * x : share * x},
+                           .from = s ? TF_STICK_MINUS : TF_STICK_PLUS};
 }
 
 // How h and g change at h = g = 0 over a whole step. Where the turntable under
-// a wheel at rest changes its speed, that is part of the change.
+// a wheel at rest changes its speed, that is part of the change; the pin of its
+// inclusion also stops what h and g are at the start.
 static codim2_field_t field_of_step(const free_motion_t *c,
                                     const inclusion_t *in) {
   const bool rests = c->state->mode == TF_PINNED;
@@ -115,24 +100,29 @@ static codim2_field_t field_of_step(const free_motion_t *c,
   return (codim2_field_t){h, g, rests ? pin : balancing_multipliers(h, g)};
 }
 
-static tf_real_t value_under(affine_t f, multipliers_t m) {
-  return f.c0 + f.cx * m.x + f.cy * m.y;
+// The same where a slip comes to h = g = 0 within the step, from there on: the
+// free motion has nothing of the speeds of the slip any more, which a large
+// friction stops in less than a step. Not where the slider reaches the axis:
+// there r vanishes, and the disc goes on turning against the turntable.
+static codim2_field_t field_behind(const free_motion_t *c,
+                                   const codim2_field_t *field,
+                                   tf_real_t share) {
+  const tf_machine_t *k = TF_STEP_MACHINE(c);
+  const tf_state_t *x = c->state;
+  const tf_real_t dt = k->dt, moves = dt * x->v;
+  codim2_field_t behind = *field;
+  if (within(x->r, magnitude(moves))) return behind;
+  const tf_real_t r = x->r + share * moves / 2;
+  const rates_t rates = rates_at(k, c->input, r, 0, 0, c->linear.omega0);
+  const tf_slip_t free = slip_from_pq(k, dt * rates.dp, dt * rates.dq);
+  behind.h.c0 = free.h;
+  behind.g.c0 = free.g;
+  behind.pin = balancing_multipliers(behind.h, behind.g);
+  return behind;
 }
 
-// The multipliers that end the step at the slip (h, g), from a guess, by one
-// step of Newton's method on (8).
-static multipliers_t multipliers_to(const inclusion_t *in, tf_slip_t to,
-                                    multipliers_t m) {
-  const form_t h = in->h, g = in->g;
-  const tf_real_t hx = h.cx + 2 * h.cxx * m.x + h.cxy * m.y;
-  const tf_real_t hy = h.cy + h.cxy * m.x + 2 * h.cyy * m.y;
-  const tf_real_t gx = g.cx + 2 * g.cxx * m.x + g.cxy * m.y;
-  const tf_real_t gy = g.cy + g.cxy * m.x + 2 * g.cyy * m.y;
-  const tf_real_t missed_h = form_value(&h, m.x, m.y) - to.h;
-  const tf_real_t missed_g = form_value(&g, m.x, m.y) - to.g;
-  const tf_real_t det = hx * gy - hy * gx;
-  return (multipliers_t){m.x + (hy * missed_g - gy * missed_h) / det,
-                         m.y + (gx * missed_h - hx * missed_g) / det};
+static tf_real_t value_under(affine_t f, multipliers_t m) {
+  return f.c0 + f.cx * m.x + f.cy * m.y;
 }
 
 // Ends the step at a slip in a mode, under multipliers that are found from a
@@ -140,7 +130,7 @@ static multipliers_t multipliers_to(const inclusion_t *in, tf_slip_t to,
 // has missed h = g = 0 by much, or friction cannot steer (r = 0, gamma = 0).
 static bool end_at(const free_motion_t *c, const inclusion_t *in, unsigned mode,
                    tf_slip_t to, multipliers_t guess, step_end_t *out) {
-  const multipliers_t m = multipliers_to(in, to, multipliers_to(in, to, guess));
+  const multipliers_t m = tf_multipliers_to(&in->h, &in->g, to, guess);
   if (!rests_under(TF_REST_HULL, HULL_SHARE * m.x, HULL_SHARE * m.y))
     return false;
   out->end = end_by(c, m);
@@ -155,11 +145,13 @@ static bool end_at(const free_motion_t *c, const inclusion_t *in, unsigned mode,
 static bool continue_from_codim2(const free_motion_t *c, const inclusion_t *in,
                                  const codim2_field_t *field,
                                  const consistent_modes_t *modes,
-                                 const arrival_t *arrival, step_end_t *out) {
+                                 const codim2_course_t *arrival,
+                                 step_end_t *out) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
   const bool arrives = arrival->share > 0;
   const unsigned mode =
-      tf_leave_codim2(k, field, arrival->from, arrives, c->state, modes);
+      tf_leave_codim2(&k->contact, field, arrival->from, arrives,
+                      c->state->tick, c->state->seed, modes);
   if (mode == TF_NO_MODE) return false;
   out->outcome.set = modes->solutions.set;
   if (mode == TF_PINNED) {
@@ -169,7 +161,7 @@ static bool continue_from_codim2(const free_motion_t *c, const inclusion_t *in,
     return rests_under(TF_REST_HULL, HULL_SHARE * in->pin_x,
                        HULL_SHARE * in->pin_y);
   }
-  const multipliers_t leaving = tf_codim2_multipliers(k, modes, mode);
+  const multipliers_t leaving = tf_codim2_multipliers(&k->contact, modes, mode);
   const tf_real_t share = clip(arrival->share, 0, MAX_SHARE),
                   remaining = 1 - share;
   const multipliers_t mean = {arrival->sum.x + remaining * leaving.x,
@@ -180,7 +172,7 @@ static bool continue_from_codim2(const free_motion_t *c, const inclusion_t *in,
 }
 
 // Whether a motion that has lost its mode may be held at h = g = 0.
-static bool may_be_held(const solutions_t *s, unsigned mode) {
+static bool may_be_held(const tf_contact_modes_t *s, unsigned mode) {
   return has(s->set, TF_PINNED) && !has(s->set, mode);
 }
 
@@ -190,22 +182,24 @@ static bool may_be_held(const solutions_t *s, unsigned mode) {
 static void pass_codim2(const free_motion_t *c, const inclusion_t *in,
                         const codim2_field_t *field,
                         const consistent_modes_t *modes,
-                        const solutions_t *solutions, step_end_t *out) {
+                        const tf_contact_modes_t *solutions, step_end_t *out) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
   const tf_state_t *x = c->state;
-  solutions_t s = *solutions;
+  tf_contact_modes_t s = *solutions;
   const bool held = may_be_held(&s, x->mode);
-  if (held && tf_leave_codim2(k, field, x->mode, true, x, modes) != TF_PINNED)
+  if (held && tf_leave_codim2(&k->contact, field, x->mode, true, x->tick,
+                              x->seed, modes) != TF_PINNED)
     s.set &= (uint8_t)~TF_MODE_BIT(TF_PINNED);
   const unsigned mode =
-      tf_select(k->rule, k->exit_threshold, &s, x->mode, x->tick, x->seed);
+      tf_contact_choose(&k->contact, &s, x->mode, x->tick, x->seed);
   out->outcome.set = solutions->set;
   out->outcome.mode = mode;
   out->outcome.is_mean = false;
   if (mode != TF_NO_MODE) {
-    out->end = mode_end(c, &s, mode);
+    out->end = tf_mode_end(c, &s, mode);
   } else if (held) {
-    const arrival_t arrival = {true, 1, {in->pin_x, in->pin_y}, x->mode};
+    const codim2_course_t arrival = {
+        .share = 1, .sum = {in->pin_x, in->pin_y}, .from = x->mode};
     if (!continue_from_codim2(c, in, field, modes, &arrival, out))
       out->outcome.mode = TF_NO_MODE;
   }
@@ -224,15 +218,19 @@ static bool agrees(const codim2_course_t *course, unsigned mode,
 // to end. Where friction cannot steer both h and g it ends under the force of
 // the course.
 static bool follow_course(const free_motion_t *c, const inclusion_t *in,
-                          const codim2_course_t *course,
-                          const solutions_t *solutions, step_end_t *out) {
-  out->outcome.set = solutions->set | TF_MODE_BIT(course->mode);
-  if (end_at(c, in, course->mode, course->slip, course->sum, out)) return true;
-  if (!is_slip(course->mode)) return false;
-  out->end = end_by(c, course->sum);
-  out->outcome.mode = course->mode;
-  out->outcome.is_mean = true;
-  return signs_agree(c, course->mode, &out->end);
+                          const codim2_course_t *course, unsigned set,
+                          step_end_t *out) {
+  step_end_t to = *out;
+  to.outcome.set = set | TF_MODE_BIT(course->mode);
+  bool leads = end_at(c, in, course->mode, course->slip, course->sum, &to);
+  if (!leads && is_slip(course->mode)) {
+    to.end = end_by(c, course->sum);
+    to.outcome.mode = course->mode;
+    to.outcome.is_mean = true;
+    leads = signs_agree(c, course->mode, &to.end);
+  }
+  if (leads) *out = to;
+  return leads;
 }
 
 // Whether a slip that passes by h = g = 0 may miss its future: it has several,
@@ -250,7 +248,7 @@ static bool may_miss(tf_slip_t now, tf_slip_t end, bool is_lost, unsigned set) {
 
 static codim2_course_t course_of_slip(const free_motion_t *c,
                                       const codim2_field_t *field) {
-  return tf_codim2_course(TF_STEP_MACHINE(c), field, c->start.slip,
+  return tf_codim2_course(&TF_STEP_MACHINE(c)->contact, field, c->start.slip,
                           c->state->mode == TF_SLIP_PLUS ? 1 : -1);
 }
 
@@ -258,18 +256,19 @@ static codim2_course_t course_of_slip(const free_motion_t *c,
 // law's convex hull leads along its course: the step is too long for that.
 static void end_slip_near_codim2(const free_motion_t *c, const inclusion_t *in,
                                  const codim2_field_t *field,
-                                 const solutions_t *s, step_end_t *to) {
+                                 const tf_contact_modes_t *s, step_end_t *to) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
   const codim2_course_t course = course_of_slip(c, field);
-  const arrival_t arrival = {.comes = course.mode == TF_PINNED,
-                             .share = course.share,
-                             .sum = course.sum,
-                             .from = course.from};
+  const bool comes = course.mode == TF_PINNED;
   consistent_modes_t modes = {.solutions = {.set = 0}};
-  if (arrival.comes || may_be_held(s, c->state->mode))
-    tf_codim2_modes(k, field, &modes);
-  if (arrival.comes && continue_from_codim2(c, in, field, &modes, &arrival, to))
-    return;
+  codim2_field_t behind;
+  if (comes) {
+    behind = field_behind(c, field, course.share);
+    field = &behind;
+  }
+  if (comes || may_be_held(s, c->state->mode))
+    tf_codim2_modes(&k->contact, field, &modes);
+  if (comes && continue_from_codim2(c, in, field, &modes, &course, to)) return;
   pass_codim2(c, in, field, &modes, s, to);
   const unsigned mode = to->outcome.mode;
   const bool near =
@@ -277,40 +276,37 @@ static void end_slip_near_codim2(const free_motion_t *c, const inclusion_t *in,
   // On a limit direction that leads to h = g = 0 (9) makes a slip alternate
   // between both sides; of a slip that ends in stick it has not all the force.
   if (near && is_slip(mode) && !course.leads_in) return;
-  const step_end_t passed = *to;
-  bool coarse = arrival.comes ? size_of(modes.solutions.set) > 1 : !near;
-  if (course.mode < TF_PINNED && follow_course(c, in, &course, s, to))
+  bool coarse = comes ? size_of(modes.solutions.set) > 1 : !near;
+  if (course.mode < TF_PINNED && follow_course(c, in, &course, s->set, to))
     coarse = may_miss(c->start.slip, course.slip, course.mode != c->state->mode,
                       s->set);
-  else
-    *to = passed;
   if (coarse) to->outcome.status = TF_COARSE;
 }
 
 // A stick that loses its mode where g = 0 is within reach, or a motion that is
-// at h = g = 0.
+// at h = g = 0. What solves the inclusion is not asked of a rest that goes on.
 static void end_at_codim2(const free_motion_t *c, const inclusion_t *in,
-                          const codim2_field_t *field, const solutions_t *s,
+                          const codim2_field_t *field, tf_contact_modes_t *s,
                           step_end_t *to) {
   const unsigned mode = c->state->mode;
-  arrival_t arrival = {.comes = is_slip(mode) || mode == TF_PINNED,
-                       .from = mode};
-  if (!arrival.comes) {
+  codim2_course_t arrival = {.mode = TF_PINNED, .from = mode};
+  if (is_stick(mode)) {
     const tf_real_t rounding = rounding_of_g(c);
     if (rests_at_g_zero(c, in, s, mode, rounding)) {
       to->outcome.mode = mode;
       to->outcome.set = s->set | TF_MODE_BIT(mode);
-      to->end = mode_end(c, s, mode);
+      to->end = tf_mode_end(c, s, mode);
       return;
     }
     arrival = arrival_of_stick(in, mode == TF_STICK_MINUS, rounding);
   }
   consistent_modes_t modes = {.solutions = {.set = 0}};
-  if (arrival.comes || may_be_held(s, mode))
-    tf_codim2_modes(TF_STEP_MACHINE(c), field, &modes);
-  if (!(arrival.comes &&
-        continue_from_codim2(c, in, field, &modes, &arrival, to)))
-    pass_codim2(c, in, field, &modes, s, to);
+  const bool comes = arrival.mode == TF_PINNED;
+  if (comes || may_be_held(s, mode))
+    tf_codim2_modes(&TF_STEP_MACHINE(c)->contact, field, &modes);
+  if (comes && continue_from_codim2(c, in, field, &modes, &arrival, to)) return;
+  if (mode == TF_PINNED) tf_enumerate(in, BOTH_SIGNS, s);
+  pass_codim2(c, in, field, &modes, s, to);
 }
 
 // Whether a rest that goes on by the mean of the forces ends within the step,
@@ -325,20 +321,20 @@ static bool misses_end_of_rest(const free_motion_t *c, unsigned mode) {
   return tf_rest_is_interrupted(&rest, k->dt);
 }
 
-TF_API void tf_codim2_end(free_motion_t *c, inclusion_t *in, solutions_t *s,
-                          step_end_t *to) {
+TF_API void tf_codim2_end(free_motion_t *c, inclusion_t *in, step_end_t *to) {
+  tf_contact_modes_t s = {0};
   add_pinned_point(c, in);
   // The hull reaches beyond the forces by which signs_of() judges.
-  enumerate(in, BOTH_SIGNS, s);
+  if (c->state->mode != TF_PINNED) tf_enumerate(in, BOTH_SIGNS, &s);
   const codim2_field_t field = field_of_step(c, in);
   const tf_slip_t now = c->start.slip;
   *to = (step_end_t){.outcome = {.status = TF_OK}};
   if (is_slip(c->state->mode) && (now.h != 0 || now.g != 0))
-    end_slip_near_codim2(c, in, &field, s, to);
+    end_slip_near_codim2(c, in, &field, &s, to);
   else
-    end_at_codim2(c, in, &field, s, to);
+    end_at_codim2(c, in, &field, &s, to);
   if (to->outcome.mode == TF_NO_MODE) {
-    tf_least_violation(c, in, s, to);
+    tf_least_violation(c, in, s.set, to);
     return;
   }
   to->outcome.delassus =
@@ -346,28 +342,10 @@ TF_API void tf_codim2_end(free_motion_t *c, inclusion_t *in, solutions_t *s,
   if (misses_end_of_rest(c, to->outcome.mode)) to->outcome.status = TF_COARSE;
 }
 
-TF_API void tf_end_along_course(free_motion_t *c, inclusion_t *in,
-                                const solutions_t *s, step_end_t *to) {
-  add_pinned_point(c, in);
+TF_API bool tf_end_along_course(const free_motion_t *c, const inclusion_t *in,
+                                unsigned modes, step_end_t *to) {
   const codim2_field_t field = field_of_step(c, in);
   const codim2_course_t course = course_of_slip(c, &field);
-  const step_end_t passed = *to;
-  const bool leads_to_end = course.mode < TF_PINNED && has(s->set, course.mode);
-  if (leads_to_end && follow_course(c, in, &course, s, to)) {
-    to->outcome.delassus =
-        step_delassus(TF_STEP_MACHINE(c), in, end_slip(c, &to->end).g < 0);
-    return;
-  }
-  *to = passed;
-  to->outcome.status = TF_COARSE;
-}
-
-TF_API void tf_slip_along_course(free_motion_t *c, inclusion_t *in,
-                                 const solutions_t *s, step_end_t *to) {
-  add_pinned_point(c, in);
-  const codim2_field_t field = field_of_step(c, in);
-  const codim2_course_t course = course_of_slip(c, &field);
-  const step_end_t passed = *to;
-  if (course.mode != to->outcome.mode || !follow_course(c, in, &course, s, to))
-    *to = passed;
+  return has(modes, course.mode) &&
+         follow_course(c, in, &course, to->outcome.set, to);
 }

@@ -83,9 +83,11 @@ TF_API tf_status_t tf_step_compensated(const tf_compensated_t *machine,
   start.p += k->d * turn; // now against the turntable of the end
   start.z -= turn;
   step_end_t to;
-  if (!common_end(k, state, input, start, &to))
-    to = tf_rare_end(k, state, input, start);
-  if (to.outcome.status < TF_OK) return refuse_step(report, to.outcome.status);
+  const end_kind_t kind = end_of_step(k, state, input, start, &to);
+  if (kind != END_COMMON) {
+    const tf_status_t status = tf_rare_end(kind, k, state, input, &start, &to);
+    if (status < TF_OK) return refuse_step(report, status);
+  }
   compensated_step_t step = {machine, state, compensation, input};
   return commit_pairs(&step, &to, report);
 }

@@ -90,7 +90,7 @@ TF_INLINE change_t refinement(const tf_compensated_t *constants,
 // What M leaves out: in stick it is s kappa F, which has to be rounded to M.
 TF_INLINE tf_real_t moment_remainder(const tf_machine_t *k, unsigned mode,
                                      tf_force_t f) {
-  const pair_t M = two_product(k->stick_kappa, f.F);
+  const pair_t M = two_product(k->contact.stick_kappa, f.F);
   if (mode == TF_STICK_PLUS) return (M.hi - f.M) + M.lo;
   if (mode == TF_STICK_MINUS) return -(M.hi + f.M) - M.lo;
   return 0;

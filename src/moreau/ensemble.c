@@ -2,7 +2,7 @@
 // passes, which are loops over the lanes without a branch on their data, so
 // that the compiler makes vector instructions of them:
 //   solve    (lanes_solve.h) free motion, inclusion, enumerate
-//   choose   where a mode does not go on, tf_select, lane by lane
+//   choose   where a mode does not go on, tf_contact_choose, lane by lane
 //   end      the multipliers of the chosen mode; those of slip only where some
 //            lane slips, and lane by lane where few do
 //   balance  what the step does to the energy
@@ -13,7 +13,6 @@
 #include "twofold/ensemble.h"
 
 #include "../friction/mode_set.h"
-#include "../friction/select.h"
 #include "balance.h"
 #include "lanes_solve.h"
 #include "report.h"
@@ -23,30 +22,44 @@
 
 static unsigned select_lane(const tf_machine_t *k, const tf_state_block_t *b,
                             const work_t *work, int i) {
-  const solutions_t solutions = {
+  const tf_contact_modes_t solutions = {
       .set = (uint8_t)work->set[i],
       .attracting = (uint8_t)work->attracting[i],
       .near_stick = work->nearer_minus[i] ? TF_STICK_MINUS : TF_STICK_PLUS,
       .h_limit = {work->h_limit[0][i], work->h_limit[1][i]}};
-  return tf_select(k->rule, k->exit_threshold, &solutions, b->mode[i],
-                   b->tick[i], b->seed[i]);
+  return tf_contact_choose(&k->contact, &solutions, b->mode[i], b->tick[i],
+                           b->seed[i]);
+}
+
+// Of the masks of a block, whether all are 0.
+static bool none_of(const mask_t mask[TF_LANES]) {
+  mask_t all = 0;
+  for (int i = 0; i < TF_LANES; i++) all |= mask[i];
+  return all == 0;
+}
+
+// The kinds of the modes, from their bits.
+static void kinds_all(work_t *restrict work) {
+  for (int i = 0; i < TF_LANES; i++) {
+    const mask_t bit = work->bit[i];
+    const mask_t slip_plus = bit >> TF_SLIP_PLUS,
+                 slip_minus = bit >> TF_SLIP_MINUS,
+                 stick_plus = bit >> TF_STICK_PLUS,
+                 stick_minus = bit >> TF_STICK_MINUS;
+    work->slips[i] = ~(((slip_plus | slip_minus) & 1u) - 1u);
+    work->rolls[i] = ~(((stick_plus | stick_minus) & 1u) - 1u);
+    work->minus[i] = ~(((slip_minus | stick_minus) & 1u) - 1u);
+  }
 }
 
 // Whether the mode of every lane goes on under every rule.
-static bool all_continue(const tf_state_block_t *restrict b,
-                         const work_t *restrict work) {
-  uint8_t bit[TF_LANES], set[TF_LANES], lasting[TF_LANES], lost = 0;
-  for (int i = 0; i < TF_LANES; i++) {
-    set[i] = (uint8_t)(work->set[i] & ~work->rare[i]);
-    lasting[i] = (uint8_t)(work->attracting[i] | SLIPS);
-  }
-  for (int i = 0; i < TF_LANES; i++) {
-    const unsigned mode = b->mode[i];
-    bit[i] = (uint8_t)(mode < TF_PINNED ? TF_MODE_BIT(mode) : 0u);
-  }
+static bool all_continue(work_t *restrict work) {
+  mask_t lost = 0; // its highest bit, where one is taken from 0
   for (int i = 0; i < TF_LANES; i++)
-    lost |= (uint8_t)((bit[i] & set[i] & lasting[i]) == 0 ? 1 : 0);
-  return lost == 0;
+    lost |= (work->bit[i] & work->set[i] & ~work->rare[i] &
+             (work->attracting[i] | SLIPS)) -
+            1;
+  return lost >> (8 * sizeof lost - 1) == 0;
 }
 
 // Slips that have h = g = 0 within reach are left to tf_step: is_near_codim2().
@@ -55,14 +68,12 @@ static void near_codim2_all(const tf_machine_t *restrict k,
                             const tf_input_t *restrict u,
                             work_t *restrict work) {
   const tf_real_t turn = turn_of_step(k, u);
-  mask_t slips[TF_LANES];
-  for (int i = 0; i < TF_LANES; i++) slips[i] = when(is_slip(b->mode[i]));
   for (int i = 0; i < TF_LANES; i++) {
     const tf_slip_t now =
         slip_at_instant(k, turn, b->r[i], work->p[i], work->z[i]);
-    const form_t h = form_of(&work->h, i), g = form_of(&work->g, i);
-    work->rare[i] |=
-        slips[i] & when(may_vanish(&h, now.h)) & when(may_vanish(&g, now.g));
+    const tf_form_t h = form_of(&work->h, i), g = form_of(&work->g, i);
+    work->rare[i] |= work->slips[i] & lane_may_vanish(&h, now.h) &
+                     lane_may_vanish(&g, now.g);
   }
 }
 
@@ -90,16 +101,14 @@ static unsigned next_mode(const tf_machine_t *k, const tf_state_block_t *b,
 static int choose(const tf_machine_t *restrict k,
                   const tf_state_block_t *restrict b, work_t *restrict work) {
   int slips = 0;
-  const bool same = all_continue(b, work);
-  for (int i = 0; i < TF_LANES; i++)
-    work->mode[i] = same ? b->mode[i] : (uint8_t)next_mode(k, b, work, i);
-  for (int i = 0; i < TF_LANES; i++) {
-    const int mode = work->mode[i];
-    work->side[i] =
-        (tf_real_t)((mode == TF_SLIP_PLUS) - (mode == TF_SLIP_MINUS));
-    work->roll[i] =
-        (tf_real_t)((mode == TF_STICK_PLUS) - (mode == TF_STICK_MINUS));
+  const bool same = all_continue(work);
+  for (int i = 0; i < TF_LANES; i++) work->mode[i] = b->mode[i];
+  for (int i = 0; i < TF_LANES && !same; i++) {
+    work->mode[i] = (uint8_t)next_mode(k, b, work, i);
+    work->bit[i] = TF_MODE_BIT(work->mode[i]);
   }
+  if (!same) kinds_all(work);
+  if (none_of(work->slips)) return 0;
   for (int i = 0; i < TF_LANES; i++) {
     work->slipping[slips] = (uint8_t)i;
     slips += is_slip(work->mode[i]);
@@ -139,84 +148,98 @@ TF_INLINE tf_slip_t lane_theta_slip(const tf_machine_t *k,
 
 static void stick_all(work_t *restrict work) {
   for (int i = 0; i < TF_LANES; i++) {
-    const mask_t minus = when(work->roll[i] < 0);
+    const mask_t minus = work->minus[i];
     const tf_real_t x = pick(minus, work->root[1][i], work->root[0][i]);
     work->x[i] = x;
     work->y[i] = flip_sign(minus, x);
   }
 }
 
-// Share of the moment in a slip at h -> 0: tau of solutions_t.
-TF_INLINE tf_real_t lane_tau(const work_t *work, mask_t minus, int i) {
-  const mask_t up = work->g_plus[0][i] | work->g_minus[0][i];
-  const mask_t down = work->g_plus[1][i] | work->g_minus[1][i];
-  const mask_t known = (up & ~minus) | (down & minus);
-  const mask_t negative =
-      (work->down[0][i] & ~minus) | (work->down[1][i] & minus);
-  return pick(known, flip_sign(negative, 1), work->root[2][i]);
-}
-
-// slip_end() of stages.h for a lane that slips; other lanes keep their values.
-// `alone`: this lane slips, and is not one of several done at once.
-TF_INLINE void slip_lane(const tf_machine_t *restrict k,
-                         const tf_state_block_t *restrict b,
-                         const tf_input_t *restrict u, work_t *restrict work,
-                         int i, bool alone) {
-  const tf_real_t omega0 = u->omega0;
-  const mask_t slips = when(alone || work->side[i] != 0);
-  const mask_t minus = when(work->side[i] < 0);
-  const tf_real_t side = flip_sign(minus, 1);
-  const tf_real_t tau = lane_tau(work, minus, i);
+// slip_end() of stages.h for a lane that slips, in three parts, which are
+// passes where many lanes do: the force at the start,
+TF_INLINE void slip_first(const tf_machine_t *restrict k,
+                          const tf_state_block_t *restrict b,
+                          const tf_input_t *restrict u, work_t *restrict work,
+                          int i) {
   const tf_slip_t now =
       slip_at_instant(k, turn_of_step(k, u), b->r[i], work->p[i], work->z[i]);
-  const lane_multipliers_t first =
-      alone ? lane_multipliers_alone(&k->tyre, side, now)
-            : lane_multipliers(&k->tyre, side, now);
-  const tf_slip_t at = lane_theta_slip(k, b, u, work, i, first.x, first.y);
-  const lane_multipliers_t theta =
-      alone ? lane_multipliers_alone(&k->tyre, side, at)
-            : lane_multipliers(&k->tyre, side, at);
+  const lane_multipliers_t m =
+      lane_multipliers(&k->contact.tyre, flip_sign(work->minus[i], 1), now);
+  work->first_x[i] = m.x;
+  work->first_y[i] = m.y;
+  work->now_g[i] = now.g;
+  work->rare[i] |= work->slips[i] & m.rare;
+}
+
+// that at the theta point,
+TF_INLINE void slip_theta(const tf_machine_t *restrict k,
+                          const tf_state_block_t *restrict b,
+                          const tf_input_t *restrict u, work_t *restrict work,
+                          int i) {
+  const tf_slip_t at =
+      lane_theta_slip(k, b, u, work, i, work->first_x[i], work->first_y[i]);
+  const lane_multipliers_t m =
+      lane_multipliers(&k->contact.tyre, flip_sign(work->minus[i], 1), at);
+  work->theta_x[i] = m.x;
+  work->theta_y[i] = m.y;
+  work->rare[i] |= work->slips[i] & m.rare;
+}
+
+// and which of both the step ends under; other lanes keep their values.
+TF_INLINE void slip_end_lane(const tf_machine_t *restrict k,
+                             const tf_input_t *restrict u,
+                             work_t *restrict work, int i) {
+  const tf_real_t omega0 = u->omega0;
+  const mask_t slips = work->slips[i], minus = work->minus[i];
+  const tf_real_t side = flip_sign(minus, 1);
+  const tf_real_t tau = pick(minus, work->tau[1][i], work->tau[0][i]);
+  const multipliers_t first = {work->first_x[i], work->first_y[i]};
+  const multipliers_t theta = {work->theta_x[i], work->theta_y[i]};
   const end_state_t end = lane_end(k, work, omega0, i, theta.x, theta.y);
   const tf_slip_t slip = slip_speeds(k, end.r, end.v, end.w - omega0);
   const mask_t stays = when(side * slip.h > 0);
-  const multipliers_t m = {pick(stays, theta.x, side),
-                           pick(stays, theta.y, tau * side)};
-  work->x[i] = pick(slips, m.x, work->x[i]);
-  work->y[i] = pick(slips, m.y, work->y[i]);
-  const multipliers_t from = {first.x, first.y};
-  const mask_t turns =
-      when(force_turns(from, m)) |
-      when(force_turns(from, (multipliers_t){theta.x, theta.y}));
-  const mask_t reverses = ~stays & when(k->kappa_mu * tau * now.g < 0);
-  work->rare[i] |= slips & (first.rare | theta.rare | reverses | turns);
+  const multipliers_t limit = {side, tau * side};
+  work->x[i] = pick(slips, pick(stays, theta.x, limit.x), work->x[i]);
+  work->y[i] = pick(slips, pick(stays, theta.y, limit.y), work->y[i]);
+  const mask_t turns = when(force_turns(first, theta)) |
+                       (~stays & when(force_turns(first, limit)));
+  const mask_t reverses =
+      ~stays & when(k->contact.kappa_mu * tau * work->now_g[i] < 0);
+  work->rare[i] |= slips & (reverses | turns);
 }
 
 static void slip_all(const tf_machine_t *restrict k,
                      const tf_state_block_t *restrict b,
                      const tf_input_t *restrict u, work_t *restrict work) {
-  for (int i = 0; i < TF_LANES; i++) slip_lane(k, b, u, work, i, false);
+  for (int i = 0; i < TF_LANES; i++) slip_first(k, b, u, work, i);
+  for (int i = 0; i < TF_LANES; i++) slip_theta(k, b, u, work, i);
+  for (int i = 0; i < TF_LANES; i++) slip_end_lane(k, u, work, i);
 }
 
-// A function of its own: what it needs lies beside the passes of a block for no
-// longer than it runs.
-static __attribute__((noinline)) void slip_few(
-    const tf_machine_t *restrict k, const tf_state_block_t *restrict b,
-    const tf_input_t *restrict u, work_t *restrict work, int slips) {
-  for (int n = 0; n < slips; n++)
-    slip_lane(k, b, u, work, work->slipping[n], true);
+static void slip_few(const tf_machine_t *restrict k,
+                     const tf_state_block_t *restrict b,
+                     const tf_input_t *restrict u, work_t *restrict work,
+                     int slips) {
+  for (int n = 0; n < slips; n++) {
+    const int i = work->slipping[n];
+    slip_first(k, b, u, work, i);
+    slip_theta(k, b, u, work, i);
+    slip_end_lane(k, u, work, i);
+  }
 }
 
 static void ends_all(const tf_machine_t *restrict k,
                      const tf_state_block_t *restrict b, tf_real_t omega0,
                      work_t *restrict work) {
   for (int i = 0; i < TF_LANES; i++) {
-    const mask_t moves = when(work->side[i] != 0) | when(work->roll[i] != 0);
+    const mask_t slips = work->slips[i], rolls = work->rolls[i];
+    const mask_t moves = slips | rolls;
     const end_state_t by = lane_end(k, work, omega0, i, work->x[i], work->y[i]);
     const tf_real_t r = pick(moves, by.r, work->r_explicit[i]);
     const tf_real_t v = keep(moves, by.v), omega = pick(moves, by.w, omega0);
     const tf_real_t size = magnitude(r) + magnitude(v) + magnitude(omega);
-    work->F[i] = pick(moves, work->x[i] * k->tyre.mu, work->pin_F[i]);
-    work->M[i] = pick(moves, work->y[i] * k->kappa_mu, work->pin_M[i]);
+    work->F[i] = pick(moves, work->x[i] * k->contact.tyre.mu, work->pin_F[i]);
+    work->M[i] = pick(moves, work->y[i] * k->contact.kappa_mu, work->pin_M[i]);
     work->r[i] = r;
     work->v[i] = v;
     work->w[i] = omega;
@@ -224,7 +247,9 @@ static void ends_all(const tf_machine_t *restrict k,
     const tf_real_t rounding = slip_rounding(k, r, v, omega, omega0);
     work->rare[i] |=
         ~(when(within(size, TF_STATE_LIMIT)) &
-          lane_has_signs(work->side[i], work->roll[i], slip, rounding));
+          lane_has_signs(slips, rolls, work->minus[i], slip, rounding));
+    work->end_h[i] = slip.h;
+    work->end_g[i] = slip.g;
     work->stays[i] = moves & when(r == b->r[i]);
   }
 }
@@ -252,13 +277,12 @@ static void balance_all(const tf_machine_t *restrict k,
 }
 
 static void finish_all(const tf_machine_t *restrict k,
-                       tf_state_block_t *restrict b, tf_real_t omega0,
+                       tf_state_block_t *restrict b,
                        const work_t *restrict work,
                        tf_report_block_t *restrict out) {
   for (int i = 0; i < TF_LANES; i++) {
     const tf_force_t force = {work->F[i], work->M[i]};
-    const tf_slip_t slip =
-        slip_speeds(k, work->r[i], work->v[i], work->w[i] - omega0);
+    const tf_slip_t slip = {work->end_h[i], work->end_g[i]};
     const mask_t minus = work->below[i] | (~work->above[i] & when(slip.g < 0));
     const tf_real_t h1 = work->h.cx[i] + flip_sign(minus, work->h.cy[i]);
     b->r[i] = work->r[i];
@@ -269,7 +293,8 @@ static void finish_all(const tf_machine_t *restrict k,
     out->h[i] = slip.h;
     out->g[i] = slip.g;
     out->delassus[i] = delassus_of_slope(k, h1);
-    out->residual[i] = lane_residual(k, work->side[i], force, slip);
+    out->residual[i] =
+        lane_residual(k, work->slips[i], work->minus[i], force, slip);
   }
 }
 
@@ -279,12 +304,6 @@ static void angles_all(const tf_machine_t *restrict k,
                        const work_t *restrict work) {
   for (int i = 0; i < TF_LANES; i++)
     b->phi[i] += angle_change(k, b->w[i], work->w[i]);
-}
-
-static bool any_of(const mask_t mask[TF_LANES]) {
-  mask_t all = 0;
-  for (int i = 0; i < TF_LANES; i++) all |= mask[i];
-  return all != 0;
 }
 
 // Lanes that have left r as it was may stall, which tf_step asks last as well.
@@ -338,22 +357,21 @@ static void record_all(tf_state_block_t *restrict b,
   for (int i = 0; i < TF_LANES; i++) b->tick[i]++;
 }
 
-// The end of a block some of whose lanes are rare: those are kept as they were
-// while all others advance, and then done one by one. Returns how many.
-static size_t step_some(const tf_machine_t *k, tf_state_block_t *b,
+// A block as it was before a step, for lanes that are rare.
+typedef struct {
+  tf_state_block_t states;
+  tf_report_block_t reports;
+} before_t;
+
+// Those are done one by one. Returns how many.
+static size_t step_rare(const tf_machine_t *k, tf_state_block_t *b,
                         const tf_input_t *u, const work_t *work,
-                        tf_report_block_t *out) {
-  const tf_state_block_t before = *b;
-  const tf_report_block_t reported = *out;
+                        const before_t *before, tf_report_block_t *out) {
   size_t rare = 0;
-  if (k->with_angle) angles_all(k, b, work);
-  finish_all(k, b, u->omega0, work, out);
-  record_all(b, work, out);
-  if (any_of(work->stays)) judge_stalls(k, b, u, work, out);
   for (size_t i = 0; i < TF_LANES; i++) {
     if (!work->rare[i]) continue;
-    const tf_state_t state = tf_ensemble_get(&before, i);
-    const tf_report_t report = tf_ensemble_report(&reported, i);
+    const tf_state_t state = tf_ensemble_get(&before->states, i);
+    const tf_report_t report = tf_ensemble_report(&before->reports, i);
     step_lane(k, b, u, out, i, &state, &report);
     rare++;
   }
@@ -363,29 +381,28 @@ static size_t step_some(const tf_machine_t *k, tf_state_block_t *b,
 static size_t step_block(const tf_machine_t *k, tf_state_block_t *b,
                          const tf_input_t *u, tf_report_block_t *out) {
   work_t work;
-  linearise_all(k, b, u, &work);
-  forms_all(k, &work);
-  pin_all(k, &work);
-  g_along_all(&work);
-  h_along_all(k, b, u, &work);
-  roots_all(&work);
-  sticks_all(&work);
-  slips_all(&work);
-  near_codim2_all(k, b, u, &work);
+  before_t before;
+  solve(k, b, u, &work);
+  kinds_all(&work);
+  if (!none_of(work.slips)) near_codim2_all(k, b, u, &work);
   const int slips = choose(k, b, &work);
   stick_all(&work);
   if (slips > FEW)
     slip_all(k, b, u, &work);
-  else if (slips > 0)
+  else
     slip_few(k, b, u, &work, slips);
   ends_all(k, b, u->omega0, &work);
   balance_all(k, b, u, &work);
-  if (any_of(work.rare)) return step_some(k, b, u, &work, out);
+  const bool rare = !none_of(work.rare);
+  if (rare) {
+    before.states = *b;
+    before.reports = *out;
+  }
   if (k->with_angle) angles_all(k, b, &work);
-  finish_all(k, b, u->omega0, &work, out);
+  finish_all(k, b, &work, out);
   record_all(b, &work, out);
-  if (any_of(work.stays)) judge_stalls(k, b, u, &work, out);
-  return 0;
+  if (!none_of(work.stays)) judge_stalls(k, b, u, &work, out);
+  return rare ? step_rare(k, b, u, &work, &before, out) : 0;
 }
 
 TF_API void tf_ensemble_put(tf_state_block_t *blocks, size_t index,
@@ -432,7 +449,7 @@ TF_API size_t tf_ensemble_step(const tf_machine_t *machine,
                                tf_state_block_t *states, size_t n,
                                const tf_input_t *input,
                                tf_report_block_t *reports) {
-  const bool fast = machine->stick_kappa > 0; // of the jump law alone
+  const bool fast = machine->contact.stick_kappa > 0; // of the jump law alone
   const size_t whole = fast ? n / TF_LANES : 0;
   size_t alone = 0;
   for (size_t i = 0; i < whole; i++)

@@ -12,7 +12,7 @@
 #define TF_LANES_H
 
 #include "../friction/inclusion.h"
-#include "../model/tyre_law.h"
+#include "../friction/tyre_law.h"
 #include "linear.h"
 
 // As wide as tf_real_t: all ones for true, 0 for false.
@@ -21,6 +21,9 @@ typedef uint32_t mask_t;
 #else
 typedef uint64_t mask_t;
 #endif
+
+// Lanes that a vector of AVX2 has.
+#define GROUP ((int)(32 / sizeof(tf_real_t)))
 
 typedef union {
   tf_real_t real;
@@ -80,21 +83,28 @@ TF_INLINE mask_t lane_bends(tf_real_t plus, tf_real_t minus, tf_real_t bend) {
   return when(magnitude(plus - minus) < 4 * magnitude(bend));
 }
 
-// has_signs_of_mode(). side, roll: of tf_slip_t in slip and in stick, else 0.
-TF_INLINE mask_t lane_has_signs(tf_real_t side, tf_real_t roll, tf_slip_t slip,
-                                tf_real_t rounding) {
-  const mask_t slips = when(side != 0), rolls = when(roll != 0);
-  const mask_t beside = when(side * slip.h >= -rounding);
+// has_signs_of_mode() of a slip, of a stick (rolls) or of rest.
+TF_INLINE mask_t lane_has_signs(mask_t slips, mask_t rolls, mask_t minus,
+                                tf_slip_t slip, tf_real_t rounding) {
+  const mask_t beside = when(flip_sign(minus, slip.h) >= -rounding);
   const mask_t on = when(within(slip.h, rounding));
-  const mask_t forward = when(roll * slip.g >= -rounding);
+  const mask_t forward = when(flip_sign(minus, slip.g) >= -rounding);
   const mask_t rests = when(within(slip.g, rounding));
   return (slips & beside) |
          (~slips & on & ((rolls & forward) | (~rolls & rests)));
 }
 
-// pinning_force().
-TF_INLINE tf_force_t lane_pin(const tf_machine_t *k, const linear_t *l) {
-  const mask_t can = when(can_be_pinned(k));
+// may_vanish() without its division, and a little wider: a lane that is rare in
+// vain has the same bits.
+TF_INLINE mask_t lane_may_vanish(const tf_form_t *f, tf_real_t now) {
+  return when(within(now, magnitude(f->c0 - now) +
+                              TF_R(1.334) * magnitude(f->cx) +
+                              magnitude(f->cy)));
+}
+
+// pinning_force(). can: can_be_pinned(), asked once for all lanes.
+TF_INLINE tf_force_t lane_pin(const tf_machine_t *k, mask_t can,
+                              const linear_t *l) {
   const tf_force_t pin = friction_to_rest(k, l);
   return (tf_force_t){pick(can, pin.F, unpinnable.F),
                       pick(can, pin.M, unpinnable.M)};
@@ -142,23 +152,15 @@ TF_INLINE lane_multipliers_t lane_multipliers(const tf_tyre_t *tyre,
                               when(is_near_underflow(high))};
 }
 
-// The same for a lane alone, anywhere.
-TF_INLINE lane_multipliers_t lane_multipliers_alone(const tf_tyre_t *tyre,
-                                                    tf_real_t side,
-                                                    tf_slip_t slip) {
-  const multipliers_t m = jump_multipliers(tyre, side, slip.h, slip.g);
-  return (lane_multipliers_t){m.x, m.y, 0};
-}
-
 // law_residual() as mode_residual() of report.h calls it: in slip only the
-// side is checked. side: +1 or -1 in slip, else 0.
-TF_INLINE tf_real_t lane_residual(const tf_machine_t *k, tf_real_t side,
-                                  tf_force_t force, tf_slip_t slip) {
-  const mask_t slips = when(side != 0);
-  const tf_real_t F = pick(slips, side, force.F);
-  const tf_real_t mu = pick(slips, 1, k->tyre.mu);
+// side is checked.
+TF_INLINE tf_real_t lane_residual(const tf_machine_t *k, mask_t slips,
+                                  mask_t minus, tf_force_t force,
+                                  tf_slip_t slip) {
+  const tf_real_t F = pick(slips, flip_sign(minus, 1), force.F);
+  const tf_real_t mu = pick(slips, 1, k->contact.tyre.mu);
   const tf_real_t natural = force_residual(mu, F, slip.h);
-  const tf_real_t M = k->stick_kappa * force.F;
+  const tf_real_t M = k->contact.stick_kappa * force.F;
   const tf_real_t rolling = magnitude(force.M - flip_sign(when(slip.g < 0), M));
   const tf_real_t between = distance_to_segment(force.M, M);
   const tf_real_t of_moment =

@@ -48,14 +48,14 @@ TF_INLINE change_t response_to(const tf_machine_t *k, const linear_t *l,
 
 // The same to F = mu alone and to M = kappa mu alone.
 TF_INLINE change_t response_to_mu(const tf_machine_t *k, const linear_t *l) {
-  const tf_real_t t = k->tyre.mu * l->arm;
+  const tf_real_t t = k->contact.tyre.mu * l->arm;
   return change_under(l, k->mu_sin_gamma, t, t - k->mu_d_sin_gamma);
 }
 
 TF_INLINE change_t response_to_kappa_mu(const tf_machine_t *k,
                                         const linear_t *l) {
-  return (change_t){k->kappa_mu * (l->p_t - l->p_c),
-                    k->kappa_mu * (l->z_t + l->z_c)};
+  return (change_t){k->contact.kappa_mu * (l->p_t - l->p_c),
+                    k->contact.kappa_mu * (l->z_t + l->z_c)};
 }
 
 // (1): r at the theta point.
@@ -179,18 +179,18 @@ TF_INLINE tf_slip_t slip_response(const tf_machine_t *k, const free_end_t *end,
 // (8): h and g at the end of the step as quadratic forms of x and y, because p+
 // is affine in them and q+ = r+ z+ is a product of two affine functions.
 TF_INLINE void slip_forms(const tf_machine_t *k, const free_end_t *end,
-                          tf_slip_t free, form_t *h, form_t *g) {
+                          tf_slip_t free, tf_form_t *h, tf_form_t *g) {
   const response_t x = end->by_x, y = end->by_y;
   const tf_slip_t by_x = slip_response(k, end, x);
   const tf_slip_t by_y = slip_response(k, end, y);
   const tf_real_t xx = x.r * x.z, yy = y.r * y.z, xy = x.r * y.z + y.r * x.z;
-  *h = (form_t){free.h,
-                by_x.h,
-                by_y.h,
-                -xx * k->cos_gamma,
-                -xy * k->cos_gamma,
-                -yy * k->cos_gamma};
-  *g = (form_t){
+  *h = (tf_form_t){free.h,
+                   by_x.h,
+                   by_y.h,
+                   -xx * k->cos_gamma,
+                   -xy * k->cos_gamma,
+                   -yy * k->cos_gamma};
+  *g = (tf_form_t){
       free.g,           by_x.g, by_y.g, xx * k->sin_gamma, xy * k->sin_gamma,
       yy * k->sin_gamma};
 }

@@ -43,7 +43,7 @@ TF_API tf_status_t tf_prepare_compensated(tf_compensated_t *machine,
   sine_cosine(params->gamma, &sine, &cosine);
   const pair_t inertia = pair_sum(disc_inertia_pair(k->m, params->beta),
                                   two_product(k->theta_dt, k->c1));
-  machine->low_sin_gamma = left_out(sine, k->sin_gamma);
+  machine->low_sin_gamma = k->sin_gamma != 0 ? left_out(sine, k->sin_gamma) : 0;
   machine->low_cos_gamma = left_out(cosine, k->cos_gamma);
   machine->low_inertia = left_out(inertia, k->inertia);
   return TF_OK;

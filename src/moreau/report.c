@@ -4,20 +4,41 @@
 
 #include "../model/rates.h"
 
+// Accelerations.
+typedef struct {
+  tf_real_t dp, dz;
+} end_rates_t;
+
+// What the terms of p' and z' amount to without their signs: a share of it is
+// what rounding makes of an equilibrium. `speed` bounds the terms of v.
+static end_rates_t terms_of_rates(const tf_machine_t *k, const tf_input_t *u,
+                                  const tf_state_t *x, tf_real_t speed,
+                                  tf_force_t force) {
+  const force_terms_t size =
+      force_terms(k, u, magnitude(u->r0) + magnitude(x->r), x->r, speed, x->w);
+  const tf_real_t d = magnitude(k->d);
+  const tf_real_t radial = size.radial + magnitude(force.F * k->sin_gamma);
+  const tf_real_t torque =
+      size.torque + d * radial + magnitude(force.F * x->r) + magnitude(force.M);
+  return (end_rates_t){radial / k->m + d * magnitude(u->alpha),
+                       torque / inertia_at(k, x->r) + magnitude(u->alpha)};
+}
+
 // A turntable that stands, or passes 0, may bring the wheel to rest; then h and
-// g are off by the rounding of the forces that balance, friction and spring,
-// times dt A.
+// g are off by the rounding of the forces that balance, each with what it does
+// in dt: where they nearly undo each other in h, A is no measure of them.
 TF_API tf_status_t tf_status_of_end(const tf_machine_t *k,
                                     const tf_state_t *state,
                                     const tf_input_t *u, tf_report_t *report) {
-  const tf_real_t rounding =
+  tf_real_t rounding =
       slip_rounding(k, state->r, state->v, state->w, u->omega0);
-  const tf_real_t force =
-      magnitude(report->force.F) + k->k2 * magnitude(state->r);
-  const tf_real_t taken = k->dt * magnitude(report->delassus) * force;
-  const bool stands = within(u->omega0, magnitude(turn_of_step(k, u)));
-  const tf_real_t of_force = stands ? SLIP_ROUNDINGS * taken : 0;
-  return status_by_signs(report, rounding + of_force);
+  if (within(u->omega0, magnitude(turn_of_step(k, u)))) {
+    const end_rates_t terms =
+        terms_of_rates(k, u, state, magnitude(state->v), report->force);
+    rounding +=
+        SLIP_ROUNDINGS * k->dt * (terms.dp + magnitude(state->r) * terms.dz);
+  }
+  return status_by_signs(report, rounding);
 }
 
 // Stall: whether a step that has left r as it was will go on like that although
@@ -37,26 +58,6 @@ TF_API tf_status_t tf_status_of_end(const tf_machine_t *k,
 // rounding does not change.
 #define STALL_DIRECTION 64
 
-// Accelerations.
-typedef struct {
-  tf_real_t dp, dz;
-} stall_rates_t;
-
-// What the terms of p' and z' amount to without their signs: a share of it is
-// what rounding makes of an equilibrium. `speed` bounds the terms of v.
-static stall_rates_t terms_of_rates(const tf_machine_t *k, const tf_input_t *u,
-                                    const tf_state_t *x, tf_real_t speed,
-                                    tf_force_t force) {
-  const force_terms_t size =
-      force_terms(k, u, magnitude(u->r0) + magnitude(x->r), x->r, speed, x->w);
-  const tf_real_t d = magnitude(k->d);
-  const tf_real_t radial = size.radial + magnitude(force.F * k->sin_gamma);
-  const tf_real_t torque =
-      size.torque + d * radial + magnitude(force.F * x->r) + magnitude(force.M);
-  return (stall_rates_t){radial / k->m + d * magnitude(u->alpha),
-                         torque / inertia_at(k, x->r) + magnitude(u->alpha)};
-}
-
 // The force of the law at the end of the step, and its share that is rounding:
 // in stick lambda = N/A, which undoes the slip that rounding has left in no
 // time at all; in slip the force of the step.
@@ -65,7 +66,7 @@ typedef struct {
 } stall_force_t;
 
 static stall_force_t force_in_stick(const tf_machine_t *k, const rates_t *rates,
-                                    stall_rates_t terms, tf_real_t r,
+                                    end_rates_t terms, tf_real_t r,
                                     bool minus) {
   const tf_real_t kappa = signed_kappa(k, minus), A = rates->A[minus];
   const tf_real_t lambda = stick_lambda(k, rates, minus);
@@ -80,7 +81,8 @@ static stall_force_t force_in_slip(const tf_machine_t *k, tf_force_t force,
   const tf_real_t size = magnitude(slip.h) + magnitude(slip.g);
   const tf_real_t uncertain = STALL_DIRECTION * off;
   const tf_real_t share = uncertain < size ? uncertain / size : 1;
-  return (stall_force_t){force, {share * k->tyre.mu, share * k->kappa_mu}};
+  return (stall_force_t){
+      force, {share * k->contact.tyre.mu, share * k->contact.kappa_mu}};
 }
 
 // How fast the machine moves, and by how much rounding may be the reason.
@@ -96,7 +98,7 @@ static stall_motion_t motion_at_end(const tf_machine_t *k, const tf_input_t *u,
   const tf_real_t terms_of_v = slip_terms(k, x->r, x->v, x->w, u->omega0);
   const tf_real_t v_off = STALL_ROUNDINGS * terms_of_v;
   const rates_t rates = rates_at(k, u, x->r, p, z, u->omega0);
-  const stall_rates_t terms = terms_of_rates(k, u, x, terms_of_v, force);
+  const end_rates_t terms = terms_of_rates(k, u, x, terms_of_v, force);
   const stall_force_t by =
       is_stick(x->mode)
           ? force_in_stick(k, &rates, terms, x->r, x->mode == TF_STICK_MINUS)
@@ -123,8 +125,8 @@ static bool stalls(const tf_machine_t *k, const tf_input_t *u,
     return true;
   // A smooth law balances within a step any slip that rounding leaves, so that
   // its force at rest is no acceleration.
-  const bool smooth =
-      !tf_tyre_is_set_valued(k->tyre.law) && k->tyre.law != TF_TYRE_NONE;
+  const bool smooth = !tf_tyre_is_set_valued(k->contact.tyre.law) &&
+                      k->contact.tyre.law != TF_TYRE_NONE;
   if (within(x->v, a.v_off) && (smooth || within(a.v_rate, a.v_rate_off)))
     return false;
   const tf_real_t later = x->v + STALL_STEPS * k->dt * a.v_rate;

@@ -19,19 +19,22 @@ typedef struct {
   bool is_balanced; // it ends in the form that creates no energy
 } outcome_t;
 
-// In slip the angle is not in question: only the side is checked. A mean over a
-// passage of h = g = 0 is one of forces of the convex hull.
+// Of a slip only the side is checked, not the angle. The mean force of a step
+// that passes h = g = 0 is compared with the convex hull of the law.
 TF_INLINE tf_real_t mode_residual(const tf_machine_t *k,
                                   const outcome_t *outcome, tf_force_t force,
                                   tf_slip_t slip) {
   const unsigned mode = outcome->mode;
-  if (!tf_tyre_is_set_valued(k->tyre.law)) return outcome->residual;
+  if (!tf_tyre_is_set_valued(k->contact.tyre.law)) return outcome->residual;
   if (outcome->is_mean)
-    return rest_residual(TF_REST_HULL, k->tyre.mu, k->stick_kappa, force);
-  if (mode == TF_PINNED && k->stick_kappa > 0)
-    return rest_residual(k->rest, k->tyre.mu, k->stick_kappa, force);
+    return rest_residual(TF_REST_HULL, k->contact.tyre.mu,
+                         k->contact.stick_kappa, force);
+  if (mode == TF_PINNED && k->contact.stick_kappa > 0)
+    return rest_residual(k->contact.rest, k->contact.tyre.mu,
+                         k->contact.stick_kappa, force);
   if (!is_slip(mode))
-    return law_residual(k->tyre.mu, k->stick_kappa, force, slip.h, slip.g);
+    return law_residual(k->contact.tyre.mu, k->contact.stick_kappa, force,
+                        slip.h, slip.g);
   return law_residual(1, 0, (tf_force_t){mode == TF_SLIP_PLUS ? 1 : -1, 0},
                       slip.h, slip.g);
 }

@@ -6,8 +6,7 @@
 
 #include "../friction/inclusion.h"
 #include "../friction/mode_set.h"
-#include "../friction/select.h"
-#include "../model/tyre_law.h"
+#include "../friction/tyre_law.h"
 #include "linear.h"
 #include "report.h"
 
@@ -85,6 +84,12 @@ TF_INLINE tf_slip_t start_slip(const free_motion_t *c) {
                          c->start.z);
 }
 
+// It is asked for more than once by who needs it in memory.
+TF_INLINE void know_start_slip(free_motion_t *c) {
+  c->start.slip = start_slip(c);
+  c->start.known = true;
+}
+
 // Where a step ends under a force. Of an incremental step r, v, w are what a
 // plain step would store: compensation.h computes them in pairs.
 typedef struct {
@@ -127,14 +132,13 @@ TF_INLINE change_t change_by(const free_motion_t *c, multipliers_t m) {
 
 TF_INLINE forced_end_t end_by(const free_motion_t *c, multipliers_t m) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
-  return end_under(c, (tf_force_t){m.x * k->tyre.mu, m.y * k->kappa_mu},
-                   change_by(c, m));
+  return end_under(c, force_under(&k->contact, m), change_by(c, m));
 }
 
 // Inclusion, (8).
 TF_INLINE inclusion_t inclusion(const free_motion_t *c) {
-  inclusion_t in = {.has_moment = TF_STEP_MACHINE(c)->stick_kappa > 0,
-                    .rest = TF_STEP_MACHINE(c)->rest};
+  inclusion_t in = {.has_moment = TF_STEP_MACHINE(c)->contact.stick_kappa > 0,
+                    .rest = TF_STEP_MACHINE(c)->contact.rest};
   slip_forms(TF_STEP_MACHINE(c), &c->end, c->slip, &in.h, &in.g);
   return in;
 }
@@ -144,101 +148,94 @@ TF_INLINE inclusion_t inclusion(const free_motion_t *c) {
 TF_INLINE void add_pinned_point(free_motion_t *c, inclusion_t *in) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
   const tf_force_t pin = pinning_force(k, &c->linear);
-  c->start.slip = start_slip(c);
-  c->start.known = true;
+  know_start_slip(c);
   in->g_now = c->start.slip.g;
-  in->pin_x = pin.F * k->inv_mu;
-  in->pin_y = pin.M * k->inv_kappa_mu;
+  in->pin_x = pin.F * k->contact.inv_mu;
+  in->pin_y = pin.M * k->contact.inv_kappa_mu;
 }
 
 // Inclusion (8) and enumeration: every mode that solves it. Returns: the signs
 // that g+ can have.
 TF_INLINE unsigned solve_inclusion(free_motion_t *c, inclusion_t *in,
-                                   solutions_t *s) {
+                                   tf_contact_modes_t *s) {
   *in = inclusion(c);
   const unsigned signs = signs_of(&in->g);
   if (signs == BOTH_SIGNS) add_pinned_point(c, in);
-  *s = (solutions_t){0};
+  *s = (tf_contact_modes_t){0};
   enumerate(in, signs, s);
   return signs;
 }
 
-// Choice. Whether the step begins at h = g = 0 or has that point within reach:
-// a slip that is so near, or a stick whose g changes its sign. codim2_end.c has
-// what follows.
+// Choice. Whether a step that does not begin at rest has h = g = 0 within
+// reach; codim2_end.c has what follows.
 TF_INLINE bool is_near_codim2(const free_motion_t *c, const inclusion_t *in,
                               unsigned signs, unsigned set) {
   const unsigned mode = c->state->mode;
-  if (mode == TF_PINNED) return true;
   if (is_slip(mode)) {
     const tf_slip_t now = start_slip(c);
-    return may_vanish(&in->h, now.h) && may_vanish(&in->g, now.g);
+    return slip_reaches_codim2(&in->h, &in->g, now);
   }
-  const unsigned own = mode == TF_STICK_PLUS ? PLUS_SIGN : MINUS_SIGN;
-  return signs != own && !has(set, mode);
+  return stick_reaches_codim2(mode, signs, set);
 }
 
-// tf_select, from what is in registers.
+// tf_contact_choose, from what is in registers.
 TF_RARE unsigned select_mode(const tf_machine_t *k, const tf_state_t *state,
                              unsigned set, unsigned near_stick,
                              tf_real_t h_plus, tf_real_t h_minus,
                              unsigned attracting) {
-  const solutions_t solutions = {.set = (uint8_t)set,
-                                 .attracting = (uint8_t)attracting,
-                                 .near_stick = (uint8_t)near_stick,
-                                 .h_limit = {h_plus, h_minus}};
-  return tf_select(k->rule, k->exit_threshold, &solutions, state->mode,
-                   state->tick, state->seed);
+  const tf_contact_modes_t solutions = {.set = (uint8_t)set,
+                                        .attracting = (uint8_t)attracting,
+                                        .near_stick = (uint8_t)near_stick,
+                                        .h_limit = {h_plus, h_minus}};
+  return tf_contact_choose(&k->contact, &solutions, state->mode, state->tick,
+                           state->seed);
 }
 
 // Choice: the mode that the step ends in; TF_NO_MODE where none is consistent,
 // or none that a slip may enter.
 TF_INLINE unsigned choose_mode(const tf_machine_t *k, const tf_state_t *state,
-                               const solutions_t *s) {
+                               const tf_contact_modes_t *s) {
   if (continues(s->set, s->attracting, state->mode)) return state->mode;
   return select_mode(k, state, s->set, s->near_stick, s->h_limit[0],
                      s->h_limit[1], s->attracting);
 }
 
-TF_INLINE multipliers_t slip_multipliers(const tf_tyre_t *tyre, tf_real_t side,
-                                         tf_slip_t at) {
-  if (tyre->law == TF_TYRE_COULOMB) return (multipliers_t){side, 0};
-  return jump_multipliers(tyre, side, at.h, at.g);
-}
-
 // End in slip on one side of h = 0, (9): the force is predicted from the start,
 // then taken at the theta point. Where that would carry the wheel across h = 0
 // although the limit at h -> 0 holds it on its side, the true end lies between
-// the two, and the limit is taken. It reverses the slip if its moment supposes
-// the other sign of g than that at the start: then the force of the step passes
-// h = 0 and g = 0 alike, and in which order the step does not tell. The force
-// turns if it is not that of the start, so that the true one, which changes
-// direction within the step, may differ from both.
+// the two, and the limit is taken. It reverses the slip if its moment belongs
+// to the other sign of g than that at the start: then h and g both pass 0
+// within the step, and the step cannot know which does so first. The force
+// turns if it is not that of the start: the true one changes its direction
+// within the step and may differ from both.
 TF_INLINE forced_end_t slip_end(const free_motion_t *c, tf_real_t side,
-                                tf_real_t tau) {
+                                tf_real_t tau, bool rare) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
   const tf_slip_t now = start_slip(c);
-  const multipliers_t first = slip_multipliers(&k->tyre, side, now);
+  const multipliers_t first =
+      slip_multipliers(&k->contact.tyre, side, now, rare);
   const tf_real_t r_theta = r_at_theta(k, c->state->r, c->state->v);
   const tf_slip_t at =
       slip_at_theta(k, &c->linear, turn_after_theta(k, c->input), r_theta,
                     change_by(c, first));
-  const multipliers_t theta = slip_multipliers(&k->tyre, side, at);
+  const multipliers_t theta =
+      slip_multipliers(&k->contact.tyre, side, at, rare);
   forced_end_t end = end_by(c, theta);
   end.turns = force_turns(first, theta);
   if (side * end_slip(c, &end).h > 0) return end;
-  const multipliers_t limit = {side, tau * side};
+  const multipliers_t limit = limit_multipliers(side, tau);
   end = end_by(c, limit);
   end.turns = force_turns(first, theta) || force_turns(first, limit);
-  end.reverses = k->kappa_mu * tau * now.g < 0;
+  end.reverses = k->contact.kappa_mu * tau * now.g < 0;
   end.held = true;
   return end;
 }
 
-// What a slip that is reversed is replaced by: the attracting stick on the
-// present side of g, which h meets first, where it is consistent; else it is
-// kept.
-TF_INLINE unsigned mode_after_reversal(const solutions_t *s, unsigned mode) {
+// The mode in place of a slip that is reversed: the attracting stick on the
+// present side of g, where it is consistent, because h comes to it first; else
+// the slip itself.
+TF_INLINE unsigned mode_after_reversal(const tf_contact_modes_t *s,
+                                       unsigned mode) {
   return has(s->set & s->attracting, s->near_stick) ? s->near_stick : mode;
 }
 
@@ -251,15 +248,16 @@ TF_INLINE forced_end_t pinned_end(const free_motion_t *c) {
 }
 
 // End in one of the modes that solve the inclusion.
-TF_INLINE forced_end_t mode_end(const free_motion_t *c, const solutions_t *s,
-                                unsigned mode) {
+TF_INLINE forced_end_t mode_end(const free_motion_t *c,
+                                const tf_contact_modes_t *s, unsigned mode,
+                                bool rare) {
   if (mode == TF_PINNED) return pinned_end(c);
   // No index that is known only at run time: the arrays stay in registers.
   if (is_slip(mode))
     return slip_end(c, mode == TF_SLIP_PLUS ? TF_R(1.0) : TF_R(-1.0),
-                    mode == TF_SLIP_PLUS ? s->tau[0] : s->tau[1]);
+                    mode == TF_SLIP_PLUS ? s->tau[0] : s->tau[1], rare);
   const tf_real_t x = mode == TF_STICK_PLUS ? s->x[0] : s->x[1];
-  return end_by(c, (multipliers_t){x, mode == TF_STICK_PLUS ? x : -x});
+  return end_by(c, stick_multipliers(x, mode != TF_STICK_PLUS));
 }
 
 // The Delassus scalar of stick at the end of the step, by the sign of g.

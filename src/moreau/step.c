@@ -21,26 +21,55 @@ TF_INLINE tf_status_t commit(const tf_machine_t *k, tf_state_t *state,
   const bool stays = state->r == at.r;
   record(state, at, slip, to->end.force, residual, outcome, report);
   tf_status_t status = outcome.status;
-  if (!plainly_has_signs(k, outcome.mode, slip, at))
+  // The slip of a single-valued law is that of the sign of h.
+  if (!plainly_has_signs(k, outcome.mode, slip, at) &&
+      tf_tyre_is_set_valued(k->contact.tyre.law))
     status = tf_status_of_end(k, state, input, report);
   return stays ? tf_status_of_stall(k, input, state, report) : status;
 }
 
+// A function of its own, so that its stack and that of the end do not add.
+TF_RARE tf_status_t commit_rare(const tf_machine_t *k, tf_state_t *state,
+                                const tf_input_t *input, const step_end_t *to,
+                                tf_report_t *report) {
+  if (to->outcome.status < TF_OK)
+    return refuse_step(report, to->outcome.status);
+  return commit(k, state, input, to, report);
+}
+
+// What the common stages of a rare step have decided.
+typedef struct {
+  uint8_t kind, mode, set;
+} decided_t;
+
+// Its arguments are in registers, as those of all that a step calls, and it is
+// what the step ends with: what has an address would be in memory in every
+// step, and a structure of three numbers is passed there (7 % of a step).
 TF_RARE tf_status_t rare_step(const tf_machine_t *k, tf_state_t *state,
-                              const tf_input_t *input, tf_report_t *report) {
+                              const tf_input_t *input, tf_report_t *report,
+                              decided_t by, tf_real_t F, tf_real_t M,
+                              tf_real_t p, tf_real_t z, tf_real_t r,
+                              tf_real_t v, tf_real_t w, tf_real_t delassus) {
+  step_end_t to = {
+      .end = {.force = {F, M}, .friction = {p, z}, .at = {r, v, w}},
+      .outcome = {.mode = by.mode, .set = by.set, .delassus = delassus}};
   const start_t start = start_of(k, state, input);
-  const step_end_t to = tf_rare_end(k, state, input, start);
-  if (to.outcome.status < TF_OK) return refuse_step(report, to.outcome.status);
-  return commit(k, state, input, &to, report);
+  to.outcome.status =
+      tf_rare_end((end_kind_t)by.kind, k, state, input, &start, &to);
+  return commit_rare(k, state, input, &to, report);
 }
 
 TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
                            const tf_input_t *input, tf_report_t *report) {
   const tf_machine_t *k = machine;
   if (!may_step(state, input)) return refuse_step(report, TF_BAD_STATE);
-  const start_t start = start_of(k, state, input);
-  step_end_t to;
-  if (!common_end(k, state, input, start, &to))
-    return rare_step(k, state, input, report);
-  return commit(k, state, input, &to, report);
+  step_end_t to = {.outcome = {.mode = 0}};
+  const end_kind_t kind =
+      end_of_step(k, state, input, start_of(k, state, input), &to);
+  if (kind == END_COMMON) return commit(k, state, input, &to, report);
+  const decided_t by = {(uint8_t)kind, (uint8_t)to.outcome.mode,
+                        (uint8_t)to.outcome.set};
+  return rare_step(k, state, input, report, by, to.end.force.F, to.end.force.M,
+                   to.end.friction.p, to.end.friction.z, to.end.at.r,
+                   to.end.at.v, to.end.at.w, to.outcome.delassus);
 }

@@ -44,6 +44,11 @@ TF_INLINE tf_real_t clip(tf_real_t x, tf_real_t low, tf_real_t high) {
   return x > low ? (x < high ? x : high) : low;
 }
 
+// 1/x, kept finite: below the smallest normal number x counts as 0.
+TF_INLINE tf_real_t inverse_or_0(tf_real_t x) {
+  return x >= TF_REAL_MIN ? 1 / x : 0;
+}
+
 // tan(x/2) from t = tan(x), 0 <= x <= pi/2. t up to 6e6: t t stays finite.
 TF_INLINE tf_real_t half_tangent(tf_real_t t) {
   return t / (1 + square_root(1 + t * t));

@@ -1,4 +1,5 @@
-// First root of a polynomial in an interval.
+// First root of a polynomial in an interval. Most fall throughout: their one
+// root, or none, is there without a look at the signs of coefficients.
 #include "polynomial.h"
 
 // How often an interval is halved: roots closer to each other than what is left
@@ -26,7 +27,7 @@ static int sign_changes(const series_t *s, int degree, tf_real_t low,
                         tf_real_t high) {
   tf_real_t b[SERIES_ORDER + 1];
   for (int n = 0; n <= degree; n++) b[n] = s->c[n];
-  for (int j = 0; j < degree; j++) // Taylor shift to low
+  for (int j = 0; j < degree && low != 0; j++) // Taylor shift to low
     for (int i = degree - 1; i >= j; i--) b[i] += low * b[i + 1];
   tf_real_t share = 1; // (high - low)^n over the binomial coefficient
   for (int n = 1; n <= degree; n++) {
@@ -46,10 +47,13 @@ static int sign_changes(const series_t *s, int degree, tf_real_t low,
   return changes;
 }
 
-static tf_real_t slope_at(const series_t *s, int degree, tf_real_t t) {
-  tf_real_t sum = (tf_real_t)degree * s->c[degree];
-  for (int n = degree - 1; n > 0; n--) sum = sum * t + (tf_real_t)n * s->c[n];
-  return sum;
+// Whether s falls throughout (0, length]: whether its first slope outweighs
+// what the others add to it.
+static bool falls(const series_t *s, int degree, tf_real_t length) {
+  tf_real_t sum = 0;
+  for (int n = degree; n > 1; n--)
+    sum = (sum + (tf_real_t)n * magnitude(s->c[n])) * length;
+  return s->c[1] < -sum;
 }
 
 // One root between low (value > 0) and high (value <= 0).
@@ -57,7 +61,11 @@ static tf_real_t refine(const series_t *s, int degree, tf_real_t low,
                         tf_real_t high) {
   tf_real_t t = high;
   for (int i = 0; i < MAX_NEWTON; i++) {
-    const tf_real_t f = value_at(s, degree, t), slope = slope_at(s, degree, t);
+    tf_real_t f = s->c[degree], slope = 0;
+    for (int n = degree - 1; n >= 0; n--) {
+      slope = slope * t + f;
+      f = f * t + s->c[n];
+    }
     if (f > 0)
       low = t;
     else
@@ -72,6 +80,11 @@ static tf_real_t refine(const series_t *s, int degree, tf_real_t low,
 
 TF_API bool tf_first_root(const series_t *s, int degree, tf_real_t length,
                           tf_real_t *root) {
+  if (s->c[0] > 0 && falls(s, degree, length)) {
+    if (value_at(s, degree, length) > 0) return false;
+    *root = refine(s, degree, 0, length);
+    return true;
+  }
   tf_real_t low = 0, high = length, size = 0;
   for (int n = 0; n <= degree; n++) size += magnitude(s->c[n]);
   if (size == 0) return false; // 0 throughout: it does not cross

@@ -24,18 +24,22 @@ TF_INLINE tf_real_t value_at(const series_t *s, int degree, tf_real_t t) {
   return sum;
 }
 
-// What the other terms together can add to c0 within the length, at most.
-TF_INLINE tf_real_t change_within(const series_t *s, int degree,
-                                  tf_real_t length) {
+// What the terms beyond c0 + c1 t together can add within the length, at most.
+TF_INLINE tf_real_t change_beyond_line(const series_t *s, int degree,
+                                       tf_real_t length) {
   tf_real_t sum = magnitude(s->c[degree]);
-  for (int k = degree - 1; k > 0; k--) sum = sum * length + magnitude(s->c[k]);
-  return sum * length;
+  for (int k = degree - 1; k > 1; k--) sum = sum * length + magnitude(s->c[k]);
+  return sum * length * length;
 }
 
-// Whether c0 is larger than that. Then there is no root; most segments are
-// settled by this.
+// Whether that line stays above as much. Then there is no root; most segments
+// are settled by this. Of a series on the stack no term beyond the degree,
+// which is not 0, is set or read.
 TF_INLINE bool is_rootless(const series_t *s, int degree, tf_real_t length) {
-  return s->c[0] > change_within(s, degree, length);
+  // cppcheck-suppress ctuuninitvar
+  const tf_real_t change = s->c[1] * length;
+  return s->c[0] + (change < 0 ? change : 0) >
+         change_beyond_line(s, degree, length);
 }
 
 // The smallest root in (0, length], by the signs of the Bernstein coefficients

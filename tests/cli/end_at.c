@@ -1,8 +1,9 @@
 // Ends a program at its own call number ENDS_AT on a file that it writes, of
 // write, fsync, ftruncate, rename, unlink, remove and close. A write that ends
-// it takes half of its bytes. Nothing waits for a disk, since no power is lost,
-// and each reading of the clock is a second later than the one before, so that
-// rows are flushed one by one. Preloaded by test_endings.py.
+// it takes half of its bytes. Nothing waits for a disk, since no power is lost.
+// But with a board (ENDS_LINE), each reading of the clock is a second later
+// than the one before, so that rows are flushed one by one. Preloaded by
+// test_endings.py.
 
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -69,7 +70,7 @@ int remove(const char *path) { return unlink(path); }
 
 int clock_gettime(clockid_t clock, struct timespec *time) {
   static long seconds;
-  (void)clock;
+  if (getenv("ENDS_LINE") != NULL) return REAL(clock_gettime)(clock, time);
   *time = (struct timespec){++seconds, 0};
   return 0;
 }

@@ -105,16 +105,21 @@ class Terminal:
     """`with Terminal(words, ...) as terminal:` a program and its screen."""
 
     def __init__(self, words, columns=80, rows=24, stdin=subprocess.DEVNULL,
-                 **environment):
+                 keys=False, **environment):
+        """keys: its input is this terminal, which is its own."""
         self.line, self.child_end = pty.openpty()
+        self.lines = termios.tcgetattr(self.line)
         self.screen = Screen(columns, rows)
         self.left = self.all = b""
         self.resize(columns, rows)
         settings = {**os.environ, "TERM": "xterm", "LC_ALL": "", "NO_COLOR": "",
                     "LANG": "C.UTF-8", **environment}
         self.child = subprocess.Popen(
-            [str(word) for word in words], stdin=stdin, stdout=self.child_end,
-            stderr=self.child_end, env=settings, start_new_session=True)
+            [str(word) for word in words],
+            stdin=self.child_end if keys else stdin, stdout=self.child_end,
+            stderr=self.child_end, env=settings, start_new_session=True,
+            preexec_fn=(lambda: fcntl.ioctl(0, termios.TIOCSCTTY, 0))
+            if keys else None)
         os.close(self.child_end)
 
     def __enter__(self):

@@ -41,7 +41,7 @@ static void judge_at(double t) {
   /* Stick that tends to rest at h = g = 0: the core does not know its g. */
   if (fabs((double)surface.slip.g) < 64 * (double)TF_REAL_EPSILON) return;
   CHECK(surface.delassus < 0 && (double)surface.slip.g * canard.s > 0);
-  CHECK(fabs((double)surface.lambda) < 1.001 * (double)machine.tyre.mu);
+  CHECK(fabs((double)surface.lambda) < 1.001 * (double)machine.contact.tyre.mu);
   const double rate[] = {(after.r - before.r) / (2 * dt),
                          (after.z - before.z) / (2 * dt)};
   const double A = (double)surface.delassus;
@@ -124,7 +124,7 @@ TEST(random_machines_are_followed_or_say_why) {
       const cli_field_t f = cli_field_at(&c.machine, at);
       const double A = f.A[canard.s < 0];
       CHECK(A < 0 && canard.s * f.g > 0);
-      CHECK(fabs(f.N / A) < 1.001 * (double)c.machine.tyre.mu);
+      CHECK(fabs(f.N / A) < 1.001 * (double)c.machine.contact.tyre.mu);
     }
   }
   printf("# random machines: %d of %d followed\n", solved, drawn);

@@ -111,6 +111,13 @@ diverge --samples 40 --codim2 attracting --patience 20 --seed 4 >again
 check '--codim2 and its old name give the same bytes' cmp -s r again
 share 'by the attracting stick there it is not' '$3 == "small_cycle"' 0.9 1 r
 
+# Steps that do not resolve the noise at h = g = 0 have half of these rest there
+# before they have wound, for longer than this patience.
+diverge --by noise --size 1e-5 --fine 4 --samples 10 --patience 30 --seed 3 \
+  --section 2e-3 --exits e --returns r
+share 'by noise every exit winds' '$7 != ""' 1 1 e
+share 'and the two-fold is reached again' '$3 == "returned"' 1 1 r
+
 # Numbers of places are those of the first rows that lead to them.
 diverge --exhaustive --depth 1 --grid 0.1 --patience 0.5 >out
 check 'both sides at every multiple of the grid' awk -F, '
@@ -169,6 +176,7 @@ cat - >>rows <<END
 3 coulomb $files|no two-fold
 3 driven $files|driven
 2 chaos --exhaustive --shard 1/2|--exhaustive
+2 chaos --resume|--resume: only with
 4 chaos --exits e.csv --returns no/such/r.csv|No such
 4 chaos --exhaustive --branches no/such/b.csv|--branches no/such/b.csv: No such
 END

@@ -10,7 +10,9 @@ import sys
 import tempfile
 from pathlib import Path
 
-sys.path.append(str(Path(__file__).resolve().parents[1] / "support"))
+sys.path[:0] = [str(Path(__file__).resolve().parents[1] / place)
+                for place in ("support", "line")]
+from boards import BUILD, Board  # noqa: E402
 from tap import (ROOT, TWOFOLD, Skip, check, lacks, main,  # noqa: E402
                  output, same)
 
@@ -53,7 +55,7 @@ def clear(kept):
             path.unlink()
 
 
-def ends(words, *prepare, step=1):
+def ends(words, *prepare, step=1, program=TWOFOLD):
     """Ends a command at each call, or at each of so many; what has its name
     then is whole, or what was there before. The same command has to go on from
     there. Yields the files of each end, and those without one."""
@@ -61,7 +63,7 @@ def ends(words, *prepare, step=1):
     for first in prepare:
         same(perform(first), 0)
     before = contents()
-    same(perform(words), 0)
+    same(perform(words, program=program), 0)
     whole, code, number = contents(), ENDED, 1 - step
     made = sorted(set(whole) - set(before))
     while code == ENDED:
@@ -70,13 +72,13 @@ def ends(words, *prepare, step=1):
         old = b"old" if number % 2 and "--resume" not in words else None
         for name in made if old else ():
             Path(name).write_bytes(old)
-        code = perform(words, number)
+        code = perform(words, number, program)
         found = contents()
         for name in made:
             check(found.get(name) in (old, whole[name]),
                   f"{name} is not whole, ended at call {number}")
         yield found, whole
-        same(perform(words), 0)
+        same(perform(words, program=program), 0)
         check(contents() == whole, f"not the same, ended at call {number}: "
               f"{sorted(contents())}")
     same(code, 0)
@@ -127,6 +129,13 @@ def test_monitor():
                "--out", "rows"])
 
 
+def test_hil():
+    os.environ["ENDS_LINE"] = "1"
+    with Board("double") as board:
+        ends_well([board.name, "--steps", "60", "--every", "1", "--lockstep",
+                   "--csv", "x"], program=str(BUILD / "double" / "hil"))
+
+
 def test_tables_and_scenes():
     for words in (["regions", "chaos", *GRID], ["atlas", "chaos", *GRID],
                   ["singularities", "chaos"], ["scene", "chaos"],
@@ -147,6 +156,24 @@ def test_a_bit_of_a_part():
         Path("x.part").write_bytes(bit)
         check(perform(SWEEP) in (0, 3) and
               contents() in (whole, {"x.part": bytes(bit)}), f"byte {at}")
+
+
+def test_a_bit_of_rows_or_of_a_note():
+    """The shard begins anew, and with neither changed it is of its seed."""
+    found, whole = next(pair for pair in ends(DIVERGE)
+                        if pair[0].get("c.resume") and pair[0].get("r.part"))
+    for name in "c.resume", "r.part", None:
+        clear(())
+        for path, text in found.items():
+            bit = bytearray(text)
+            if path == name:
+                bit[len(bit) // 4] ^= 1
+            Path(path).write_bytes(bit)
+        if not name:
+            same(perform([*DIVERGE, "--seed", "9"]), 3)
+            same(contents(), found)
+        same(perform(DIVERGE), 0)
+        same(contents(), whole)
 
 
 def test_two_builds():

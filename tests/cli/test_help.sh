@@ -69,7 +69,11 @@ done
 words rule persist slip+ slip- random
 words rest hull square bow_tie
 words scheme moreau located compensated
-words format csv frames plotter
+words format csv frames json plotter teleplot
+"$T" run chaos --t-end 3 2>words >/dev/null
+# shellcheck disable=SC2046  # one word each
+words 'the summary' $(grep -oE '[a-z_]{4,}' words | sort -u |
+  grep -vxE 'most|output|real|several|first|after|reached|fold')
 words status 'done' flagged stopped refused
 words 'what make makes' bench stability page fmu firmware
 words others version exit inputs summary json provenance profile based-on

@@ -189,14 +189,65 @@ def test_lengths():
     text = "t,force\n0,1\n1,0.25\n"
     told = (f"{text}# shard 1/1: 2 rows, crc32 {zlib.crc32(text.encode()):08x}"
             ", run 0\n")
-    for good in (told, f"# 2 rows\n{text}"):
+    for good in (told, f"# 2 rows\n{text}", f"{text}# 2 rows\n{told[19:]}"):
         says(does("run chaos --t-end 0", good)[1], "table.csv:", holds=False)
     for bad in (f"# 3 rows\n{text}", f"# 2 rows\n{text[:-2]}"):
         refuses(3, "table.csv: cut off", "run chaos --t-end 0", bad)
     refuses(3, "table.csv: cut off or changed", "run chaos --t-end 0",
             told.replace("0.25", "0.2"))
-    says(does("run chaos --t-end 0", text[:-2])[1],
-         "note: table.csv:3: the last line has no")
+
+
+def test_spellings_of_a_length():
+    """Each is that of `# 2 rows`; what is like one and cannot be read is
+    refused, and other comments are none."""
+    text = "t,force\n0,1\n1,0.25\n"
+    for spelt in ("2 rows", "2 row", "2 Rows", "2 ROWS", "2  rows ", "rows 2",
+                  "rows: 2", "rows=2", "Row\t2", "2rows", "# 2 rows",
+                  "(2 rows)", "nrows = 2", "rows - 2", "-- 2 rows --"):
+        for mark in "#", "# ":
+            does("run chaos --t-end 0", f"{mark}{spelt}\n{text}")
+            does("run chaos --t-end 0", f"{text}{mark}{spelt}\r\n")
+            for cut in (text[:-1], text[:-2], text[:-7]):
+                refuses(3, "table.csv: cut off or changed: it says '# 2 rows'",
+                        "run chaos --t-end 0", f"{mark}{spelt}\n{cut}")
+    for like in ("2.5 rows", "2e0 rows", "1" * 23 + " rows",
+                 "1,000 rows", "0x2 rows", f"{2 ** 64} rows", "rows: 2.0",
+                 "2 rows of 3", "the last 2 rows", "2 row(s)",
+                 "number of rows: 2", "2 rows 2", "2 rows\n# 3 rows",
+                 "1" * 40 + " rows"):
+        refuses(2, "table.csv:&the length of a table is '# N rows'",
+                "run chaos --t-end 0", f"# {like}\n{text}")
+    for other in ("rows", "2", "2 arrows", "rows of a stream", "row of 2",
+                  "2 Hz, rows held", "browse 2"):
+        says(does("run chaos --t-end 0", f"# {other}\n{text}")[1],
+             "table.csv:", holds=False)
+
+
+def test_files_that_are_cut():
+    """Each text file that is read, cut anywhere near its end, is refused, or
+    told; but for the newline behind a checksum."""
+    text = "t,force\n0,1\n1,0.25\n"
+    whole = f"# shard 1/1: 2 rows, crc32 {zlib.crc32(text.encode()):08x}, run 0"
+    call("scene", "chaos", "--out", "scene")
+    call("run", "chaos", "--t-end", "0.01", "--save", "state")
+    call("run", "chaos", "--t-end", "0", "--format", "frames", "--out", "rows")
+    call("monitor", "rows", "--record", "record")
+    call("diverge", "chaos", "--samples", "2", "--counts", "counts")
+    table = "run chaos --t-end 0 --between held --inputs less"
+    for words, given, cuts in (
+            (table, text, 4), (table, f"# 2 rows\n{text}", 4),
+            (table, f"{text}{whole}\n", len(whole)),
+            ("run ./less --t-end 0", "based-on chaos\nkappa 0.25\n", 4),
+            ("run ./less --t-end 0", Path("scene").read_text(), 4),
+            ("run chaos --t-end 1 --from less", Path("state").read_text(), 40),
+            ("run chaos --replay less", Path("record").read_text(), 40),
+            ("merge less", Path("counts").read_text(), 40)):
+        for cut in range(1, cuts + 1):
+            Path("less").write_text(given[:-cut])
+            said = call(*words.split(), code=(0, 2, 3))[1]
+            check("cut off" in said or "less:" in said or
+                  (cut == 1 and "--replay" in words),
+                  f"{words}: {given[-cut:]!r} is lost in silence")
 
 
 WRONG = r"""

@@ -8,6 +8,7 @@ import re
 import signal
 import subprocess
 import sys
+import termios
 import threading
 from pathlib import Path
 
@@ -133,6 +134,45 @@ def follows_the_size():
             check(fits(terminal.drawn(2)), terminal.text())
 
 
+def keys():
+    """q leaves the picture, other keys do not, and the terminal takes lines
+    again."""
+    for leave in (lambda terminal: os.write(terminal.line, b"q"),
+                  Terminal.signal):
+        with Terminal(LONG, keys=True) as terminal:
+            terminal.drawn(2)
+            check(termios.tcgetattr(terminal.line) != terminal.lines,
+                  "takes no keys")
+            os.write(terminal.line, b"xQ\n")
+            terminal.drawn(3)
+            leave(terminal)
+            check(terminal.end() == 4, "code of an interrupted run")
+            check(terminal.is_given_back(), "not given back")
+            check(termios.tcgetattr(terminal.line) == terminal.lines,
+                  "no lines")
+
+
+def rows_at_a_glance():
+    """On a terminal the first and the last rows; all of them, if asked."""
+    rows = plain(TWOFOLD, "run", "chaos", "--t-end", "0.2").stdout.decode()
+    rows = [line.split(",") for line in rows.splitlines()[1:]]
+    for count in (2001, 8, 1):
+        words = [TWOFOLD, "run", "chaos", "--t-end", (count - 1) / 1e4]
+        with Terminal(words) as terminal:
+            check(terminal.end() == 0, "code")
+            lines = terminal.screen.lines()
+        header, *shown = lines[:lines.index("")]
+        check(header.split()[-1] == "choices", header)
+        check(f"{count} rows" in shown.pop(), "how many there are")
+        want = [[f"{float(x):.4g}" for x in row[:6]] + row[8:]
+                for row in rows[:count]]
+        want = want if count < 11 else [*want[:5], ["..."], *want[-5:]]
+        check([line.split() for line in shown] == want, "\n".join(shown))
+    with Terminal([*words, "--out", "-", "--every", "1"]) as terminal:
+        check(terminal.end() == 0, "code")
+        check("t,r,v,omega" in terminal.text(), "--out - has all digits")
+
+
 def ascii_without_utf8():
     for names in ({"LANG": ""}, {"LANG": "de_DE.ISO-8859-1"},
                   {"LC_ALL": "C", "LANG": "C.UTF-8"},
@@ -219,7 +259,8 @@ def monitor_draws_a_stream():
 
 TESTS = [(test.__name__, test) for test in (
     shows_planes_and_lanes, lanes_are_the_modes_of_the_rows,
-    gives_back_before_a_second_signal, follows_the_size, ascii_without_utf8,
+    gives_back_before_a_second_signal, follows_the_size, keys,
+    rows_at_a_glance, ascii_without_utf8,
     colours, quiet_without_a_terminal, monitor_draws_a_stream)]
 TESTS += [(f"gives_back_on {one.name}", lambda one=one: gives_back_on(one))
           for one in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)]

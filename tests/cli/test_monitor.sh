@@ -83,7 +83,7 @@ decodes 'without the last zero: whole' bad want '0 lost, 0 broken'
 
 # Steps that are not to be trusted: the words and the exit code are those of the
 # run, whether reports, the heartbeat at the end or both tell of them.
-heartbeat=91 # bytes
+heartbeat=95 # bytes
 degraded() { sed -n 's/first reported at/first at/; /^degraded /p' err; }
 
 # coarse OPTION...: a run of coarse steps as frames.
@@ -153,8 +153,8 @@ expectations monitor <<END
 4 missing --csv|missing: No such file or directory
 2 |
 2 a b|
-2 frames --out x|only with --as
-2 frames --as json --csv|one form at a time
+2 frames --out x|only with --format
+2 frames --as json --csv|one format at a time
 2 frames --baud fast|
 2 frames --send strat|did you mean 'start'?
 END

@@ -22,11 +22,6 @@ finish_with() {
   code=$?
 }
 
-echo rest >x.part
-runs run chaos --t-end 0.01 --out x
-check 'what a killed run left is not in the way' whole_rows x 10 '[0-9]'
-rm -f x
-
 # What is whole has its name, and nothing is beside it.
 umask 022
 echo old >private

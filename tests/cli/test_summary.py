@@ -130,7 +130,8 @@ def test_sweep():
     got = told("sweep", "chaos", "--over", "mu=1:2:3", "--over", "r=0:1e9:2",
                "--t-end", "0.1", "--out", "rows")
     done = [row for row in rows_of("rows") if "done" in row]
-    same((got["points"], got["done"], got["kept"]), (6, len(done), 0))
+    same((got["points"], got["done"], got["kept"], got["together"]),
+         (6, len(done), 0, 1))
     same(f"twofold {got['version']}, tf_real_t is {got['number']}",
          call("--version")[0].strip())
 
@@ -249,7 +250,7 @@ def test_provenance():
                    "--omega=-1.1:-1.05:2"],
                   ["diverge", "chaos", "--samples", "3", "--returns", "-"],
                   ["diverge", "chaos", "--samples", "3", "--by", "noise",
-                   "--size", "1e-4", "--exits", "-"],
+                   "--size", "1e-4", "--patience", "0.1", "--exits", "-"],
                   ["diverge", "chaos", "--exhaustive", "--depth", "1",
                    "--grid", "0.1", "--patience", "1"],
                   ["monitor", "frames", "--csv"]):
@@ -264,6 +265,8 @@ def test_provenance():
     same(bool(re.fullmatch(r"# twofold [0-9.]+, commit \S+, numbers are "
                            + number, lines[0])), True)
     same(lines[2], "# scheme moreau, dt 0.0001 s")
+    same(call(*SHORT, "--provenance", "--accuracy", "1")[0].splitlines()[2],
+         lines[2] + ", accuracy 1")
     same(re.match(CHAOS, lines[1])[1] in call("monitor", "frames", "--csv")[1],
          True)
     call(*SHORT, "--provenance", "--format", "plotter", code=2)

@@ -75,11 +75,18 @@ done | tr '\n' ' ' >got
 check 'the change of energy is that since t = 0' awk '{
   split($1, a, ","); split($2, b, ","); d = b[1] - a[1] - b[2]
   exit !(a[1] > 0 && a[2] == 0 && b[2] != 0 && d < 1e-6 && -d < 1e-6) }' got
-runs sweep chaos --over seed=1:4:4 --select random --outcome end_r --t-end 3
-mv out seeds.csv
-run run chaos --select random:3 --t-end 3
-equal 'a seed is that of the random rule' \
-  "$(columns seeds.csv end_r | sed -n 3p)" "$(row '$' 2 out)"
+# In float these seeds would be one real number.
+double=$T
+for T in "$double" "${double%/*/*}/float/twofold"; do
+  [ -x "$T" ] || continue
+  runs sweep chaos --over seed=100000000:100000003:4 --select random \
+    --t-end 3 --outcome end_r
+  columns out seed end_r | sed -n 3p >got
+  run run chaos --select random:100000002 --t-end 3
+  equal "a seed is that of the random rule, in ${T#"${double%/*/*}"}" \
+    "$(cat got)" "100000002,$(row '$' 2 out)"
+done
+T=$double
 runs sweep chaos --over seed=1:300:300 --select random --t-end 0
 equal 'whole values of an axis are exact' \
   "$(columns out seed | tr '\n' ' ')" "$(seq 300 | tr '\n' ' ')"
@@ -176,15 +183,6 @@ done
 head -n 9 all | cmp -s - again.part
 check 'nor are those of another one' [ $? -eq 0 ]
 
-# What is interrupted says how it goes on.
-set -- chaos --over kappa=0.2:0.4:20 --over gamma=0.3:1.2:15 --t-end 20 \
-  --dt 1e-3
-sweep "$@" --out whole
-interrupt INT stopped 4 sweep "$@" --out stopped
-check 'it says how to go on' says 'with --resume goes on'
-sweep "$@" --out stopped --resume
-check 'and has the bytes of one run' cmp -s whole stopped
-
 # The tasks of a job array, started by hand in any order; one is lost.
 set -- chaos --over kappa=0.2:0.4:5 --over gamma=0.3:1.2:5 --dt 1e-3
 for i in 3 1 2 3; do
@@ -212,6 +210,49 @@ check 'steps that are flagged are counted' awk -F, '$3 == "flagged" { n++
   if (!($4 ~ /[0-9]+ steps degraded; [0-9]+ coarse/)) bad = 1 }
   END { exit bad || !n }' out
 check 'no field has a comma' whole_rows out 6
+
+# Points of one machine go together, in lanes of an ensemble. A shard of one
+# point is followed by single steps, and its row is the same.
+lanes() {
+  lanes_name=$1
+  shift
+  runs sweep "$@" --out all
+  says 'points/s, in lanes of an ensemble' || echo "$lanes_name: no lanes" >&2
+  lanes_points=$(grep -c '^[0-9]' all)
+  for i in $(seq "$lanes_points"); do
+    sweep "$@" --shard "$i/$lanes_points"
+  done | grep '^[0-9]' >alone
+  grep '^[0-9]' all >rows
+  check "lanes, $lanes_name: the rows of single steps" cmp -s rows alone
+  columns all status >>statuses
+}
+printf 't,force,omega0\n0,0,-1\n0.5,0.4,-1.1\n1.3,-0.2,-1\n' >inputs.csv
+: >statuses
+lanes 'starts' chaos --over r=0.17:0.19:7 --over h=-0.01:0.01:5 --dt 1e-3 \
+  --t-end 3 --outcome "$all"
+check 'and what was done in a second is told' \
+  grep -Eq '^cost .* s, [0-9.e+]+ points/s, in lanes' err
+part 19 >again.part
+sweep chaos --over r=0.17:0.19:7 --over h=-0.01:0.01:5 --dt 1e-3 --t-end 3 \
+  --outcome "$all" --out again --resume
+check 'a stopped sweep goes on in other lanes with the same rows' \
+  cmp -s all again
+lanes 'seeds' chaos --select random --over seed=1:9:9 --over omega=-1.1:-1:2 \
+  --t-end 4 --dt 1e-3 --outcome "$all"
+lanes 'inputs' driven --inputs inputs.csv --between linear --t-end 2 \
+  --dt 1e-3 --over v=-0.1:0.1:17 --scheme moreau --outcome "$all"
+lanes 'starts that are refused' chaos --over r=0:9e8:5 --over omega=-9e8:0:5 \
+  --t-end 0.01 --outcome "$all"
+lanes 'refused and coarse steps' chaos --over omega=-3e5:-1:19 --set h=0.1 \
+  --dt 0.3 --outcome "$all"
+equal 'all ends are met' "$(sort -u statuses | tr '\n' ' ')" \
+  'done flagged refused stopped '
+for other in '--over kappa=0.2:0.3:2' '--over r=0.1:0.2:2 --scheme located' \
+  '--over r=0.1:0.2:2 --set law=coulomb' '--over dt=1e-3:2e-3:2'; do
+  # shellcheck disable=SC2086  # a list of options
+  runs sweep chaos $other --t-end 0.1
+  check "one by one: $other" says 'points/s, one by one'
+done
 
 # Refusals, which leave no file.
 expectations sweep <<END

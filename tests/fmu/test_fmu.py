@@ -7,7 +7,6 @@ BUILD is the folder with fmu/SCENE/twofold.fmu and double/twofold, which
 `make test-fmu` makes."""
 import csv
 import os
-import subprocess
 import sys
 from pathlib import Path
 
@@ -17,13 +16,12 @@ sys.path.append(str(ROOT / "tests" / "support"))
 import test_archive  # noqa: E402
 import test_calls  # noqa: E402
 from importer import Fmu  # noqa: E402
-from tap import check, run  # noqa: E402
+from tap import call, check, output, run  # noqa: E402
 
 BUILD = (ROOT / os.environ.get("BUILD", "build")).resolve()
 COMMAND = BUILD / "double" / "twofold"
-SCENES = [line.split()[0] for line in subprocess.run(
-    [COMMAND, "scenes"], stdout=subprocess.PIPE, text=True,
-    check=True).stdout.splitlines()]
+SCENES = [line.split()[0] for line in
+          output(COMMAND, "scenes", text=True).splitlines()]
 COLUMNS = ["time", "r", "v", "omega", "h", "g", "F", "M"]
 DT = 1e-4
 
@@ -35,9 +33,7 @@ def archive(scene, version):
 
 def rows(scene, *options):
     """What the command line computes."""
-    out = subprocess.run([COMMAND, "run", scene, *options],
-                         stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
-                         text=True, check=False).stdout
+    out = call("run", scene, *options, code=(0, 5), program=COMMAND)[0]
     return [[float(row[k.replace("time", "t")]) for k in COLUMNS]
             + [row["mode"], int(row["choices"])]
             for row in csv.DictReader(out.splitlines())]

@@ -2,19 +2,14 @@
  * its error, events and branches. */
 #include "sim.h"
 
-static sim_t begin(tf_params_t params, double r, double w, double h,
-                   double t_end, int n, double tolerance) {
-  sim_t p = {.params = params};
-  p.params.dt = (tf_real_t)(t_end / n);
-  p.params.tolerance = (tf_real_t)tolerance;
-  CHECK(sim_place(&p, r, w, h, h > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS) == TF_OK);
-  return p;
-}
-
 static sim_t chaos(double t_end, int n, double tolerance) {
   const tf_scene_t *scene = tf_scenes[0];
-  return begin(scene->params, (double)scene->r, (double)scene->omega,
-               (double)scene->h, t_end, n, tolerance);
+  sim_t p = {.params = scene->params};
+  p.params.dt = (tf_real_t)(t_end / n);
+  p.params.tolerance = (tf_real_t)tolerance;
+  CHECK(sim_place(&p, (double)scene->r, (double)scene->omega, (double)scene->h,
+                  TF_SLIP_PLUS) == TF_OK);
+  return p;
 }
 
 TEST(located_stick_is_exact) {
@@ -33,15 +28,17 @@ TEST(located_stick_is_exact) {
   CHECK(sticks > 50000);
 }
 
-/* A spring so stiff that no series converges: tf_step takes over, and its state
- * and report are the ones returned. */
+/* A wheel along the slot that sticks on the axis has A = 0 and no series: there
+ * tf_step takes over, and its state and report are the ones returned. */
 TEST(located_falls_back_and_says_so) {
-  tf_params_t stiff = tf_scenes[0]->params;
-  stiff.k2 = TF_R(1e15);
-  stiff.m = TF_R(1e-6);
-  sim_t p = begin(stiff, 0.1, -0.9, 0.02, 1, 1, 1e-8);
+  tf_params_t along = tf_scenes[0]->params;
+  along.gamma = 0;
   int fell_back = 0;
   for (int i = 0; i < 100; i++) {
+    sim_t p = sim_of(&along);
+    CHECK(sim_prepare(&p) == TF_OK);
+    p.x = (tf_state_t){.v = uniform(-1, 1), .w = along.omega0};
+    p.x.mode = p.x.v < 0 ? TF_STICK_PLUS : TF_STICK_MINUS;
     sim_t same = p;
     const tf_status_t s = sim_step(&p, LOCATED), t = sim_step(&same, MOREAU);
     if (memcmp(&p.x, &same.x, sizeof p.x) != 0) continue;
@@ -51,7 +48,6 @@ TEST(located_falls_back_and_says_so) {
     CHECK(p.report.set == same.report.set &&
           p.report.force.F == same.report.force.F);
   }
-  printf("# fell back %d times\n", fell_back);
   CHECK(fell_back > 50);
 }
 
@@ -61,7 +57,7 @@ TEST(located_refuses_what_it_cannot_take) {
   sim_t p = chaos(1, 100, 1e-8);
   const tf_state_t start = p.x;
   for (int i = 0; i < 3; i++) {
-    p.k.tyre.law = single[i];
+    p.k.contact.tyre.law = single[i];
     CHECK(sim_step(&p, LOCATED) == TF_BAD_PARAMETER);
     CHECK(!memcmp(&p.x, &start, sizeof start));
   }

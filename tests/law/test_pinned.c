@@ -81,27 +81,3 @@ TEST(pinned_wheel_stays_as_long_as_the_law_has_its_force) {
   for (int j = 0; j < 4; j++)
     CHECK(left[j / 2][j % 2] > (j % 2 ? samples(20) : 0));
 }
-
-/* Where nothing acts it stays for good: what does not roll is pinned, and
- * neither stick is consistent beside that. */
-TEST(machine_at_rest_stays_pinned) {
-  for (int i = 0; i < 400; i++) {
-    tf_params_t q = random_params();
-    q.omega0 = 0;
-    const tf_machine_t k = prepared(&q);
-    const tf_input_t u = tf_input_default(&k);
-    for (int scheme = 0; scheme < 2; scheme++) {
-      tf_state_t x = {.r = q.r0, .mode = TF_NO_MODE};
-      tf_report_t report;
-      CHECK(tf_begin(&k, &x, &u, &report) == TF_OK);
-      for (int n = 0; n < 10; n++) {
-        CHECK((scheme ? tf_step_located : tf_step)(&k, &x, &u, &report) ==
-              TF_OK);
-        CHECK(x.mode == TF_PINNED && x.r == q.r0 && x.v == 0 && x.w == 0);
-        CHECK(report.force.F == 0 && report.force.M == 0);
-        CHECK(!(report.set &
-                (TF_MODE_BIT(TF_STICK_PLUS) | TF_MODE_BIT(TF_STICK_MINUS))));
-      }
-    }
-  }
-}

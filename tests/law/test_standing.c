@@ -1,6 +1,5 @@
 /* Equilibrium: a step that leaves r as it was there returns TF_OK. Out of it a
- * step that is too short to move r stalls, which class standing of
- * tests/reference judges of any motion. */
+ * step that is too short to move r stalls. */
 #include "common.h"
 #include "reference.h"
 
@@ -84,7 +83,7 @@ static void judge_equilibria(bool slips, int least_share) {
     const tf_slip_t slip = tf_slip(&k, x.r, x.v, x.w, u.omega0);
     if (slips) {
       if (fabs((double)slip.h) < 1e-3) continue;
-      by = tf_tyre_force(&k.tyre, slip.h < 0 ? -1 : 1, slip.h, slip.g);
+      by = tf_tyre_force(&k.contact.tyre, slip.h < 0 ? -1 : 1, slip.h, slip.g);
     } else {
       const tf_real_t kappa = p.law == TF_TYRE_COULOMB ? 0 : p.kappa;
       by.F = uniform(-0.9, 0.9) * p.mu;

@@ -254,42 +254,6 @@ TEST(friction_of_a_step_works_against_the_turntable_of_the_theta_point) {
   }
 }
 
-/* A stick in the form that creates no energy: the slip that its force ends is
- * that against the turntable of the theta point, up to the third order. */
-TEST(balanced_stick_ends_the_slip_of_the_theta_point) {
-  int judged = 0;
-  for (int i = 0; i < samples(4000); i++) {
-    motion_t m = any_motion(TF_TYRE_JUMP);
-    m.params.theta = uniform(0.5, 1);
-    sim_t s = begun(&m, 250);
-    if (tf_speed_for_slip(&s.k, s.x.r, s.x.w, s.u.omega0, 0, &s.x.v) != TF_OK)
-      continue;
-    const end_state_t from = {s.x.r, s.x.v, s.x.w};
-    s.u.omega0 += s.u.alpha * s.k.dt;
-    s.x.mode = TF_STICK_PLUS;
-    const balanced_end_t end = tf_balanced_end(&s.k, &s.x, &s.u, TF_STICK_PLUS,
-                                               (tf_force_t){0, uniform(-1, 1)});
-    const tf_real_t mu = s.params.mu;
-    if (!(end.force.F < TF_R(0.99) * mu && end.force.F > TF_R(-0.99) * mu))
-      continue;
-    paper_t p = paper_of(&s.params);
-    const real dt = wide(s.k.dt), after = wide(s.params.theta);
-    const real before = 1 - after, r0 = wide(from.r), r1 = wide(end.at.r);
-    const real R0 = before * sqrtl(p.beta * p.beta + r0 * r0);
-    const real R1 = after * sqrtl(p.beta * p.beta + r1 * r1);
-    const real w0 = wide(from.w), w1 = wide(end.at.w);
-    const real w = (R0 * w0 + R1 * w1) / (R0 + R1);
-    const real P = before * (wide(from.v) - p.d * w0) +
-                   after * (wide(end.at.v) - p.d * w1);
-    const real x[3] = {before * r0 + after * r1, P + p.d * w, w};
-    p.omega0 = wide(s.u.omega0) - before * dt * wide(s.u.alpha);
-    CHECK(fabsl(paper_h(&p, x)) < (IS_DOUBLE ? 1e-5L : 5e-5L));
-    judged++;
-  }
-  printf("# %d forces within the law\n", judged);
-  CHECK(judged > samples(200));
-}
-
 /* `chaos` on a ramp of its turntable, for a second. */
 static sim_t on_ramp(const motion_t *m, double dt, scheme_t scheme, double *gap,
                      int *told) {
@@ -305,22 +269,6 @@ static sim_t on_ramp(const motion_t *m, double dt, scheme_t scheme, double *gap,
                 fabs((double)s.report.slip.h) + fabs((double)s.report.slip.g));
   }
   return s;
-}
-
-/* The wheel of the example slips, sticks, and comes to h = g = 0, where it
- * rests, whatever the step; with the turntable of the end of the step at its
- * start it went on in a slip, at every step. */
-TEST(wheel_comes_to_rest_on_a_ramp_at_every_step) {
-  static const double dts[] = {1e-3, 1e-4, 1e-5};
-  const motion_t m = {tf_scenes[0]->params, 0.145, -0.084, -1.037, 0.3, 0, 0};
-  for (int i = 0; i < (IS_DOUBLE ? 3 : 2); i++)
-    for (scheme_t scheme = MOREAU; scheme <= COMPENSATED; scheme++) {
-      double gap;
-      int told;
-      const sim_t s = on_ramp(&m, dts[i], scheme, &gap, &told);
-      CHECK(s.x.mode == TF_PINNED && s.x.v == 0 && s.x.w == s.u.omega0);
-      CHECK_NEAR((double)s.x.r, 0.155514, IS_DOUBLE ? dts[i] : 1e-3);
-    }
 }
 
 /* Motions through h = g = 0 on a ramp take the branch that the located step

@@ -5,6 +5,7 @@ Environment: FIRMWARE the beginning of the path of its folders; REALS the real
 types that are tested."""
 import os
 import pty
+import re
 import select
 import signal
 import struct
@@ -30,6 +31,11 @@ SCHEMA, STATE, REPORT, HEARTBEAT, ANSWER, EXPIRED = 1, 3, 4, 6, 8, 9
 INPUT, STOP, DESCRIBE, DEADMAN, EVERY = 0x41, 0x45, 0x4A, 0x4B, 0x4C
 
 
+def says(said, *patterns):
+    for pattern in patterns:
+        check(re.search(pattern, said), f"no {pattern}: {said}")
+
+
 def program(real, name):
     return f"{FIRMWARE}-{real}/firmware-{name}.elf"
 
@@ -50,6 +56,18 @@ def framed(kind, number, tick, payload):
     """The bytes of a frame on the line (docs/PROTOCOL.md, section 1)."""
     body = struct.pack("<BBBIQ", 3, kind, len(payload), number, tick) + payload
     return b"\0" + sealed(stuffed(body)) + b"\0"
+
+
+def chained(sent):
+    """The bytes of frames of (type, tick, payload), numbered from 0, in which
+    heartbeats have their chain."""
+    chain, stream = 0, b""
+    for number, (kind, tick, payload) in enumerate(sent):
+        if kind == HEARTBEAT:
+            payload = payload[:68] + struct.pack("<I", chain)
+        stream += framed(kind, number, tick, payload)
+        chain = zlib.crc32(stream[-6:-1], chain)
+    return stream
 
 
 class Board:

@@ -12,13 +12,25 @@ import struct
 import subprocess
 import sys
 import tempfile
+from pathlib import Path
 
-from boards import ANSWER, DESCRIBE, SCHEMA, STATE, STOP, Line, framed
+from boards import ANSWER, DESCRIBE, SCHEMA, STATE, STOP, Board, Line, framed
 from tap import check, same
 
 KEY = bytes(0x1f * i % 256 for i in range(16))
+DIGITS = KEY.hex()
 STARTS = 60
 WORD, LAST, OLD, FOREIGN = 2**64 - 1, 2**32 - 1, -20, -21
+
+
+def keyed(port="pty"):
+    """A board with the key of the tests, 50 records a second and a line of
+    115200 baud; and in files that key and another one."""
+    for name, text in ("key", DIGITS), ("wrong", DIGITS[:-1] + "0"):
+        Path(name).write_text(text + "\n")
+        Path(name).chmod(0o600)
+    os.environ["TWOFOLD_BOOT"] = "count"
+    return Board("double", "keyed", port)
 
 
 def rotated(word, by):

@@ -15,8 +15,9 @@ import sys
 from pathlib import Path
 
 from boards import (ANSWER, BUILD, EVERY, INPUT, REALS, REPORT, STATE, STOP,
-                    Board, Line, relayed)
-from tap import TWOFOLD, check, run, same
+                    Board, Line, relayed, says)
+from starts import keyed
+from tap import ROOT, call, check, run, same
 
 STEPS = ["--steps", "600", "--every", "10"]
 LOCKSTEP = [*STEPS, "--lockstep"]
@@ -29,16 +30,7 @@ def hil(real=REAL):
 
 def drive(line, *words, real=REAL, code=0, **options):
     """What the loop says."""
-    done = subprocess.run([hil(real), line, *words], text=True, check=False,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                          **options)
-    check(done.returncode == code, f"{words}: code {done.returncode}, not "
-          f"{code}: {done.stdout}")
-    return done.stdout
-
-
-def says(said, pattern):
-    check(re.search(pattern, said), f"no {pattern}: {said}")
+    return "".join(call(line, *words, program=hil(real), code=code, **options))
 
 
 def rows(path):
@@ -59,10 +51,23 @@ def no_room():
     resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))
 
 
+def shown(said, indent=""):
+    """The lines of a loop, without the numbers of `line`, which hang on when
+    bytes come."""
+    heads = "board|loop|inputs|line|control|host"
+    lines = re.findall(rf"^{indent}((?:{heads}) .*)", said, re.M)
+    return [re.sub(r"\d+", "N", line) if line.startswith("line ") else line
+            for line in lines]
+
+
 def in_lockstep(real):
-    """It depends on no clock. Without room for the rows, those of before stay,
-    and the loop says so."""
+    """It depends on no clock, and docs/HIL.md shows it. Without room for the
+    rows, those of before stay, and the loop says so."""
     with Board(real) as board:
+        said = drive(board.name, *LOCKSTEP, real=real)
+        if real == "float":
+            page = (ROOT / "docs/HIL.md").read_text().partition("\nExit")[0]
+            same(shown(page, " {4}"), shown(said))
         for name, more in (("one", []), ("again", []),
                            ("other", ["--speed", "-0.8"])):
             drive(board.name, *LOCKSTEP, *more, "--csv", name, real=real)
@@ -109,13 +114,24 @@ def inputs_that_never_come_in_time(real):
         says(said, "without end, expired 0 times")
 
 
+def records_every(board, steps):
+    with Line(board.name) as line:
+        line.describe()
+        line.command(EVERY, struct.pack("<I", steps))
+
+
 def what_does_not_compare(real):
-    """Another real type; a machine that is not the scene's, by its hash."""
+    """Another real type; states at other ticks, but in lockstep; a machine that
+    is not the scene's, by its hash."""
     other = {"double": "float", "float": "double"}[real]
     with Board(real) as board:
         drive(board.name, *STEPS, real=other, code=3)
-        subprocess.run([TWOFOLD, "monitor", board.name, "--send",
-                        "set:mu=1.5"], capture_output=True, check=False)
+        records_every(board, 20)
+        for words in ["--every", "16"], ["--every", "10", "--steps", "40"]:
+            said = drive(board.name, *STEPS, *words, real=real, code=3)
+            says(said, f"--every {words[1]} is no multiple of 20")
+        drive(board.name, *LOCKSTEP, real=real)
+        call("monitor", board.name, "--send", "set:mu=1.5", code=(0, 5, 6))
         drive(board.name, *STEPS, real=real, code=3)
 
 
@@ -123,8 +139,7 @@ def refusals():
     drive("/dev/null", code=4)
     drive("/dev/null", "--delay", "21", code=2)
     drive("/dev/null", "--speed", "fast", code=2)
-    same(subprocess.run([hil()], capture_output=True,
-                        check=False).returncode, 2)
+    call(program=hil(), code=2)
 
 
 def lockstep(up, *words):
@@ -173,7 +188,7 @@ def inputs_that_never_come_end_the_lockstep():
     same((code, "step 0: its input was lost" in said), (4, True))
 
 
-def a_line_of_115200_baud(kind, every, code, said_so):
+def a_line_of_115200_baud(kind, every, code, said_so, key=()):
     """One frame of each thousand is lost, which is of that type. It ends right,
     or says why: without its answer an input may have acted, here it has; a line
     that does not carry the records is one on which states are missed."""
@@ -186,12 +201,12 @@ def a_line_of_115200_baud(kind, every, code, said_so):
         done.add(thousand)
         return True
 
-    with Board() as board:
-        with Line(board.name) as line:
-            line.describe()
-            line.command(EVERY, struct.pack("<I", every))
-        got, said = relayed(as_it_is, board, hil(), "LINE", "--steps", "4000",
-                            "--every", "20", lose=lose, carries=11520)
+    with keyed() if key else Board() as board:
+        if not key:
+            records_every(board, every)
+        got, said = relayed(
+            as_it_is, board, hil("double" if key else REAL), "LINE", "--steps",
+            "4000", "--every", "20", *key, lose=lose, carries=11520)
     check(got == code and re.search(said_so, said), said)
 
 
@@ -210,12 +225,10 @@ def numbers_end_within_commands():
     for left in range(2, 8):
         with Board() as board, Line(board.name) as line:
             same(line.use_up_to(2**32 - left), 0)
-            done = subprocess.run([TWOFOLD, "monitor", board.name, *sent],
-                                  capture_output=True, text=True, check=False)
             # The question who the board is, too. Where the computer is busy
             # rows are lost (6), which is another matter.
-            check(done.returncode in (0, 6), done.stderr)
-            same((left, done.stderr.count("took effect")), (left, 6))
+            said = call("monitor", board.name, *sent, code=(0, 6))[1]
+            same((left, said.count("took effect")), (left, 6))
 
 
 def the_dead_man_is_given_back():
@@ -240,7 +253,9 @@ def cases():
                    (REPORT, 20, 0, " [1-9] lost"),
                    (INPUT, 20, 0, "[1-9] without an answer"),
                    (ANSWER, 20, 1, "without an answer may have acted"),
-                   (None, 1, 0, "[1-9][0-9]* states missed")):
+                   (None, 1, 0, "[1-9][0-9]* states missed"),
+                   (STATE, 20, 0, "0 without an answer; [1-9].* missed",
+                    ("--key", "key"))):
         yield a_line_of_115200_baud, values
     yield inputs_that_never_come_end_the_lockstep, ()
     for real in REALS:

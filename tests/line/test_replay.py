@@ -269,6 +269,13 @@ def test_start_is_that_of_the_record():
     check("--set r=0.2: --replay one.record gives the state" in text, text)
 
 
+def test_records_are_told_apart():
+    """In the hash of the run, although they begin with the same frames."""
+    found = [sent(*began((100, GO), (end, GO))[1:])[0][3][25:29]
+             for end in (200, 201, 200)]
+    check(found[0] == found[2] != found[1], found)
+
+
 def test_frames_say_what_holds():
     """A schema follows each change, and reports tell whose inputs they had."""
     replay = began((100, put("kappa", 0.5)), (150, deadman(20)),

@@ -14,7 +14,6 @@ And frames are what tools/board/protocol/decode.py takes for them."""
 import json
 import re
 import struct
-import sys
 
 from boards import RUN, program, sealed, stuffed
 import decode
@@ -42,9 +41,19 @@ def motion(form):
         *numbers, mode, choices = line.split(",")
         rows.append(dict(zip(NAMES, [*map(float, numbers), mode,
                                      int(choices)])))
-    shown = output(RUN[0], "monitor", "-", "--as", form, input=stream).decode()
+    shown = output(RUN[0], "monitor", "-", "--format", form,
+                   input=stream).decode()
+    check(output(*RUN, "--format", form).decode() == shown, "`run` has another")
+    check(output(RUN[0], "monitor", "-", "--as", form,
+                 input=stream).decode() == shown, "--as is not --format")
     check(shown.endswith("\n"), "it does not end with its line")
     return rows, shown.split("\n")[:-1]
+
+
+def test_frames_of_monitor_are_those_that_came():
+    stream = output(*RUN, "--format", "frames")
+    same(output(RUN[0], "monitor", "-", "--format", "frames", input=stream),
+         stream)
 
 
 def pairs_of(line):
@@ -58,7 +67,6 @@ def test_pairs_of_monitor_run_and_a_board():
     same([pairs_of(line) for line in lines],
          [[(name, shown_as_number(row, name)) for name in PLOTTED]
           for row in rows])
-    same(output(*RUN, "--format", "plotter").decode().splitlines(), lines)
     sent = output(program("float", "plotter")).decode("ascii").splitlines()
     rows = [pairs_of(line) for line in sent if not line.startswith("steps:")]
     same((len(rows) > 40, rows[0][0]), (True, ("r", 0.18)))
@@ -126,15 +134,6 @@ def test_decoder_is_quoted_in_the_protocol():
     path = "tools/board/protocol/decode.py"
     quoted = re.findall(rf"```python {path}\n(.*?)```\n", document, re.S)
     same(quoted, [(ROOT / path).read_text()])
-
-
-def test_examples_of_the_protocol_decode():
-    document = (ROOT / "docs/PROTOCOL.md").read_text()
-    examples = re.findall(r"```hex (\S+)\n(.*?)```", document, re.S)
-    same(len(examples) > 10, True)
-    for name, digits in examples:
-        if len(decode.frames(bytes.fromhex(digits))) != 1:
-            sys.exit(f"{name} is not a frame")
 
 
 main(globals(), jobs=4)

@@ -7,11 +7,12 @@ import json
 import os
 import struct
 import subprocess
+import zlib
 from pathlib import Path
 
-from boards import BUILD, HEARTBEAT, RUN, SCHEMA, framed, program
-from decode import frames, runs
-from tap import ROOT, main, output, same
+from boards import HEARTBEAT, REPORT, RUN, SCHEMA, chained, program
+from decode import breaks, frames, runs
+from tap import call, check, main, output, same
 
 
 def judged(stream, *words, code):
@@ -24,10 +25,15 @@ def judged(stream, *words, code):
 
 def refused(*words):
     """Of a command whose files are not two."""
-    done = subprocess.run([RUN[0], *words], capture_output=True, text=True,
-                          check=False)
-    same((words, done.returncode), (words, 2))
-    same("two files are needed" in done.stderr, True)
+    check("two files are needed" in call(*words, code=2)[1], words)
+
+
+def recorded(*words):
+    """The frames of a run, whose steps may be flagged."""
+    done = subprocess.run([*RUN, *words, "--format", "frames"],
+                          capture_output=True, check=False)
+    same(done.returncode in (0, 5), True)
+    return done.stdout
 
 
 def borders_of(stream):
@@ -53,30 +59,82 @@ def test_a_run_that_was_cut_is_told():
     same(json.loads(summary.splitlines()[-1])["exit"], 6)
 
 
-def test_more_than_one_run_is_told():
-    """Repeated, one after the other, and the second one behind a part."""
-    one = output(*RUN, "--every", "50", "--format", "frames")
-    other = output(*RUN, "--every", "100", "--format", "frames")
-    for stream in one + one, one + other, other + one:
-        same("more than one run" in judged(stream, code=6), True)
-    half = one[:one.index(b"\0\0", len(one) // 2) + 1]
-    same("more than one run" in judged(half + other, code=6), True)
+def saved(name, *words):
+    """Words by which a run goes on from what is saved there."""
+    output(*RUN[:-4], *words, "--save", name)
+    return ["--scheme", "compensated", "--from", name]
 
 
 def test_a_splice_is_told():
-    """Two runs joined at one number, where no frame is missing: others by their
-    start, their inputs, a parameter or the seed, and a part within a run."""
+    """Two runs joined at one number, where no frame is missing: others by what
+    they were asked for, or by the state that they go on from, and a part within
+    a run. That its steps are flagged is said as well."""
     Path("table").write_text("t,torque\n0,0\n1,1e-3\n")
-    one, *others = [output(*RUN, *more, "--format", "frames") for more in (
-        [], ["--set", "r=0.2"], ["--inputs", "table", "--between", "held"],
-        ["--set", "mu=0.9"], ["--select", "random:2"])]
-    same(len(runs(frames(one))), 1)
-    for other in others:
-        spliced = other[:borders_of(other)[500]] + one[borders_of(one)[500]:]
-        same(len(runs(frames(spliced))), 2)
-        said = judged(spliced, "--csv", "--out", "rows", code=6)
-        same(("more than one run" in said, Path("rows").exists()),
-             (True, False))
+    begun = saved("begun", "--scheme", "compensated", "--t-end", "0", *RUN[-2:])
+    text = Path("begun").read_text().replace("compensation-w 0",
+                                             "compensation-w 1e-19")
+    text = text[:text.index("crc32 ")]
+    Path("other").write_text(f"{text}crc32 {zlib.crc32(text.encode()):08x}\n")
+    for first, *others in (
+            ([], ["--set", "r=0.2"], ["--set", "mu=0.9"],
+             ["--accuracy", "1e-9"], ["--inputs", "table", "--between", "held"],
+             ["--every", "2"], ["--select", "random:2"],
+             ["--set", "rest=square"]),
+            (["--accuracy", "1e-9"], ["--accuracy", "1e-10"], []),
+            (begun, [*begun[:-1], "other"])):
+        one, *others = [recorded(*more) for more in (first, *others)]
+        same(len(runs(frames(one))), 1)
+        for other in others:
+            at = min(500, len(borders_of(other)) // 2)
+            spliced = other[:borders_of(other)[at]] + one[borders_of(one)[at]:]
+            same(len(runs(frames(spliced))), 2)
+            said = judged(spliced, "--csv", "--out", "rows", code=6)
+            same(("more than one run" in said, Path("rows").exists(),
+                  "\ndegraded " in said), (True, False, True))
+
+
+def beating(*words):
+    """A run with a heartbeat behind every 50th step, and where frames begin."""
+    sent = []
+    for kind, _, tick, payload in frames(output(*RUN, *words, "--format",
+                                                "frames")):
+        sent.append((kind, tick, payload))
+        if kind == REPORT and tick % 50 == 0:
+            sent.append((HEARTBEAT, tick, bytes(64) + struct.pack(
+                "<II", *runs([(sent[0][0], 0, 0, sent[0][2])]), 0)))
+    stream = chained(sent)
+    return stream, [0, *borders_of(stream), len(stream)]
+
+
+def test_frames_put_between_two_heartbeats_are_told():
+    """Of another start: all but schema, layouts and the end of a run; one state
+    with its report; and of a stream with many heartbeats one between two. The
+    decoder in Python agrees."""
+    def put(one, other, first, behind):
+        (stream, at), (foreign, to) = one, other
+        return (stream[:at[first]] + foreign[to[first]:to[behind]]
+                + stream[at[behind]:])
+
+    for spans in ((4, 1004, 0, 500), (600, 602, 0, 500)):
+        one, other = ((stream, [0, *borders_of(stream)]) for stream in (
+            output(*RUN, *more, "--format", "frames")
+            for more in ([], ["--set", "r=0.2"])))
+        spliced = put(one, other, *spans[:2])
+        same((breaks(one[0]), breaks(spliced)), ([], [500]))
+        judged(one[0], code=0)
+        said = judged(spliced, code=6)
+        same(f"between steps {spans[2]} and {spans[3]} frames" in said, True)
+    one, other = beating(), beating("--set", "r=0.2")
+    judged(one[0], code=0)
+    spliced = put(one, other, 4 + 2 * 120 + 2, 4 + 2 * 121 + 2)
+    same((breaks(one[0]), breaks(spliced)), ([], [150]))
+    said = judged(spliced, "--csv", "--out", "rows", code=6)
+    same(("between steps 100 and 150 frames are of another run" in said,
+          Path("rows").exists()), (True, False))
+    # Where one is missing that is told, and the chain begins anew.
+    cut = put(one, (b"", [0] * 999), 300, 302)
+    same(breaks(cut), [])
+    same("were lost" in judged(cut, code=6), True)
 
 
 def test_another_session_is_another_start():
@@ -85,29 +143,27 @@ def test_another_session_is_another_start():
     schema, beat = found[0][3], found[-1][3]
     for sessions, code in (((0, 7, 7, 8), 0), ((2**32 - 1, 1), 0), ((7, 9), 6),
                            ((7, 0), 6)):
-        sent = [(SCHEMA, schema[:13] + struct.pack("<I", session) + schema[17:])
-                for session in sessions] + [(HEARTBEAT, beat)]
-        judged(b"".join(framed(kind, number, 0, payload) for number,
-                        (kind, payload) in enumerate(sent)), code=code)
+        sent = [(SCHEMA, 0, schema[:13] + struct.pack("<I", session)
+                 + schema[17:]) for session in sessions]
+        judged(chained([*sent, (HEARTBEAT, 0, beat)]), code=code)
 
 
 def test_counts_are_those_since_the_first_heartbeat():
     """By the counts of the board, which go round, or begin again with it: of
     records that were dropped, and of ticks without a step."""
     stream = output(*RUN, "--every", "50", "--format", "frames")
-    last = framed(*frames(stream)[-1])
-    same((stream.endswith(last), last[0]), (True, 0))
-    number = frames(stream)[-1][1]
+    *sent, (kind, _, tick, _) = frames(stream)
+    same((kind, tick), (HEARTBEAT, 500))
+    sent = [(kind, tick, payload) for kind, _, tick, payload in sent]
     for counts, grows in (([3, 3, 3], 0), ([3, 3, 10], 1), ([100, 0], 0),
                           ([100, 0, 2], 1), ([2**32 - 1] * 2, 0),
                           ([2**32 - 2, 2], 1)):
         for where, code in ((3, 6), (15, 5)):
-            beats = [framed(HEARTBEAT, number + i, 500, struct.pack(
+            beats = [(HEARTBEAT, 500, struct.pack(
                 "<17I", 500, *(one * (at == where) for at in range(1, 16)),
-                *runs(frames(stream))))
-                     for i, one in enumerate(counts)]
-            said = judged(stream.removesuffix(last) + b"".join(beats),
-                          "--summary", "json", code=grows * code)
+                *runs(frames(stream)))) for one in counts]
+            said = judged(chained(sent + beats), "--summary", "json",
+                          code=grows * code)
             same(json.loads(said.splitlines()[-1])["board"][
                 "dropped" if where == 3 else "skipped"], counts[-1])
 
@@ -189,25 +245,6 @@ def test_no_file_is_written_twice():
         refused("monitor", "--csv", *words)
         same(Path("frames").read_bytes() == stream, True)
         same(Path("new").exists(), False)
-
-
-def test_a_line_that_does_not_carry_its_records_is_refused():
-    """By what `make firmware` asks before it compiles."""
-    for form, every, sends in (
-            ("plotter", 11, "114 bytes with a record and 157 each second"),
-            ("csv", 11, "121 bytes with a record and 4 each second"),
-            ("frames", 13, "136 bytes with a record and 656 each second")):
-        for steps in every, every - 1:
-            asks = [line for line in output(
-                "make", "-n", "elf", "BOARD=host", "REAL=double", "BAUD=115200",
-                f"FORMAT={form}", f"EVERY={steps}", f"BUILD={BUILD}", cwd=ROOT,
-                text=True, env={**os.environ, "MAKEFLAGS": ""}).splitlines()
-                if "--line" in line]
-            done = subprocess.run(asks[0], shell=True, capture_output=True,
-                                  text=True, check=False)
-            same((len(asks), done.returncode), (1, 3 * (steps < every)))
-        same(sends in done.stderr and done.stderr.endswith(
-            f" carries 11520; EVERY={every} would do\n"), True)
 
 
 def board(**where):

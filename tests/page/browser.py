@@ -10,6 +10,7 @@ import tempfile
 import time
 
 LIMIT = 60  # [s] for one answer
+KEYS = {" ": 32, "ArrowRight": 39}  # which browsers know by number
 FLAGS = ["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-quic",
          "--no-first-run", "--disable-background-networking", "--disable-sync",
          "--disable-component-update", "--hide-scrollbars",
@@ -126,6 +127,7 @@ class Tab:
     def key(self, name, shift=False):
         for kind in ("rawKeyDown", "keyUp"):
             self.call("Input.dispatchKeyEvent", type=kind, key=name,
+                      windowsVirtualKeyCode=KEYS.get(name, 0),
                       modifiers=8 if shift else 0)
 
     def mouse(self, kind, x, y, held=False):

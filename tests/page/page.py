@@ -4,14 +4,13 @@ import atexit
 import functools
 import os
 import shutil
-import subprocess
 import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "tests" / "support"))
 from browser import Browser, Tab  # noqa: E402
-from tap import check  # noqa: E402
+from tap import call, check, until  # noqa: E402
 
 BUILD = (ROOT / os.environ.get("BUILD", "build")).resolve()
 COMMAND = BUILD / "double" / "twofold"
@@ -45,20 +44,20 @@ def alone(test):
     return perform
 
 
-def opened(address="", **options):
-    """A tab with the page at an address that is whole."""
+def opened(address="scene=chaos", at=None, **options):
+    """A tab with the page at an address that is whole, and at a tick of it; an
+    empty one opens the story."""
     if address and not address.endswith("&end"):
         address += "&end"
     made = tab(**options)
     made.open(f"{URL}#{address}" if address else URL)
+    if at is not None:
+        go(made, at)
     return made
 
 
 def command(*words):
-    got = subprocess.run([COMMAND, *words], stdout=subprocess.PIPE,
-                         stderr=subprocess.PIPE, text=True, check=False)
-    check(got.returncode in (0, 5), f"{words}: {got.stderr}")
-    return got.stdout
+    return call(*words, code=(0, 5), program=COMMAND)[0]
 
 
 def settled(page):
@@ -71,6 +70,38 @@ def go(page, tick):
     page.value(f"twofold.play(false); twofold.seek({tick}); "
                f"twofold.motion.seek({tick})")
     settled(page)
+
+
+def visit(page, scene):
+    page.value(f"location.hash = '#scene={scene}&end'")
+    settled(page)
+
+
+def arrived(page):
+    """When what the address says is reached, and futures are out."""
+    until(lambda: page.value("twofold.arrived()"), "it arrives")
+    settled(page)
+
+
+def step(page, number):
+    """The tour at a step as it begins, or left for None."""
+    page.value(f"twofold.goTo({'null' if number is None else number})")
+    arrived(page)
+
+
+def csv(page, every, steps):
+    """All rows that the page writes."""
+    return page.value("twofold.play(false); "
+                      f"[...twofold.motion.lines({every}, {steps})].join('')")
+
+
+def leads_there(page):
+    """What the page writes as its address, which has the row of its motion.
+    Returns: a tab there."""
+    tick, row = page.value("[twofold.motion.tick, twofold.motion.now.join()]")
+    again = opened(page.value("twofold.write()"), tick)
+    check(again.value("twofold.motion.now.join()") == row, "another motion")
+    return again
 
 
 def shown(page, name):

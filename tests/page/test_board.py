@@ -1,19 +1,17 @@
 """A board on the page's line."""
 import base64
 import re
-import subprocess
 
 from page import COMMAND, ROOT, check, command, opened
+from tap import output
 
 MOTION = ("run", "chaos", "--dt", "1e-3", "--every", "20", "--t-end", "1.5")
 
 
-def board_on_a_line():
+def test_board_on_a_line():
     """Its frames come in pieces: all of them decode, the page asks for the
     schema, and rows are those of the command line."""
-    stream = subprocess.run([COMMAND, *MOTION, "--format", "frames"],
-                            stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
-                            check=True).stdout
+    stream = output(COMMAND, *MOTION, "--format", "frames")
     tab = opened()
     got = tab.value(f"""(async () => {{
       const bytes = Uint8Array.from(atob(
@@ -42,6 +40,3 @@ def board_on_a_line():
     check(got["rows"] == [[float(x) for x in row[:8]]
                           + [modes.index(row[8]), int(row[9])]
                           for row in want], "other rows")
-
-
-TESTS = [board_on_a_line]

@@ -2,13 +2,15 @@
 import re
 import time
 
-from page import TWO_FOLD, check, command, go, opened, settled, shown
+from page import (TWO_FOLD, check, command, csv, go, leads_there, opened,
+                  settled, shown, visit)
+from tap import until
 
 CHOICES = """[...document.querySelectorAll('#choices button')]
-  .map((button) => button.textContent + (button.disabled ? '!' : ''))"""
+  .map((button) => button.firstChild.data + (button.disabled ? '!' : ''))"""
 
 
-def csv_of_every_scene():
+def test_csv_of_every_scene():
     """Byte for byte, also after the page has been ahead and back, what the
     command at the foot of the set-up writes; and of other set-ups."""
     scenes = [line.split()[0] for line in command("scenes").splitlines()]
@@ -19,10 +21,9 @@ def csv_of_every_scene():
             ("r=0.17986265324413&h=0&omega=-1", 1000),  # at h = g = 0
             ("law=smooth&epsilon=1e-9&m=1e-7&v=-3e-9", 2000),
             ("scene=driven&rule=slip%2B", 70000)):
-        tab = opened(address)
-        go(tab, steps)
+        tab = opened(address, steps)
         words = shown(tab, "command").split()
-        got = tab.value(f"twofold.motion.csv(twofold.motion.every, {steps})")
+        got = csv(tab, "twofold.motion.every", steps)
         want = command(*words[1:])
         rows = zip(got.splitlines(), want.splitlines())
         differing = [f"{a}\n{b}" for a, b in rows if a != b]
@@ -31,7 +32,7 @@ def csv_of_every_scene():
         check(len(want.splitlines()) > 100, "too few rows to tell")
 
 
-def scrubbing_has_the_same_bits():
+def test_scrubbing_has_the_same_bits():
     tab = opened()
     check(tab.value("""(() => {
       const { motion } = twofold;
@@ -53,7 +54,7 @@ def scrubbing_has_the_same_bits():
           f"the disc has turned by {phi}, the turntable by {table}")
 
 
-def scrubbing_has_the_same_regions():
+def test_scrubbing_has_the_same_regions():
     """The turntable of `driven` speeds up till 2 s; where a row is kept, none
     of its steps are taken again."""
     agree = """(() => {
@@ -74,10 +75,9 @@ def scrubbing_has_the_same_regions():
     check(opened("scene=driven").value(agree), "other regions")
 
 
-def futures_fan_out():
+def test_futures_fan_out():
     """The three of the two-fold; a chosen one goes on, also by its address."""
-    tab = opened(f"tick={TWO_FOLD + 500}")
-    go(tab, TWO_FOLD + 500)
+    tab = opened(f"tick={TWO_FOLD + 500}", TWO_FOLD + 500)
     tab.key("f")
     settled(tab)
     names = tab.value(CHOICES)
@@ -89,18 +89,14 @@ def futures_fan_out():
         now = tab.value("[twofold.motion.tick, twofold.motion.now[8]]")
         check(now == [TWO_FOLD, mode], f"{now} after {key}")
         tab.value(f"twofold.motion.advance({TWO_FOLD + 300})")
-        row = tab.value("Array.from(twofold.motion.now).join()")
-        ends.add(row)
-        again = opened(tab.value("twofold.write()"))
-        go(again, TWO_FOLD + 300)
-        check(again.value("Array.from(twofold.motion.now).join()") == row,
-              "the address leads elsewhere")
+        ends.add(tab.value("twofold.motion.now.join()"))
+        leads_there(tab)
     check(len(ends) == 3, f"{len(ends)} ends")
     # Pointing at a mark is enough.
     tab.value("twofold.showFan(null); twofold.seek(20600)")
     settled(tab)
     x, y = tab.value("""(() => {
-      const strips = twofold.views[3];
+      const strips = twofold.views[2];
       const box = strips.sheet.canvas.getBoundingClientRect();
       const mark = strips.marks[strips.marks.length - 1];
       return [box.left + mark.x + 2, box.top + 8];
@@ -110,7 +106,7 @@ def futures_fan_out():
     # A slip passes by h = g = 0 and sticks. Another slip and, for one step,
     # rest are possible too, but a step into them ends as a stick: they are
     # shown, but cannot be chosen.
-    tab.value("location.hash = '#scene=driven&tick=84000&end'")
+    visit(tab, "driven&tick=84000")
     go(tab, 84000)
     for tick, expected in ((83829, ["slip−!", "1  stick−", "pinned!"]),
                            (83830, ["slip−!", "1  stick−"])):
@@ -119,7 +115,7 @@ def futures_fan_out():
         check(names == expected, f"{tick}: {names}")
 
 
-def futures_of_the_start():
+def test_futures_of_the_start():
     """A start with several modes has a mark, that of the first step, and what
     is chosen there goes on, also by its address."""
     tab = opened("h=0&omega=-1.02")
@@ -129,11 +125,8 @@ def futures_of_the_start():
     check(len(tab.value(CHOICES)) == 3, shown(tab, "said"))
     tab.key("2")
     tab.value("twofold.motion.advance(300)")
-    row = tab.value("twofold.motion.now.join()")
     check(tab.value("twofold.motion.changes[1][2]") == 1, "no slip-")
-    again = opened(tab.value("twofold.write()"))
-    go(again, 300)
-    check(again.value("twofold.motion.now.join()") == row, "another motion")
+    leads_there(tab)
 
 
 TOLD = """(() => {
@@ -145,18 +138,12 @@ TOLD = """(() => {
 })()"""
 
 
-def told_of(tab, limit=40):
+def told_of(tab):
     """What is said of work that takes long, as soon as it is."""
-    end = time.monotonic() + limit
-    while time.monotonic() < end:
-        told = tab.value(TOLD)
-        if told:
-            return told
-        time.sleep(0.05)
-    raise AssertionError("nothing is said of it")
+    return until(lambda: tab.value(TOLD), "it is said", 40, 0.05)
 
 
-def far_goal_has_a_time_and_an_end():
+def test_far_goal_has_a_time_and_an_end():
     """Of a tick that is far away it is told how long that takes; the button
     ends it where the motion is, and then the address says that."""
     tab = opened("tick=8000000000000000")
@@ -197,11 +184,10 @@ WRITTEN = """new Promise((done) => {
 })"""
 
 
-def file_of_rows():
+def test_file_of_rows():
     """The button writes what the command line at the foot of the set-up does;
     of a file that takes long it is told how long, and Escape writes none."""
-    tab = opened("scene=driven&rule=random&seed=3&tick=60007")
-    go(tab, 60007)
+    tab = opened("scene=driven&rule=random&seed=3&tick=60007", 60007)
     tab.value("twofold.draw()")
     words = tab.value("document.getElementById('command').textContent").split()
     check(tab.value(WRITTEN) == command(*words[1:]), words)
@@ -217,10 +203,9 @@ def file_of_rows():
     check(tab.value(TOLD) is None and tab.value("made") == 0, "not stopped")
 
 
-def by_hand():
+def test_by_hand():
     """A pulled slider is a force in the log; its address has the same bits."""
-    tab = opened()
-    go(tab, 100)
+    tab = opened(at=100)
     x, y, r = tab.value("""(() => {
       const box = document.getElementById('mechanism').getBoundingClientRect();
       return [box.left + box.width * 0.78, box.top + box.height * 0.78,
@@ -235,13 +220,10 @@ def by_hand():
     check(force and max(map(abs, force)) > 0.1, f"forces {force}")
     check(tab.value("twofold.motion.now[1]") != r, "the slider stays")
     check(tab.value("twofold.motion.log.at(-1).force") == 0, "still pulled")
-    tick, row = tab.value("[twofold.motion.tick, twofold.motion.now.join()]")
-    again = opened(tab.value("twofold.write()"))
-    go(again, tick)
-    check(again.value("twofold.motion.now.join()") == row, "another motion")
+    leads_there(tab)
 
 
-def choice_keeps_the_hand():
+def test_choice_keeps_the_hand():
     """A future that is chosen where a pull begins is the one that was shown."""
     tab = opened()
     why = tab.value(f"""(() => {{
@@ -264,9 +246,8 @@ def choice_keeps_the_hand():
     check(why == "", why)
 
 
-def keyboard():
-    tab = opened(calm=True)
-    go(tab, 50)
+def test_keyboard():
+    tab = opened(at=50, calm=True)
     tab.key("ArrowRight")
     settled(tab)
     check(tab.value("twofold.motion.tick") == 51, "one step on")
@@ -287,15 +268,11 @@ def keyboard():
     check(not unnamed, f"without a name: {unnamed}")
 
 
-def reduced_motion():
+def test_reduced_motion():
     """Nothing moves by itself where the reader asks for calm."""
     for calm in (True, False):
-        tab = opened(calm=calm)
-        tab.value("new Promise((done) => setTimeout(done, 300))")
-        check((tab.value("twofold.motion.tick") == 0) == calm, f"calm {calm}")
-
-
-TESTS = [csv_of_every_scene, scrubbing_has_the_same_bits,
-         scrubbing_has_the_same_regions, futures_fan_out, futures_of_the_start,
-         far_goal_has_a_time_and_an_end, file_of_rows, by_hand,
-         choice_keeps_the_hand, keyboard, reduced_motion]
+        tab = opened("", calm=calm)
+        head, later = (tab.value("new Promise((done) => setTimeout(() => done("
+                                 f"twofold.fan.futures[0].head[12]), {wait}))")
+                       for wait in (1500, 300))
+        check((head == later) == calm, f"calm {calm}: {head}, {later}")

@@ -14,6 +14,7 @@ import test_looks
 import test_motion
 import test_scene
 import test_setup
+import test_tour
 from tap import run
 
 
@@ -21,9 +22,10 @@ def main():
     if not page.PROGRAM:
         print("missing: chromium (apt-get install chromium)")
         return 3
-    return run([(test.__name__, page.alone(test)) for test in
-                test_motion.TESTS + test_futures.TESTS + test_setup.TESTS
-                + test_scene.TESTS + test_looks.TESTS + test_board.TESTS])
+    return run([(name[5:], page.alone(test)) for room in (
+        test_motion, test_futures, test_setup, test_scene, test_looks,
+        test_tour, test_board) for name, test in vars(room).items()
+        if name.startswith("test_")])
 
 
 if __name__ == "__main__":

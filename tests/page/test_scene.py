@@ -2,13 +2,13 @@
 import json
 import random
 import struct
-import subprocess
 import tempfile
 from pathlib import Path
 from urllib.parse import quote
 
-from page import (COMMAND, ROOT, check, command, go, opened, settled,
-                  shown)
+from page import (COMMAND, ROOT, check, command, csv, leads_there, opened,
+                  settled, shown, visit)
+from tap import call
 
 OWN = ROOT / "tests/data/own.scene"
 # Lines over `based-on chaos`, each wrong in its own way; the last ones have
@@ -30,28 +30,24 @@ def address_of(path):
     return f"file={quote(path.name, safe='')}:{quote(path.read_text())}"
 
 
-def csv_of_a_file():
+def test_csv_of_a_file():
     """Byte for byte what `run FILE` writes."""
     tab = opened(address_of(OWN))
     check(shown(tab, "refusal") == "", shown(tab, "refusal"))
-    got = tab.value("twofold.play(false); twofold.motion.csv(9, 21000)")
+    got = csv(tab, 9, 21000)
     check(got == command("run", str(OWN), "--t-end", "2.1", "--every", "9"),
           "another motion")
     check(OWN.name in tab.value(COMMAND_LINE), "another file is named")
 
 
-def file_in_the_address():
+def test_file_in_the_address():
     """What was changed in the page holds beside the file, to the bit."""
-    tab = opened(address_of(OWN) + "&kappa=0.31&take=40:slip%2B&tick=900")
-    go(tab, 900)
-    row = tab.value("twofold.motion.now.join()")
-    again = opened(tab.value("twofold.write()"))
-    go(again, 900)
-    check(again.value("twofold.motion.now.join()") == row, "another motion")
-    check(again.value("twofold.core.get('kappa')") == 0.31, "kappa")
+    tab = opened(address_of(OWN) + "&kappa=0.31&take=40:slip%2B&tick=900",
+                 900)
+    check(leads_there(tab).value("twofold.core.get('kappa')") == 0.31, "kappa")
 
 
-def save_is_the_command_line():
+def test_save_is_the_command_line():
     """`save` writes what `scene` prints of the same set-up."""
     tab = opened(address_of(OWN) + "&kappa=0.1&v=-0.3&law=smooth&epsilon=1e-3")
     got = tab.value("twofold.core.text(twofold.core.c.scene_print())")
@@ -60,13 +56,12 @@ def save_is_the_command_line():
     check(got == want, f"{got}\n---\n{want}")
     for line in command("scenes").splitlines():
         name = line.split()[0]
-        tab.value(f"location.hash = '#scene={name}'")
-        settled(tab)
+        visit(tab, name)
         check(tab.value("twofold.core.text(twofold.core.c.scene_print())")
               == command("scene", name), name)
 
 
-def wrong_files():
+def test_wrong_files():
     """A file that is none is refused in the words of the command line, and the
     motion goes on."""
     tab = opened("scene=coulomb")
@@ -74,13 +69,11 @@ def wrong_files():
         for line in WRONG:
             path = Path(folder, "my.scene")
             path.write_text(f"based-on chaos\n{line}\n")
-            said = subprocess.run([COMMAND, "run", "my.scene"], cwd=folder,
-                                  stdout=subprocess.DEVNULL, check=False,
-                                  stderr=subprocess.PIPE, text=True)
-            check(said.returncode in (2, 3), f"{line}: {said.returncode}")
+            said = call("run", "my.scene", code=(2, 3), program=COMMAND,
+                        cwd=folder)[1]
             got = tab.value("twofold.core.takeFile('my.scene', "
                             f"{json.dumps(path.read_text())})")
-            check(f"twofold: {got}\n" == said.stderr, f"{got}: {said.stderr}")
+            check(f"twofold: {got}\n" == said, f"{got}: {said}")
     check(tab.value("twofold.motion.advance(100)"), "does not go on")
     # A file whose start no motion has: the page shows another scene.
     tab = opened("file=no.scene:" + quote("based-on chaos\ngamma 0\nh 1"))
@@ -91,7 +84,7 @@ def wrong_files():
     check(not tab.complaints(), tab.complaints())
 
 
-def numbers():
+def test_numbers():
     """Decimal and hexadecimal numbers have the bits that they have anywhere."""
     draw = random.Random(15)
     tab = opened()
@@ -113,7 +106,7 @@ def numbers():
         check(bits == list(struct.pack("d", value)), f"{text}: {bits}")
 
 
-def chosen_and_dropped():
+def test_chosen_and_dropped():
     """By the button, and by a pointer that drops it on the page."""
     tab = opened()
     node = tab.call("DOM.querySelector", selector="#file",
@@ -144,7 +137,3 @@ def chosen_and_dropped():
     settled(tab)
     check(tab.value(name) == "dropped", "it can be chosen again")
     check(not tab.complaints(), tab.complaints())
-
-
-TESTS = [csv_of_a_file, file_in_the_address, save_is_the_command_line,
-         wrong_files, numbers, chosen_and_dropped]

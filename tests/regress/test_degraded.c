@@ -12,30 +12,27 @@ static int is_stick(unsigned mode) {
 TEST(degraded_step_reports_the_consistent_set) {
   if (!IS_DOUBLE) SKIP("found in double, too near a border for float");
   tf_params_t p = tf_scenes[0]->params;
-  tf_report_t report;
   p.dt = TF_R(0.067568588484446981);
   p.gamma = TF_R(2.6165539519471852);
   p.kappa = TF_R(1.2298873574638942);
   p.d = TF_R(-0.099021960831271683);
   p.beta = TF_R(0.029669897345457236);
   p.theta = 1;
-  const tf_machine_t k = prepared(&p);
-  const tf_input_t u = tf_input_default(&k);
-  tf_state_t x = {.r = TF_R(0.066330213015704312),
-                  .v = TF_R(0.13665841181887906),
-                  .w = TF_R(-1.8178618514531086),
-                  .mode = TF_SLIP_MINUS};
-  CHECK(tf_step(&k, &x, &u, &report) >= TF_OK);
-  CHECK(x.mode == TF_SLIP_MINUS);
-  CHECK(report.set & TF_MODE_BIT(TF_STICK_PLUS));
-  CHECK(report.set & TF_MODE_BIT(TF_SLIP_MINUS));
+  sim_t s = sim_of(&p);
+  s.x = (tf_state_t){.r = TF_R(0.066330213015704312),
+                     .v = TF_R(0.13665841181887906),
+                     .w = TF_R(-1.8178618514531086),
+                     .mode = TF_SLIP_MINUS};
+  CHECK(sim_step(&s, MOREAU) >= TF_OK);
+  CHECK(s.x.mode == TF_SLIP_MINUS);
+  CHECK(s.report.set & TF_MODE_BIT(TF_STICK_PLUS));
+  CHECK(s.report.set & TF_MODE_BIT(TF_SLIP_MINUS));
 }
 
 /* Where nothing is consistent, and no mode violates the law but little: the
  * least of the five is taken, and no other. */
 TEST(a_degraded_step_ends_in_a_mode) {
   tf_params_t p = tf_scenes[0]->params;
-  tf_report_t report;
   p.kappa = TF_R(0.34071053678282642);
   p.gamma = TF_R(0.8761187299346731);
   p.mu = TF_R(1.9638739255078601);
@@ -45,15 +42,14 @@ TEST(a_degraded_step_ends_in_a_mode) {
   p.m = TF_R(0.61967870641702716);
   p.dt = TF_R(0.11007773400885956);
   p.theta = TF_R(0.5);
-  const tf_machine_t k = prepared(&p);
-  const tf_input_t u = tf_input_default(&k);
-  tf_state_t x = {.r = TF_R(-0.1531537343066019),
-                  .v = TF_R(-0.033563999169673439),
-                  .w = TF_R(-0.9623806134843218),
-                  .mode = TF_SLIP_PLUS};
-  CHECK(tf_step(&k, &x, &u, &report) == TF_DEGRADED);
-  CHECK(report.set == 0 && report.choices == 0);
-  CHECK(x.mode < TF_MODES && x.mode == report.mode);
+  sim_t s = sim_of(&p);
+  s.x = (tf_state_t){.r = TF_R(-0.1531537343066019),
+                     .v = TF_R(-0.033563999169673439),
+                     .w = TF_R(-0.9623806134843218),
+                     .mode = TF_SLIP_PLUS};
+  CHECK(sim_step(&s, MOREAU) == TF_DEGRADED);
+  CHECK(s.report.set == 0 && s.report.choices == 0);
+  CHECK(s.x.mode < TF_MODES && s.x.mode == s.report.mode);
 }
 
 /* Both fields point away from an escaping stick: that with a negative Delassus
@@ -63,27 +59,24 @@ TEST(no_step_enters_an_escaping_stick_from_slip) {
   long slips = 0, degraded = 0;
   for (int i = 0; i < machines; i++) {
     tf_params_t p = tf_scenes[0]->params;
-    tf_report_t report;
     p.gamma = uniform(-3.14, 3.14);
     p.kappa = log_uniform(1e-2, 10);
     p.d = uniform(-1, 1);
     p.beta = log_uniform(1e-2, 1e-1);
     p.theta = uniform(0.5, 1);
     p.dt = log_uniform(1e-4, 1e-2);
-    const tf_machine_t machine = prepared(&p);
-    const tf_input_t u = tf_input_default(&machine);
-    tf_state_t x = {.r = uniform(-0.3, 0.3),
-                    .v = uniform(-0.1, 0.1),
-                    .w = uniform(-1.1, -0.9),
-                    .mode = TF_NO_MODE};
-    if (tf_begin(&machine, &x, &u, &report) != TF_OK) continue;
+    sim_t s = sim_of(&p);
+    s.x.r = uniform(-0.3, 0.3);
+    s.x.v = uniform(-0.1, 0.1);
+    s.x.w = uniform(-1.1, -0.9);
+    if (sim_begin(&s) != TF_OK) continue;
     for (int j = 0; j < 50; j++) {
-      const uint8_t mode = x.mode;
-      if (tf_step(&machine, &x, &u, &report) < 0) break;
-      degraded += report.status == TF_DEGRADED;
+      const uint8_t mode = s.x.mode;
+      if (sim_step(&s, MOREAU) < 0) break;
+      degraded += s.report.status == TF_DEGRADED;
       if (!tf_mode_is_slip(mode)) continue;
       slips++;
-      CHECK(!is_stick(report.mode) || report.delassus > 0);
+      CHECK(!is_stick(s.report.mode) || s.report.delassus > 0);
     }
   }
   printf("# %ld steps from slip, %ld degraded\n", slips, degraded);

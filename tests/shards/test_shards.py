@@ -2,15 +2,13 @@
 """`twofold sweep` in shards under the real GNU parallel and Snakemake: the rows
 of one run, also where tasks were lost and started again; its map; and counts of
 `twofold diverge`, by tasks of Slurm's script started by hand. With them go the
-laws of the study's own integrator (tests/study). A program that is missing is
+laws of the study's own integrators (tests/study). A program that is missing is
 skipped by name, or fails where it is required."""
 import csv
 import os
 import re
 import shutil
-import subprocess
 import sys
-import time
 import zlib
 from collections import Counter
 from pathlib import Path
@@ -20,6 +18,9 @@ for room in "support", "study":
 from tap import ROOT, TWOFOLD, check, lacks, run  # noqa: E402
 from tap import call as tap_call  # noqa: E402
 import test_finer  # noqa: E402
+import test_mechanisms  # noqa: E402
+import test_noise  # noqa: E402
+import test_trolley  # noqa: E402
 
 TOOLS = ROOT / "tools/study" / "shards"
 SWEEP = ["chaos", "--over", "kappa=0.2:0.4:12", "--over",
@@ -158,57 +159,6 @@ def counts(folder):
          code=3)
 
 
-def study(*outputs):
-    """A shard that takes long enough to be killed, whatever the processor: it
-    notes once a second where it stands. outputs: written in one go. Returns:
-    its command without them, and the number of its samples."""
-    samples = 30
-    while True:
-        words = ["diverge", "chaos", "--samples", str(2 * samples), "--cycles",
-                 "40", "--shard", "2/2", "--header", "--provenance"]
-        begun = time.monotonic()
-        call(TWOFOLD, *words, *outputs)
-        if time.monotonic() - begun > 4:
-            return words, samples
-        samples *= 2
-
-
-def diverge_resumes(folder):
-    """A shard that is killed goes on (tests/cli/test_endings.py: at any call).
-    With rows or a note that were changed, it begins anew; with those of another
-    run it does not begin, and what is whole is not done again."""
-    one, parts = (["--returns", str(folder / f"{name}-returns")]
-                  for name in ("one", "k"))
-    words, samples = study(*one)
-    note = folder / "k-returns.resume"
-    for change in "rows", "note", "none":
-        with subprocess.Popen([TWOFOLD, *words, *parts, "--resume"],
-                              stderr=subprocess.DEVNULL) as process:
-            while process.poll() is None and not note.exists():
-                time.sleep(0.01)
-            process.kill()
-        check(note.exists(), "it was too fast to be killed")
-        changed = {"rows": folder / "k-returns.part", "note": note}.get(change)
-        if changed is None:
-            said = call(TWOFOLD, *words, *parts, "--resume", "--seed", "9",
-                        code=3)
-            check("k-returns.resume is of another run" in said, said)
-        else:
-            text = bytearray(changed.read_bytes())
-            text[len(text) // 4] ^= 1
-            changed.write_bytes(text)
-        call(TWOFOLD, *words, *parts, "--resume")
-        check(Path(parts[1]).read_bytes() == Path(one[1]).read_bytes(),
-              f"{change}: other bytes")
-        said = call(TWOFOLD, *words, *parts, "--resume")
-        check(f"all of the {samples} samples are there" in said, said)
-        check(len([*folder.iterdir()]) == 2, "something is left over")
-        Path(parts[1]).unlink()
-    for wrong in (["--returns", "-"], [], ["--exhaustive", *parts[:1], "x"]):
-        said = call(TWOFOLD, "diverge", "chaos", *wrong, "--resume", code=2)
-        check("--exhaustive" in said or "--resume: only with" in said, said)
-
-
 def under_snakemake(folder):
     needs("snakemake", "snakemake")
     command = ["snakemake", "-s", TOOLS / "Snakefile", "--cores", "2",
@@ -284,8 +234,8 @@ TESTS = [("parallel: the rows of one run", under_parallel),
          ("map: words, numbers, refused points, one axis", maps),
          ("map: what it refuses", maps_refuse),
          ("counts: those of the rows, merged in any order", counts),
-         ("diverge: what a shard goes on with", diverge_resumes),
-         *test_finer.TESTS]
+         *test_finer.TESTS, *test_mechanisms.TESTS,
+         *test_noise.TESTS, *test_trolley.TESTS]
 
 
 # Two at a time: each is one process most of the time, or waits.

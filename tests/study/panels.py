@@ -26,7 +26,6 @@ PLOTS = {
     "chaos": (8, 8),
     "exits": (2, 3, 2, 2, 5),
     "normal": (6, 9, 10),
-    "perturbations": (5, 5, 5, 6),
     "portrait": (6, 5, 7),
     "precision": (),  # as many as there are peers
     "regions": (9, 6),
@@ -36,11 +35,8 @@ PLOTS = {
     "tyre": (2, 3, 4),
 }
 # How many plots of a panel have nothing to show: a mode that one of the two
-# motions never takes; kinds whose landings lie elsewhere, or that never return;
-# directions that leave and repel; borders outside of the window.
-EMPTY = {("normal", "b"): 1, ("perturbations", "a"): 1,
-         ("perturbations", "b"): 2, ("perturbations", "c"): 1,
-         ("portrait", "b"): 1, ("regions", "a"): 2}
+# motions never takes; directions that repel; borders outside of the window.
+EMPTY = {("normal", "b"): 1, ("portrait", "b"): 1, ("regions", "a"): 2}
 SVG = "{http://www.w3.org/2000/svg}"
 LINK = "{http://www.w3.org/1999/xlink}href"
 

@@ -37,9 +37,8 @@ def motion(*words):
     return dict(zip(head.split(","), row.split(",")))
 
 
-def agreement(folder):
+def agreement(_):
     """The core's law `smooth` comes to the same motion, at order 2."""
-    del folder
     errors = [error for _, error in
               study("families").core_agreement(TWOFOLD, FINER)]
     check(errors[-1] < 1e-7, f"the core is off by {errors[-1]}")
@@ -57,9 +56,8 @@ def contraction(folder):
     near(wide / narrow, 10, 2, "error by ten times the width")
 
 
-def growth(folder):
+def growth(_):
     """A kick at the two-fold leaves where Kummer's function says."""
-    del folder
     finer = study("finer")
     fold = finer.TwoFold(study("families").two_fold(TWOFOLD))
     width = fold.width("algebraic", 1e-7)
@@ -69,9 +67,8 @@ def growth(folder):
         near(found, want, 0.03 * want, f"exponent of a kick of {kick}")
 
 
-def starts(folder):
+def starts(_):
     """What the start was is forgotten at the two-fold, a kick is not."""
-    del folder
     plain, moved, kicked = (
         float(motion("width=1e-5", word)["exit_r"])
         for word in ("x=0", "w=-1.0533", "kick=1e-10"))
@@ -79,9 +76,8 @@ def starts(folder):
     check(abs(kicked - plain) > 2e-4, f"a kick does not: {kicked}")
 
 
-def names(folder):
+def names(_):
     """A name that is none is told."""
-    del folder
     said, error = call("colour=1", code=2, program=FINER)
     check(said == "" and "colour=1" in error, f"{said}{error}")
 

@@ -57,12 +57,6 @@ static inline real scheme_arm(const scheme_step_t *c) {
   return c->r_t * c->cos - c->p.d * c->sin;
 }
 
-/* (6): of a friction force and moment alone. */
-static inline void scheme_change_by(const scheme_step_t *c, real F, real M,
-                                    real d[2]) {
-  scheme_change(c, F * c->sin, F * scheme_arm(c) + M, d);
-}
-
 /* (7): r, v, w at the end. */
 static inline void scheme_end(const scheme_step_t *c, real F, real M,
                               real end[3]) {

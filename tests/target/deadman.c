@@ -3,13 +3,13 @@
 // "deadman TICKS held LAST safe FIRST steps STEPS": since the inputs were set,
 // the tick of the last step that had them, and of the first that had not.
 #include "../../port/loop.h"
-#include "../../port/text.h"
 
 #define app_latch firmware_latch
 #define app_step firmware_step
 #include "../../port/firmware.c" // NOLINT(bugprone-suspicious-include)
 #undef app_latch
 #undef app_step
+#include "say.h"
 
 static uint32_t set_at, held, safe, steps;
 static bool is_set;
@@ -48,8 +48,6 @@ int main(void) {
   text_pair(&text, " held ", held);
   text_pair(&text, " safe ", safe);
   text_pair(&text, " steps ", steps);
-  text_string(&text, "\r\n");
-  for (const uint8_t *at = line; at < text.end;)
-    if (port_room() > 0) port_put(*at++);
+  say(line, &text);
   port_halt(end == LOOP_ENDED ? 0 : 1);
 }

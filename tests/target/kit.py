@@ -166,7 +166,7 @@ def judge_time(said: list[str], rate: int, shared: bool) -> bool:
                             if re.fullmatch(r"tick \d+", line))
     want = time["rate"] / rate
     # Where the emulator has the time of this computer its other work is in it.
-    allowed = (0.2 if shared else 0.01) * want + 2
+    allowed = (0.5 if shared else 0.01) * want + 2
     factor = max(got, want) / max(min(got, want), 1e-9)
     return verdict("rate", f"a tick of {rate} Hz lasts {got:.1f} units of"
                    f" port_clock, and by port_clock_rate it would be"

@@ -3,9 +3,8 @@
 // "population REAL HASH" and ends with 0.
 #include "../../port/core.h"
 // After the core, whose functions are local.
-#include "../../port/port.h"
-#include "../../port/text.h"
 #include "../golden/population.h"
+#include "say.h"
 
 #ifdef SCHEME_LOCATED
 #define MACHINES 100
@@ -15,11 +14,6 @@
 #define STEPS_OF_EACH 6
 #endif
 
-static void say(const uint8_t *from, const uint8_t *to) {
-  while (from < to)
-    if (port_room() > 0) port_put(*from++);
-}
-
 int main(void) {
   static uint8_t line[96];
   text_t text = {line};
@@ -28,7 +22,6 @@ int main(void) {
   text_string(&text, "population ");
   text_string(&text, sizeof(tf_real_t) == 8 ? "double " : "float ");
   text_hex(&text, hash);
-  text_string(&text, "\r\n");
-  say(line, text.end);
+  say(line, &text);
   port_halt(0);
 }

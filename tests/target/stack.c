@@ -4,8 +4,6 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "../../port/text.h"
-
 int firmware_main(void);
 
 // The firmware's main, and the end of it, as functions of this program.
@@ -14,6 +12,7 @@ int firmware_main(void);
 #include "../../port/main.c" // NOLINT(bugprone-suspicious-include)
 #undef main
 #undef port_halt
+#include "say.h"
 
 void port_halt(int code);
 
@@ -39,11 +38,6 @@ static uint8_t *floor_of(void) {
   return (size_t)(top - LOWEST) > DEPTH ? top - DEPTH : LOWEST;
 }
 
-static void say(const uint8_t *from, const uint8_t *to) {
-  while (from < to)
-    if (port_room() > 0) port_put(*from++);
-}
-
 void painted_halt(int code) {
   static uint8_t line[32];
   text_t text = {line};
@@ -51,8 +45,7 @@ void painted_halt(int code) {
   while (at < TOP && *at == PAINT) at++;
   text_string(&text, "\r\nstack ");
   text_whole(&text, (uint32_t)(TOP - at), 1);
-  text_string(&text, "\r\n");
-  say(line, text.end);
+  say(line, &text);
   port_halt(code);
   for (;;) {
   }

@@ -3,18 +3,12 @@
 // with 0.
 #include "../../port/core.h"
 // After the core, whose functions are local.
-#include "../../port/port.h"
-#include "../../port/text.h"
+#include "say.h"
 
 static uint64_t mix(uint64_t hash, const void *data, unsigned size) {
   const unsigned char *byte = data;
   for (unsigned i = 0; i < size; i++) hash = (hash ^ byte[i]) * 0x100000001B3u;
   return hash;
-}
-
-static void say(const uint8_t *from, const uint8_t *to) {
-  while (from < to)
-    if (port_room() > 0) port_put(*from++);
 }
 
 static uint64_t trajectory_hash(uint32_t steps) {
@@ -45,7 +39,6 @@ int main(void) {
   text_whole(&text, STEPS, 1);
   text_byte(&text, ' ');
   text_hex(&text, hash);
-  text_string(&text, "\r\n");
-  say(line, text.end);
+  say(line, &text);
   port_halt(0);
 }

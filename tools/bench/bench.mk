@@ -2,12 +2,12 @@
 # RAM and stack of the boards. Included by the Makefile.
 #
 #   ONLY='peers stability'   these sections of `make bench` (SECTIONS of
-#                        tools/bench/run) in place of USUAL; of `make size` and
-#                        `make budgets`: these boards
+#                        tools/bench/run) in place of USUAL; of `make size`:
+#                        these boards
+#   QUICK=1              of peers and schemes every fourth setting, once
 #   ROUNDS=5             of the peers
-#   SECONDS=10           of each loop in real time
 
-BENCH := $(filter-out %/count.c %/empty_loop.c,\
+BENCH := $(filter-out %/count.c,\
   $(wildcard tools/bench/*.c tools/bench/stability/*.c))
 BENCHES := $(VARIANTS:%=$(BUILD)/%/bench)
 define bench_rules
@@ -18,11 +18,13 @@ endef
 $(foreach v,$(VARIANTS),$(eval $(call bench_rules,$(v))))
 
 # What is not the project's own may use all that the processor has, but for
-# AVX-512, which valgrind does not know. SUNDIALS, Siconos and Octave are built
-# or left out by tools/bench/run.
-PEER_FLAGS = $(TOOL_FLAGS) -march=native -ffp-contract=fast \
+# AVX-512, which valgrind does not know. SUNDIALS, Siconos and SciPy are used or
+# left out by tools/bench/run.
+PEER_CPU = -march=native -ffp-contract=fast \
   $(if $(filter x86_64,$(shell uname -m)),-mno-avx512f)
-PEERS := $(BUILD)/peers/hand $(BUILD)/peers/check
+PEER_FLAGS = $(TOOL_FLAGS) $(PEER_CPU)
+PEERS := $(addprefix $(BUILD)/peers/,hand whole check)
+PEER_LIBRARY := $(BUILD)/peers/shared.so
 $(BUILD)/peers/%.o: tools/bench/peers/%.c $(BUILD)/double/flags
 	$(call compile,$(PEER_FLAGS))
 $(BUILD)/peers/bench-%.o: tools/bench/%.c $(BUILD)/double/flags
@@ -31,32 +33,39 @@ $(PEERS): %: %.o $(BUILD)/peers/bench-harness.o $(BUILD)/peers/bench-problem.o \
     $(BUILD)/double/libsupport.a $(BUILD)/double/libtwofold.a
 	$(link)
 
-# The loop of `run --realtime` without a step.
-EMPTY_LOOP := $(BUILD)/double/tools/bench/empty_loop
-$(EMPTY_LOOP): %: %.o $(addprefix $(BUILD)/double/tools/cli/,host/host.o \
-    host/lateness.o host/output.o text/message.o)
-	$(link)
+LIBRARY_PEER := $(addprefix $(BUILD)/peers/bench-,harness.o problem.o) \
+  $(BUILD)/double/libtwofold.a
+link_peer = @$(1) -O3 $(PEER_CPU) -Iinclude -Itools $(filter-out %.h,$^) $(2) \
+  -lm -o $@
+$(BUILD)/peers/sundials: tools/bench/peers/sundials.c $(LIBRARY_PEER) \
+    $(wildcard tools/bench/peers/*.h)
+	$(call link_peer,$(CC) -std=c99,$(addprefix -lsundials_,cvode arkode \
+	  nvecserial sunmatrixdense sunlinsoldense sunnonlinsolfixedpoint))
+$(BUILD)/peers/siconos: tools/bench/peers/siconos.cpp $(LIBRARY_PEER) \
+    $(wildcard tools/bench/peers/*.h)
+	$(call link_peer,$(CXX) -w $(addprefix -I/usr/include/siconos,/ /kernel \
+	  /numerics),-lsiconos_kernel -lsiconos_numerics)
+
+# For SciPy. The core's own objects are not made to be shared: it binds to them.
+$(PEER_LIBRARY): tools/bench/peers/shared.c tools/bench/problem.c \
+    $(BUILD)/double/libtwofold.a
+	@echo '  LINK  $@'
+	@$(CC) -shared -fPIC -Wl,-Bsymbolic $(PEER_FLAGS) -Wno-missing-prototypes \
+	  -Wno-missing-declarations $^ -lm -o $@
 
 BENCH_NEEDS := $(BENCHES) $(if $(filter double,$(VARIANTS)),$(PEERS) \
-  $(EMPTY_LOOP) $(BUILD)/double/twofold)
-.PHONY: bench keep-bench bench-ensemble stability realtime size budgets
+  $(PEER_LIBRARY) $(BUILD)/double/twofold)
+.PHONY: bench keep-bench bench-ensemble stability size
 all: $(BENCH_NEEDS)
 
 run_bench = @BUILD='$(BUILD)' CC='$(CC)' OPT='$(OPT)' EXTRA='$(EXTRA)' \
-  ROUNDS='$(ROUNDS)' SECONDS='$(SECONDS)' tools/bench/run
+  QUICK='$(QUICK)' ROUNDS='$(ROUNDS)' tools/bench/run
 bench: ## error against cost, peers, stability (or ONLY=...)
-bench: $(BENCH_NEEDS)
-	$(run_bench) $(ONLY)
 stability: ## stiff and extreme cases: where a run is stable
-stability: $(BENCH_NEEDS)
-	$(run_bench) stability
-realtime: ## lateness of loops at 1 and 10 kHz
-realtime: $(BENCH_NEEDS)
-	$(run_bench) realtime
+bench stability: $(BENCH_NEEDS)
+	$(run_bench) $(if $(filter bench,$@),$(ONLY),$@)
 size: ## flash, RAM, stack, cost of every board (or ONLY=uno)
 	$(run_bench) sizes $(ONLY)
-budgets: ## instructions of a located step on boards, by budget
-	$(run_bench) budgets $(ONLY)
 keep-bench: ## copy what they made to docs/
 	$(run_bench) --keep
 

@@ -3,8 +3,6 @@
 Make builds it and tells what the board's board.mk says of tools and emulator.
 What cannot be had (no emulator, no call graph by that compiler) is None.
 """
-from __future__ import annotations
-
 import os
 import re
 import shutil
@@ -41,9 +39,7 @@ def plugin() -> Path:
 
 def told(*arguments: str) -> str:
     """What make prints."""
-    return subprocess.run([*COMMAND, *arguments], stdout=subprocess.PIPE,
-                          env=ENVIRONMENT, text=True,
-                          check=True).stdout.strip()
+    return driven.output(*COMMAND, *arguments, env=ENVIRONMENT).strip()
 
 
 def boards() -> list[str]:
@@ -132,7 +128,9 @@ class Firmware:
         graph = self.board.has_graph()
         for old in self.place.glob("firmware-sized.elf*"):
             old.unlink()
-        if why := self._make("NAMED=-sized", *[f"EXTRA={GRAPH}"] * graph):
+        # Not EXTRA, by which the host's programs would be compiled anew.
+        flags = [f"BOARD_OPT={self.board.fact('OPT')} {GRAPH}"] * graph
+        if why := self._make("NAMED=-sized", *flags):
             return why
         said = subprocess.run(
             [self.board.tool("size"), str(self.place / "firmware-sized.elf")],
@@ -143,6 +141,14 @@ class Firmware:
         text, data, bss = (int(word) for word in said[1].split()[:3])
         return Sizes(text + data, data + bss,
                      *(self._stack() if graph else (None, None)))
+
+    def symbols(self) -> dict[str, int]:
+        """Bytes of flash of each symbol of a firmware that was built."""
+        said = driven.output(self.board.tool("nm"), "-S",
+                             self.place / "firmware-sized.elf")
+        rows = [line.split() for line in said.splitlines()]
+        return {row[3].split(".")[0]: int(row[1], 16) for row in rows
+                if len(row) == 4 and row[2] in "tTrR"}
 
     def _stack(self) -> tuple[int, int]:
         """Worst of main and of an interrupt, by the call graph; a function of
@@ -172,17 +178,39 @@ class Firmware:
     def instructions(self, counter: Path, steps: int,
                      scheme: str = "moreau") -> Optional[list[int]]:
         """Least, median and most of a step, inputs included."""
-        if not self.board.emulated() or self._make(
-                "PROGRAM=window", f"STEPS={steps}", f"SCHEME={scheme}"):
+        found = self.windows(counter, steps, scheme)
+        if found is None:
             return None
-        elf, out = self.place / "window.elf", BUILD / "counted"
+        costs = np.sort(found[0])
+        return [int(costs[i]) for i in (0, len(costs) // 2, -1)]
+
+    def windows(self, counter: Path, steps: int, scheme: str
+                ) -> Optional[tuple[np.ndarray, list[float]]]:
+        """The instructions of each step, inputs included; and r, v and w at the
+        end."""
+        counted = self.counted(counter, "window", f"STEPS={steps}",
+                               f"SCHEME={scheme}")
+        if counted is None:
+            return None
+        of = np.float32 if self.real == "float" else np.float64
+        end = [float(np.array([int(word, 16)], "<u8").view(of)[0]) for word in
+               re.findall(r"^end (.*)", counted[1], re.MULTILINE)[0].split()]
+        return counted[0], end
+
+    def counted(self, counter: Path, program: str, *make: str
+                ) -> Optional[tuple[np.ndarray, str]]:
+        """The instructions in each window of a program but the first, which is
+        empty; and what the program prints."""
+        if not self.board.emulated() or self._make(f"PROGRAM={program}", *make):
+            return None
+        elf, out = self.place / f"{program}.elf", BUILD / "counted"
         out.unlink(missing_ok=True)
         at = {line.split()[-1]: line.split()[0] for line in
               driven.output(self.board.tool("nm"), elf).splitlines()}
         marks = f"open=0x{at['window_open']},close=0x{at['window_close']}"
-        self._emulate(elf, 300, "-plugin", f"{counter},{marks},out={out}")
+        said = self._emulate(elf, 300, "-plugin",
+                             f"{counter},{marks},out={out}")
         windows = np.fromfile(out, np.uint32) if out.exists() else []
         if len(windows) < 2:
             return None
-        costs = np.sort(windows[1:]) - windows[0]
-        return [int(costs[i]) for i in (0, len(costs) // 2, -1)]
+        return windows[1:].astype(np.int64) - windows[0], said

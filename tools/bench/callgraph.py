@@ -4,8 +4,8 @@ and of public inline ones. A frame is what gcc says of it, return address
 included. The worst of a function is its frame and the worst of what it calls;
 where the assembly only ever jumps to another function (a tail call) the frame
 is gone by then and does not add. A function that is in no file counts `flat`
-bytes. Recursion, calls through pointers and
-frames of unbounded size are refused.
+bytes. Recursion, calls through pointers and frames of unbounded size are
+refused.
 """
 import re
 
@@ -34,9 +34,6 @@ class Graph:
         for name in list(self.frame):  # also those that are never called
             self.worst(name)
 
-    def refuse(self, text):
-        self.refused.append(text)
-
     def read_assembly(self, lines):
         """A label that is no local one begins a function or its cold part."""
         inside = ""
@@ -62,15 +59,12 @@ class Graph:
                 if bytes_:
                     self.frame[quoted[1]] = int(bytes_[1])
                     if bytes_[2] == "dynamic":
-                        self.refuse(f"{quoted[1]}: frame without a bound")
+                        self.refused.append(
+                            f"{quoted[1]}: frame without a bound")
             elif line.startswith("edge:"):
                 self.calls.setdefault(quoted[1], []).append(quoted[3])
                 if "indirect" in quoted[3]:
-                    self.refuse(f"{quoted[1]}: calls through a pointer")
-
-    def is_tail(self, name, target):
-        pair = short(name), short(target)
-        return pair in self.jumped and pair not in self.called
+                    self.refused.append(f"{quoted[1]}: calls through a pointer")
 
     def worst(self, name):
         if name in self.depth:
@@ -78,13 +72,14 @@ class Graph:
         if name not in self.frame:
             return self.flat
         if name in self.open:
-            self.refuse(f"{name}: recursion")
+            self.refused.append(f"{name}: recursion")
             return 0
         self.open.add(name)
         deepest, way = 0, ""
         for target in self.calls.get(name, ()):
             below = self.worst(target)
-            if not self.is_tail(name, target):
+            pair = short(name), short(target)
+            if pair in self.called or pair not in self.jumped:
                 below += self.frame[name]
             if below > deepest:
                 deepest, way = below, " > " + self.path.get(target, target)

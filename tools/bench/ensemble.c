@@ -49,7 +49,7 @@ static void begin_spread(ensemble_t *e) {
 }
 
 static void begin_seeds(ensemble_t *e) {
-  e->chaos.machine.machine.rule = TF_RULE_RANDOM;
+  e->chaos.machine.machine.contact.rule = TF_RULE_RANDOM;
   for (size_t i = 0; i < N; i++) {
     e->start[i] = e->chaos.state;
     e->start[i].seed = (uint32_t)i;

@@ -1,14 +1,15 @@
-"""The sections of the boards: sizes, with their check, and budgets."""
-from __future__ import annotations
-
+"""The sections of the boards: sizes, with their check."""
+import itertools
 import os
+import re
 from typing import Iterable, Optional
 
+import numpy as np
 import pandas as pd
 
 import driven
 from boards import Board, Firmware, boards, plugin
-from measure import (BUILD, COLUMNS, KEPT, OUT, REALS, load, save,
+from measure import (BUILD, COLUMNS, KEPT, OUT, REALS, load, problems, save,
                      say)
 
 TABLE = KEPT / "sizes.csv"
@@ -26,12 +27,18 @@ FEW = [("uno", "float", "string"), ("mega", "float", "driven"),
        ("rv32fd", "double", "chaos")]
 
 
-def all_firmware(names: list[str]) -> Iterable[Firmware]:
-    """Of each board whose compiler is here: what it has room for."""
-    for board in map(Board, names or boards()):
+def here(names: Iterable[str]) -> Iterable[Board]:
+    """Those boards whose compiler is."""
+    for board in map(Board, names):
         if missing := board.missing():
             say(f"skipped {board.name}: {missing}")
-            continue
+        else:
+            yield board
+
+
+def all_firmware(names: list[str]) -> Iterable[Firmware]:
+    """Of each board whose compiler is here: what it has room for."""
+    for board in here(names or boards()):
         if not board.tool("") and board.name != "host":
             continue  # no file of sections to ask
         room = board.fact("SCENES").split() or SCENES
@@ -106,6 +113,36 @@ def check(every: bool) -> int:
     return 1 if wrong or not seen else 0
 
 
+# Groups of symbols, by the part of the core that they are of: the first that
+# fits; a small board inlines less and has more in `step`.
+GROUPS = {
+    "codimension two": r"codim2|course|quadrant|search_cell|zero_in|cross_cell|"
+                       r"add_exit|along_|end_at|multipliers_to|signs_agree|"
+                       r"field_of|rest_motion|rest_is|come_to",
+    "balance": r"end_about|end_with|balanced|checked_end|gyration",
+    "rare ends": r"rare|least_violation|enumerate|mode_end|turns_much|"
+                 r"reversed|select|secant|single_valued|share_at",
+    "report": r"status_of|commit",
+    "tyre": r"cot_psi|multipliers|tyre|_force",
+    "step": r"app_step|tf_step|end_of_step|linear|inclusion|free_|solve_"}
+
+
+def print_parts(board: str, real: str) -> None:
+    """Flash of every scene by groups of symbols: what each carries."""
+    table = {}
+    for scene in SCENES:
+        one = Firmware(Board(board), real, scene)
+        sizes = one.sizes()
+        if isinstance(sizes, str) or sizes.flash is None:
+            continue
+        parts = dict.fromkeys([*GROUPS, "loop, line, start"], 0)
+        for name, size in one.symbols().items():
+            parts[next((group for group, of in GROUPS.items()
+                        if re.search(of, name)), "loop, line, start")] += size
+        table[scene] = {**parts, "flash": sizes.flash}
+    print(pd.DataFrame(table).T.to_string())
+
+
 def print_stack(board: str, real: str, scene: str) -> None:
     """Worst of main, an interrupt's and painted, "-" for what cannot be had."""
     one = Firmware(Board(board), real, scene)
@@ -117,30 +154,54 @@ def print_stack(board: str, real: str, scene: str) -> None:
     print(*("-" if one is None else one for one in figures))
 
 
-def budgets(names: list[str]) -> pd.DataFrame:
-    """Instructions of a step of 1 ms of `chaos`: plain, and located within
-    budgets of segments."""
-    steps, counter = int(os.environ.get("STEPS") or 10000), plugin()
-    rows: list[list[object]] = []
-    work = BUILD / "budgets"
-    work.mkdir(parents=True, exist_ok=True)
-    for board in map(Board, names or ["stm32f405", "mps2-an500"]):
-        if missing := board.missing():
-            say(f"skipped {board.name}: {missing}")
+# Problems of problem.c, by what differs from scene `chaos`.
+RACED = {"chaos": "",
+         "crossings": "beta 0.3\nk2 30\nmu 0.2\nr 0.6\nomega 0.5\nh -0.01\n",
+         "stickslip": "beta 0.2\nk2 20\nmu 3\nr 0.5\nomega -0.8\nh -0.01\n"}
+RACERS = {("stm32f405", "float"): 168e6, ("stm32f405", "double"): 168e6,
+          ("microbit", "float"): 16e6, ("mega", "float"): 16e6}  # [Hz]
+# Scheme, step [s] and tolerance; in float nothing below 8e-6 is asked for.
+PLAIN = [("moreau", dt, 0) for dt in (1e-2, 2e-3, 4e-4, 1e-4)]
+SETTINGS = {
+    "float": [*PLAIN, ("compensated", 4e-4, 0), ("compensated", 1e-4, 0),
+              ("located", 1e-2, 1e-3), ("located", 1e-2, 1e-5)],
+    "double": [*PLAIN, *(("located", 1e-2, tolerance)
+                         for tolerance in (1e-3, 1e-5, 1e-8))]}
+
+
+def scene_of(name: str, text: str) -> str:
+    """A file of a scene that differs from `chaos`."""
+    path = BUILD / "scenes" / f"{name}.scene"
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(f"based-on chaos\n{text}", encoding="ascii")
+    return str(path)
+
+
+def race(names: list[str]) -> pd.DataFrame:
+    """Error at the end of three problems, and instructions of a simulated
+    second, by scheme and step; and how many steps a second the board carries at
+    its clock if an instruction takes a cycle, by the dearest one."""
+    counter, rows, ends = plugin(), [], problems()
+    for (name, real), clock in RACERS.items():
+        board = next(iter(here([name])), None)
+        if not board or names and name not in names:
             continue
-        for real in REALS:
-            for budget in 0, 1, 2, 4, 8:
-                scene = work / f"budget_{budget}.scene"
-                scene.write_text("based-on chaos\ndt 0.001\n"
-                                 + f"segments {budget}\n" * (budget > 0),
-                                 encoding="ascii")
-                counts = Firmware(board, real, str(scene)).instructions(
-                    counter, steps, "located" if budget else "moreau")
-                if counts is None:
-                    say(f"{board.name} in {real}: nothing was counted")
-                    continue
-                solver = f"located segments={budget}" if budget else "moreau"
-                rows += [["chaos", f"{board.name} {real}", f"{solver}: {name}",
-                          None, None, count, ""] for name, count
-                         in zip(("least", "median", "most"), counts)]
+        for problem, (i, (scheme, dt, tolerance)) in itertools.product(
+                RACED, enumerate(SETTINGS[real])):
+            length, *end = ends.loc[problem]
+            scene = scene_of(f"{problem}_{real}_{i}",
+                             f"{RACED[problem]}dt {dt}\n"
+                             + f"tolerance {tolerance}\n" * (tolerance > 0))
+            found = Firmware(board, real, scene).windows(
+                counter, round(length / dt), scheme)
+            if found is None:
+                say(f"{name} {real} {scheme}: nothing was counted")
+                continue
+            costs, now = found
+            dial = f"tol={tolerance:.0e}" if tolerance else f"dt={dt:.3e}"
+            rows.append([problem, f"{name} {real} {scheme}", dial,
+                         np.abs(np.subtract(now, end)).max(), None,
+                         costs.sum() / length,
+                         f"carries {clock / costs.max():.0f} Hz"])
+            say(rows[-1])
     return pd.DataFrame(rows, columns=COLUMNS)

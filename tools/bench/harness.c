@@ -7,6 +7,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "timing.h"
@@ -27,22 +28,31 @@ double harness_random(unsigned stream, unsigned i) {
   return out[0] / 4294967296.0;
 }
 
+// Between neighbours; QUICK in the environment leaves three of four out where
+// they are dense.
+static double factor_of(const solver_t *s) {
+  const char *quick = getenv("QUICK");
+  return quick && *quick && s->factor < 2 ? pow(s->factor, 4) : s->factor;
+}
+
 static int settings(const solver_t *s) {
   if (s->factor <= 1) return 1;
-  return 1 + (int)(log(s->coarse / s->fine) / log(s->factor));
+  return 1 + (int)(log(s->coarse / s->fine) / log(factor_of(s)));
 }
 
 // Setting i of a solver: within half a factor of its place.
 static double setting_of(const solver_t *s, int number, int i) {
   if (s->factor <= 1) return s->coarse;
   const double shift = harness_random((unsigned)number, (unsigned)i) - 0.5;
-  return s->coarse * pow(s->factor, -i - shift);
+  return s->coarse * pow(factor_of(s), -i - shift);
 }
 
-// Whether a problem has such a setting: a step longer than it is the same as
-// one of its length.
-static int takes(const problem_t *problem, const solver_t *s, double setting) {
-  return setting <= problem->length && s->second <= problem->length;
+// Whether it solves the problem of that number, and that has such a setting: a
+// step longer than it is the same as one of its length.
+static int takes(int number, const problem_t *problem, const solver_t *s,
+                 double setting) {
+  return (s->problems >> number & 1) && setting <= problem->length &&
+         s->second <= problem->length;
 }
 
 static double median_time(const problem_t *problem, const solver_t *s,
@@ -93,11 +103,10 @@ static void time_all(const solver_t *solvers, int n, const char *only) {
       const problem_t problem = problem_number(j);
       for (int s = 0; s < n; s++) {
         const double setting = setting_of(&solvers[s], s, i);
-        if (i >= settings(&solvers[s]) || j >= solvers[s].problems ||
-            !takes(&problem, &solvers[s], setting) ||
-            (only && strcmp(only, solvers[s].name) != 0))
-          continue;
-        print_row(&problem, &solvers[s], setting);
+        if (i < settings(&solvers[s]) &&
+            takes(j, &problem, &solvers[s], setting) &&
+            (!only || strcmp(only, solvers[s].name) == 0))
+          print_row(&problem, &solvers[s], setting);
       }
     }
   }
@@ -116,13 +125,13 @@ __attribute__((noinline)) void solve_counted(const problem_t *problem,
 static void count_all(const solver_t *solvers, int n, const char *only) {
   for (int s = 0; s < n; s++) {
     if (only && strcmp(only, solvers[s].name) != 0) continue;
-    for (int j = 0; j < solvers[s].problems; j++) {
+    for (int j = 0; j < PROBLEMS; j++) {
       const problem_t problem = problem_number(j);
       double spent = 0;
       for (int i = 0; i < settings(&solvers[s]) && spent < TOO_LONG; i++) {
         const double setting = setting_of(&solvers[s], s, i);
         answer_t answer = {.mode = TF_NO_MODE};
-        if (!takes(&problem, &solvers[s], setting)) continue;
+        if (!takes(j, &problem, &solvers[s], setting)) continue;
         const double begin = timing_wall();
         solve_counted(&problem, &solvers[s], setting, &answer);
         if (!answer.lost) spent = timing_wall() - begin;
@@ -141,8 +150,11 @@ int harness_main(int argc, char **argv, const solver_t *solvers, int n) {
   else if (strcmp(argv[1], "count") == 0)
     count_all(solvers, n, only);
   else if (strcmp(argv[1], "problems") == 0)
-    for (int i = 0; i < PROBLEMS; i++)
-      printf("%s,%g\n", problem_number(i).name, problem_number(i).length);
+    for (int i = 0; i < PROBLEMS; i++) {
+      const problem_t p = problem_number(i);
+      printf("%s,%g,%.17g,%.17g,%.17g\n", p.name, p.length, p.end[0], p.end[1],
+             p.end[2]);
+    }
   else
     return 2;
   return 0;

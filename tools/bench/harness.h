@@ -1,14 +1,11 @@
-/// @file
 /// Work and precision: each solver is run on each problem over a fine grid of
 /// its step or tolerance, the solvers in turns.
-#ifndef TWOFOLD_BENCH_HARNESS_H
-#define TWOFOLD_BENCH_HARNESS_H
+#pragma once
 
 #include "problem.h"
 
 typedef struct {
-  double x[3]; // r, v, w at the end
-  long steps;
+  double x[3];  // r, v, w at the end
   int flagged;  // steps that were degraded, fell back or were coarse
   int lost;     // it gave up before the end, or the start was refused
   uint8_t mode; // at the end; TF_NO_MODE where the solver does not say
@@ -26,7 +23,7 @@ struct solver {
   double coarse, fine; // first and last setting, about
   double factor;       // between neighbours; 1: one setting, the first
   double second;       // what is not swept: a width, a step, a tolerance
-  int problems;        // that it solves, from the first
+  unsigned problems;   // that it solves
   int method;          // which of those that `solve` knows
   solve_t *solve;
 };
@@ -44,5 +41,3 @@ long harness_steps(const problem_t *problem, double dt);
 
 /// A random number in [0, 1): the same in every run.
 double harness_random(unsigned stream, unsigned i);
-
-#endif

@@ -3,12 +3,9 @@ callgrind.
 
 Every row is of one problem, solver and setting of its dial: error, time [ns],
 instructions and a verdict; what was not measured is empty. An error is the
-largest of r [m], v [m/s] and w [rad/s]; of section `after` it is a distance of
-distributions, of `realtime` a number of steps. The rows of all sections are in
-one results.csv, at the head of which a line a section says of which core it is.
+largest of r [m], v [m/s] and w [rad/s]. The rows of all sections are in one
+results.csv, at the head of which a line a section says of which core it is.
 """
-from __future__ import annotations
-
 import io
 import os
 import re
@@ -24,6 +21,7 @@ import driven  # noqa: E402
 
 BUILD = Path(os.environ.get("BUILD") or "build")
 CC = os.environ.get("CC") or "gcc"
+QUICK = bool(os.environ.get("QUICK"))
 REALS = "double", "float"
 OUT = BUILD / "bench"      # what was measured in this build
 KEPT = Path("docs/bench")  # what is kept: rows, tables, pictures
@@ -82,6 +80,12 @@ def put(folder: Path, of: dict[str, str], rows: pd.DataFrame) -> None:
     save(folder / RESULTS,
          [f"{name}: {core}" for name, core in sorted({**was, **of}.items())],
          rows.sort_values("section", kind="stable"))
+
+
+def problems() -> pd.DataFrame:
+    """Of each problem the length, and where it ends."""
+    return csv(bench("double", "sweep", "problems"),
+               ["problem", "length", "r", "v", "w"]).set_index("problem")
 
 
 def timed(text: str) -> pd.DataFrame:

@@ -1,25 +1,29 @@
 """docs/BENCH.md: words written by hand, tables of what was measured.
 
-A table stands below the line `<!-- NAME -->`. It is made from a section of
-BUILD/bench/results.csv; what was not measured in this build is taken from
-docs/bench/results.csv, which has the same form. What is not an error, a time or
-a verdict of a solver at a dial is in tables of its own beside it.
+A table or paragraph stands below the line `<!-- NAME -->`. It is made from
+sections of BUILD/bench/results.csv; what was not measured in this build is
+taken from docs/bench/results.csv, which has the same form. What is not an
+error, a time or a verdict of a solver at a dial is in tables beside it.
 """
-from __future__ import annotations
-
+import itertools
+import math
 import re
+import textwrap
 from pathlib import Path
-from typing import Callable
+from typing import Callable, Iterable
 
 import pandas as pd
 
-from pictures import PICTURES
-from measure import COLUMNS, KEPT, OUT, bench, csv, load, put, results, save
+from pictures import PICTURES, classes
+from measure import COLUMNS, KEPT, OUT, load, problems, put, results, save
 
 LEVELS = 1e-3, 1e-6, 1e-9
 PEERED = "chaos", "crossings", "stickslip", "driven"
-WINDOWS = "smooth", "stick", "approach", "cycle"
+STIFF = "stiff-spring", "stiff-smooth", "stiff-string"
+STIFF_LEVELS = 1e-2, 1e-3, 1e-4, 1e-6
 OWN = "moreau|compensated|located"
+RIVALS = f"(?!{OWN})"
+FIXED, HAND, LIBRARIES = "moreau", "events", "cvode|arkode|scipy"
 STABLE = "ok", "degraded"
 # Steps of section `kilohertz`, and how the page tells them apart.
 IN = {"dt=1.000e-03": "", "dt=3.333e-04": " in three", "dt=1.000e-04": ""}
@@ -43,38 +47,17 @@ def series(rows: pd.DataFrame) -> pd.DataFrame:
         wrong = runs.verdict.isin(["branch", "refused"]).sum()
         lines += [[*key[:2], f"least of {len(runs)}", level,
                    least(runs, level, "ns"), least(runs, level, "instructions"),
-                   f"{wrong} wrong"] for level in LEVELS]
+                   f"{wrong} wrong"]
+                  for level in (STIFF_LEVELS if key[0] in STIFF else LEVELS)]
     return pd.DataFrame(lines, columns=COLUMNS)
 
 
 def kilohertz(rows: pd.DataFrame) -> pd.DataFrame:
     """Steps of 1 ms and less: instructions of a millisecond, and error."""
-    long = csv(bench("double", "sweep", "problems"), ["problem", "length"])
-    length = rows.problem.map(long.set_index("problem").length)
+    length = rows.problem.map(problems().length)
     rows = rows[rows.dial.isin(list(IN)) & rows.instructions.notna()]
     return rows.drop(columns=["ns", "verdict"]).assign(
         instructions=rows.instructions / length / 1e3)
-
-
-def swept(rows: pd.DataFrame) -> pd.DataFrame:
-    """Stable cells of each sweep; after a plus sign those that the motion
-    itself ended."""
-    listed = [line.split("|") for line in
-              bench("double", "stability", "--list").splitlines()]
-    rows = rows.assign(sweep=rows.problem.str.split("=").str[0],
-                       said=rows.verdict)
-
-    def share(said: pd.Series) -> str:
-        taken = (said != "bad_parameter").sum()
-        good, ended = said.isin(STABLE).sum(), (said == "physics").sum()
-        return f"{good}{f'+{ended}' * (ended > 0)}/{taken}" if taken else "n/a"
-
-    table = rows.pivot_table(index="sweep", columns="solver", values="said",
-                             aggfunc=share, sort=False)
-    table.insert(0, "driven", [f"{axis} [{unit}]" if unit else axis
-                               for _, axis, unit, _ in listed])
-    table.insert(1, "else", [where or "-" for *_, where in listed])
-    return table.reset_index()
 
 
 def verdicts(rows: pd.DataFrame) -> pd.DataFrame:
@@ -110,7 +93,7 @@ ROWS: dict[str, Reduced] = {
     "precision": {"precision": series, "kilohertz": kilohertz},
     "peers": {"peers": series}, "stability": {}}
 TABLES: dict[str, Reduced] = {
-    "stability": {"sweeps": swept, "verdicts": verdicts, "largest": largest}}
+    "stability": {"verdicts": verdicts, "largest": largest}}
 
 
 def keep(section: str, of: str, rows: pd.DataFrame) -> None:
@@ -148,7 +131,8 @@ class Page:
     def scenes(self) -> pd.DataFrame:
         """What a scene needs, in float."""
         rows = self.table("sizes")
-        rows = rows[rows.real == "float"]
+        rows = rows[(rows.real == "float")
+                    & ~rows.scene.str.startswith("gamma")]
         chosen = [("flash", board) for board in ("stm32f405", "microbit",
                                                  "mega", "uno")] + [
             (name, "stm32f405") for name in ("stack", "median", "most")]
@@ -157,34 +141,105 @@ class Page:
         table.columns = [f"{name} {board}" for name, board in chosen]
         return whole(table.reindex(rows.scene.unique()).reset_index())
 
+    def cheapest(self, problem: str, level: float, solvers: str,
+                 unit: str) -> tuple[float, str]:
+        """The least cost to an error of the solvers that a pattern names, and
+        whose it is; what nobody reaches costs nan."""
+        rows = self.section("peers")
+        rows = rows[(rows.problem == problem) & (rows.error == level)
+                    & rows.solver.str.match(solvers)
+                    & ~rows.solver.str.contains("same") & rows[unit].notna()]
+        if rows.empty:
+            return math.nan, "-"
+        row = rows.loc[rows[unit].idxmin()]
+        return row[unit], row.solver
+
     def races(self) -> pd.DataFrame:
-        """The best of this project beside the best peer."""
-        rows, lines = self.section("peers"), []
-        own = rows.solver.str.match(OWN)
-        for problem in PEERED:
-            for level in LEVELS:
-                line: list[object] = [f"`{problem}`", f"{level:.0e}"]
-                best = []
-                for of in own, ~own & ~rows.solver.str.contains("same"):
-                    one = rows[of & (rows.problem == problem)
-                               & (rows.error == level)]
-                    best.append(one.loc[one.instructions.idxmin()])
-                    line += [f"{best[-1].instructions / 1e3:,.1f}",
-                             best[-1].solver]
-                line += [f"{best[0][unit] / best[1][unit]:.2f}"
-                         for unit in ("instructions", "ns")]
-                lines.append(line)
-        return pd.DataFrame(lines, columns=[
-            "problem", "error", "this project", "by", "best peer", "by ",
-            "ratio", "in time"])
+        """The best of this project beside the best peer, a row a problem."""
+        return self.beside(PEERED, LEVELS, {
+            "this project": OWN, "best peer": RIVALS}, "instructions")
+
+    def stiff(self) -> pd.DataFrame:
+        """The fixed step, the located one and the best peer."""
+        return self.beside(STIFF, STIFF_LEVELS, {
+            "fixed step": FIXED, "located step": "located",
+            "best peer": RIVALS}, "ns")
+
+    def beside(self, problems: tuple[str, ...], levels: tuple[float, ...],
+               sides: dict[str, str], unit: str) -> pd.DataFrame:
+        """What sides cost in thousands of a unit to each error, and by whom;
+        and the first as a share of the last, in the unit and in time."""
+        lines = []
+        for problem in problems:
+            line = {"problem": problem}
+            for side, solvers in sides.items():
+                found = [self.cheapest(problem, level, solvers, unit)
+                         for level in levels]
+                line[side] = joined(cost / 1e3 for cost, _ in found)
+                line[f"{side} by"] = " / ".join(dict.fromkeys(
+                    by.removeprefix("located ") for _, by in found))
+            own, *_, rivals = sides.values()
+            for name in dict.fromkeys([unit, "ns"]):
+                line["in time" if name == "ns" else "ratio"] = joined(
+                    (self.share(problem, level, own, rivals, name)
+                     for level in levels), ".2g")
+            if unit != "ns":  # not counted is not the same as never there
+                line["of"] = " / ".join(dict.fromkeys(self.cheapest(
+                    problem, level, rivals, "ns")[1] for level in levels))
+            lines.append(line)
+        return pd.DataFrame(lines)
+
+    def share(self, problem: str, level: float, own: str, rivals: str,
+              unit: str = "ns") -> float:
+        """The cost of some solvers as a share of that of others."""
+        return self.cheapest(problem, level, own, unit)[0] / \
+            self.cheapest(problem, level, rivals, unit)[0]
+
+    def glance(self) -> str:
+        """The page in a paragraph."""
+        def shares(problems: tuple[str, ...], levels: tuple[float, ...],
+                   own: str, rivals: str) -> str:
+            found = [self.share(problem, level, own, rivals) for problem, level
+                     in itertools.product(problems, levels)]
+            found = [x for x in found if not math.isnan(x)]
+            return f"{min(found):.2g} to {max(found):.2g}" if found else "-"
+
+        def stiff(level: float) -> str:
+            found = [self.share(problem, level, FIXED, RIVALS)
+                     for problem in STIFF]
+            return ", ".join("never" if math.isnan(x) else f"{x:.2g}"
+                             for x in found)
+
+        def cells(solvers: str) -> str:
+            kind = kinds[cells_of.solver.str.match(solvers)]
+            shares = [kind == "within 1 %", kind.str.startswith("TF_COARSE"),
+                      kind == "worse, and silent"]
+            return ", ".join(f"{100 * one.mean():.0f} %" for one in shares)
+
+        cells_of = self.section("map")
+        kinds = classes(cells_of)
+        step = self.section("kilohertz")
+        step = step[(step.solver == "moreau") & (step.dial == "dt=1.000e-03")]
+        text = f"""To the same error, 1e-3, 1e-6 or 1e-9 on each of four
+            problems, the located step takes
+            {shares(PEERED, LEVELS, "located", HAND)} of the time of the best
+            peer that is written by hand for this law alone, and
+            {shares(PEERED, LEVELS, "located", LIBRARIES)} of that of the best
+            of SUNDIALS and SciPy. A fixed step of 1 ms takes
+            {step.instructions.min():.0f} to {step.instructions.max():.0f}
+            instructions. On three stiff problems (spring, smooth law, string)
+            it takes {stiff(1e-3)} of the best peer's time to 1e-3, and to 1e-6
+            {stiff(1e-6)}. In the map below the
+            shares of cells that end within 1 % of the motion, that say
+            TF_COARSE, and that are off by more than 10 % in silence are
+            {cells(FIXED)} of the fixed step, {cells("located")} of the located
+            one."""
+        return textwrap.fill(" ".join(text.split()), 80,
+                             break_on_hyphens=False)
 
     def peers(self) -> pd.DataFrame:
         """All solvers, of each its best width or step."""
         return to_levels(self.section("peers"), PEERED)
-
-    def windows(self) -> pd.DataFrame:
-        """The project's own schemes in windows of the motion."""
-        return to_levels(self.section("precision"), WINDOWS)
 
     def kilohertz(self) -> pd.DataFrame:
         """A step of 1 ms: instructions and error."""
@@ -221,9 +276,19 @@ class Page:
         mean = mean.assign(
             solver=mean.solver.str.split().str[0], steps="10000",
             phase="`chaos`, mean", median=mean.instructions / 10)
-        table = pd.concat([table, mean])
+        table = pd.concat([table, mean, self.machines()])
         return whole(table[["solver", "steps", "phase", "median", "99 %",
                             "most"]])
+
+    def machines(self) -> pd.DataFrame:
+        """Steps of random machines."""
+        rows = self.section("machines")
+        what = rows.dial.str.extract(r"(\d+) steps: (.*)")
+        rows = rows.assign(steps=what[0], name=what[1]).pivot_table(
+            index=["problem", "solver", "steps"], columns="name",
+            values="instructions", sort=False).reset_index()
+        means = rows["mean"].round().astype(int).astype(str)
+        return rows.assign(phase=rows.problem + ", mean " + means)
 
     def ensemble(self) -> pd.DataFrame:
         """Ratios of throughput."""
@@ -232,34 +297,6 @@ class Page:
         return rows.pivot(index="problem", columns="solver",
                           values="verdict").reset_index()
 
-    def rounded(self) -> pd.DataFrame:
-        """How the compensated step in float ends, by the length of the run."""
-        rows = self.section("rounded")
-        rows = rows[rows.verdict.notna()]
-        run = rows.problem.str.extract(r"/(.*)")[0].fillna("problems, all dt")
-        table = pd.crosstab(run.rename("steps"), rows.verdict)
-        missed = rows.problem.str[8:].where(rows.verdict == "not reached")
-        table["which"] = missed.dropna().groupby(run).unique().str.join(", ")
-        return table.fillna("").reset_index()
-
-    def after(self) -> pd.DataFrame:
-        """The coarsest step from which on no distance is more than chance."""
-        rows = self.section("after")
-        rows = rows[rows.dial.str.endswith("e-08")]
-
-        def same(runs: pd.DataFrame) -> str:
-            apart = (runs.verdict == "apart").to_numpy().nonzero()[0]
-            first = apart[-1] + 1 if len(apart) else 0
-            return "none" if first == len(runs) else \
-                runs.dial.iloc[first].split()[0]
-
-        return rows.groupby(["solver", "problem"], sort=False).apply(
-            same).unstack().reset_index()
-
-    def verdicts(self) -> pd.DataFrame:
-        """Cells by verdict."""
-        return self.table("verdicts")
-
     def boards(self) -> pd.DataFrame:
         """What `chaos` needs on a board, in float / in double."""
         rows = self.table("sizes")
@@ -267,37 +304,17 @@ class Page:
         return rows.drop(columns=["scene", "real"]).groupby("board").agg(
             " / ".join).reset_index()
 
-    def budgets(self) -> pd.DataFrame:
-        """Median and most instructions of a step of 1 ms on boards."""
-        rows = self.section("budgets")
-        what = rows.dial.str.split(": ", expand=True)
-        rows = rows.assign(scheme=what[0], name=what[1])
-        wide = rows.pivot_table(index="solver", columns=["name", "scheme"],
-                                values="instructions", sort=False)
-        text = wide["median"].astype(int).astype(str) + ", " + \
-            wide["most"].astype(int).astype(str)
-        return text.reset_index().rename(columns={"solver": "board"})
-
     def worst(self) -> pd.DataFrame:
-        """The dearest calls that a search found."""
+        """The dearest steps that a search found."""
         rows = self.table("worst")
-        return whole(rows[rows.double >= 10000])
-
-    def realtime(self) -> pd.DataFrame:
-        """Lateness of loops that were alone [us]."""
-        rows = self.section("realtime")
-        value = rows.ns.div(1000).where(rows.ns.notna(), rows.error)
-        table = rows.assign(value=value)[
-            rows.problem.str.contains("alone")].pivot_table(
-            index=["problem", "solver"], columns="dial", values="value",
-            sort=False)
-        return whole(table[["steps", "began: median", "ended: median",
-                            "ended: 99.9 %", "ended: most", "late steps"]
-                           ].reset_index())
+        return whole(rows[rows.function.str.fullmatch(
+            "tf_step(_located|_compensated)?")])
 
     def made(self) -> pd.DataFrame:
         """Of which core each table is."""
         lines: dict[str, list[str]] = {}
+        for name in "precision", "boards":  # of pictures
+            self.section(name)
         for name, of in self.of.items():
             core, _, how = of.partition(". ")
             how = f" ({how.rstrip('.')})" if how else ""
@@ -305,6 +322,12 @@ class Page:
         return pd.DataFrame([[core, ", ".join(names)]
                              for core, names in lines.items()],
                             columns=["core", "tables"])
+
+
+def joined(numbers: Iterable[float], form: str = ",.0f") -> str:
+    """Numbers in a cell, `-` for none."""
+    return " / ".join("-" if math.isnan(x) else format(x, form)
+                      for x in numbers)
 
 
 def to_levels(rows: pd.DataFrame, problems: tuple[str, ...]) -> pd.DataFrame:
@@ -338,12 +361,14 @@ def write() -> None:
     page = Page()
 
     def block(found: re.Match) -> str:
-        table = getattr(page, found[1])().to_markdown(
-            index=False, disable_numparse=True)
+        made = getattr(page, found[1], lambda: page.table(found[1]))()
+        if isinstance(made, str):
+            return f"<!-- {found[1]} -->\n{made}\n"
+        table = made.to_markdown(index=False, disable_numparse=True)
         table = re.sub(r" +\|", " |", table)
         table = re.sub(r"-{3,}", "--", table)
         return f"<!-- {found[1]} -->\n{table}\n"
 
-    text = re.sub(r"<!-- (\w+) -->\n(?:\|.*\n)*", block,
+    text = re.sub(r"<!-- (\w+) -->\n(?:.+\n)*", block,
                   Path("docs/BENCH.md").read_text("utf-8"))
     (OUT / "BENCH.md").write_text(text, "utf-8")

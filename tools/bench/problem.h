@@ -1,14 +1,12 @@
-/// @file
 /// The problems that all schemes and peers solve: a machine, its start and
 /// where the reference says that it ends.
-#ifndef TWOFOLD_BENCH_PROBLEM_H
-#define TWOFOLD_BENCH_PROBLEM_H
+#pragma once
 
 #include "twofold.h"
 
 typedef struct {
   const char *name;
-  tf_params_t params;        // law jump, rule persist
+  tf_params_t params;        // rule persist
   double alpha;              // of the turntable [rad/s^2], whose speed moves
   long double start[3];      // r [m], v [m/s], w [rad/s]
   double h;                  // slip speed at the start [m/s]; not of windows
@@ -18,9 +16,15 @@ typedef struct {
   double branch_error;       // an error above it is another branch
 } problem_t;
 
-#define PEER_PROBLEMS 4 // the first ones, which peers solve as well
-#define PROBLEMS 9
-#define REAL (sizeof(tf_real_t) == 8 ? "double" : "float")
+#define PROBLEMS 12
+#define PEER_PROBLEMS 7 // the first ones, which peers solve as well
+#define STIFF 4     // the first stiff one; the last one is the last of peers
+#define ONE_FIELD 5 // the first of a law without a jump
+// Sets of problems, a bit each.
+#define UP_TO(i) ((1u << (i)) - 1)
+#define EVERY UP_TO(PROBLEMS)
+#define JUMPING UP_TO(ONE_FIELD)
+#define FROM(i) (UP_TO(PEER_PROBLEMS) - UP_TO(i))
 
 /// The problem number i, 0 <= i < PROBLEMS.
 problem_t problem_number(int i);
@@ -37,5 +41,3 @@ static inline int problem_side(const problem_t *problem) {
   if (problem->mode > TF_SLIP_MINUS) return 0;
   return problem->mode == TF_SLIP_PLUS ? 1 : -1;
 }
-
-#endif

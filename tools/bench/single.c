@@ -4,6 +4,9 @@
 //     ns, the least of several batches of the same step from a saved state
 //   single count SCHEME PROBLEM STEPS EVERY
 //     for callgrind, which dumps its counter after every call of `sample`
+//   single time|count SCHEME machines MACHINES STEPS DT
+//     every step of random machines: those of the golden hashes where DT is 0,
+//     else ordinary ones, about the size of the paper's, with its law
 //
 // A line a step: the modes before and after, and with `time` the ns. Looked at
 // are every EVERYth step, every change of mode and, because they are rare and
@@ -16,6 +19,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../../tests/golden/population.h"
 #include "own.h"
 #include "timing.h"
 
@@ -48,6 +52,19 @@ static double time_step(const run_t *before) {
   return 1e9 * least;
 }
 
+// A line of one step from a state.
+static void look_at(const run_t *before, const run_t *after, int times) {
+  double ns = 0;
+  if (times) {
+    ns = time_step(before);
+  } else {
+    run_t again = *before;
+    sample(&again);
+  }
+  printf("%s,%s,%.1f\n", tf_mode_name(before->state.mode),
+         tf_mode_name(after->state.mode), ns);
+}
+
 static int follow(run_t *run, long steps, long every, int times) {
   int slips = 0;
   for (long i = 0; i < steps; i++) {
@@ -57,15 +74,41 @@ static int follow(run_t *run, long steps, long every, int times) {
     slips += slip;
     if (i % every != 0 && before.state.mode == run->state.mode && !slip)
       continue;
-    double ns = 0;
-    if (times) {
-      ns = time_step(&before);
-    } else {
-      run_t again = before;
-      sample(&again);
+    look_at(&before, run, times);
+  }
+  return 0;
+}
+
+static tf_params_t ordinary_params(draw_t *d, tf_real_t dt) {
+  tf_params_t p = usual_params(d);
+  p.law = TF_TYRE_JUMP;
+  p.theta = TF_R(0.5);
+  p.dt = dt;
+  return p;
+}
+
+// As hash_of_steps() of population.h does.
+static int follow_machines(scheme_t scheme, long machines, long steps,
+                           tf_real_t dt, int times) {
+  draw_t d = population(1);
+  for (long n = 0; n < machines; n++) {
+    run_t run = {.scheme = scheme};
+    tf_machine_t *k = &run.machine.machine;
+    const tf_params_t p =
+        dt > 0 ? ordinary_params(&d, dt) : any_params(&d, (unsigned)n);
+    if (tf_prepare(k, &p, NULL) != TF_OK) continue;
+    run.input = any_input(&d, k);
+    run.state = any_state(&d, k, &run.input);
+    if ((n % 4 != 0 || run.state.mode == TF_NO_MODE) &&
+        tf_begin(k, &run.state, &run.input, &run.report) != TF_OK)
+      continue;
+    for (long i = 0; i < steps; i++) {
+      if (i == steps / 2) run.input.torque += between(&d, -1, 1);
+      run.input.omega0 += run.input.alpha * k->dt;
+      const run_t before = run;
+      if (run_step(&run) < 0) break;
+      look_at(&before, &run, times);
     }
-    printf("%s,%s,%.1f\n", tf_mode_name(before.state.mode),
-           tf_mode_name(run->state.mode), ns);
   }
   return 0;
 }
@@ -73,6 +116,12 @@ static int follow(run_t *run, long steps, long every, int times) {
 int single_main(int argc, char **argv) {
   problem_t problem;
   run_t run;
+  const int times = argc > 1 && strcmp(argv[1], "time") == 0;
+  if (argc == 7 && strcmp(argv[2], scheme_names[COMPENSATED]) != 0 &&
+      strcmp(argv[3], "machines") == 0)
+    return follow_machines(scheme_named(argv[2]), strtol(argv[4], NULL, 10),
+                           strtol(argv[5], NULL, 10),
+                           (tf_real_t)strtod(argv[6], NULL), times);
   if (argc != 6 || !problem_named(argv[3], &problem)) return 2;
   const scheme_t scheme = scheme_named(argv[2]);
   const long steps = strtol(argv[4], NULL, 10);
@@ -80,5 +129,5 @@ int single_main(int argc, char **argv) {
   if (scheme == SCHEMES || steps < 1 || every < 1 ||
       run_begin(&run, &problem, scheme, steps, 1e-8, 0) != TF_OK)
     return 2;
-  return follow(&run, steps, every, strcmp(argv[1], "time") == 0);
+  return follow(&run, steps, every, times);
 }

@@ -1,8 +1,6 @@
-/// @file
 /// What every race needs: a clock, and the order of times. A file that includes
 /// this defines _POSIX_C_SOURCE first.
-#ifndef TWOFOLD_BENCH_TIMING_H
-#define TWOFOLD_BENCH_TIMING_H
+#pragma once
 
 #include <stdlib.h>
 #include <time.h>
@@ -31,5 +29,3 @@ static inline int timing_ascending(const void *a, const void *b) {
 static inline void timing_sort(double *time, size_t n) {
   qsort(time, n, sizeof *time, timing_ascending);
 }
-
-#endif

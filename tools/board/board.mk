@@ -6,14 +6,16 @@
 #   REAL SCENE RATE EVERY: see port/port.mk
 
 HIL_PARTS := $(wildcard tools/board/hil/*.c) $(addprefix tools/cli/,\
-  host/source.c host/host.c host/output.c text/message.c text/number.c)
+  host/key.c host/source.c host/host.c host/output.c text/message.c \
+  text/number.c)
 
 define board_rules
 $(BUILD)/$(1)/hil: $$(call objects_of_$(1),$(HIL_PARTS)) \
     $(BUILD)/$(1)/libtwofold.a
 	$$(link)
 $(BUILD)/$(1)/constants: $$(call objects_of_$(1),\
-    $(wildcard tools/board/constants/*.c) $(SCENE_READER)) \
+    $(wildcard tools/board/constants/*.c) $(SCENE_READER) \
+      tools/cli/host/key.c) \
     $(BUILD)/$(1)/libtwofold.a
 	$$(link)
 endef

@@ -8,27 +8,19 @@
 #include <string.h>
 
 #include "host/output.h"
-#include "text/message.h"
+#include "setup/scene_file.h"
 #include "text/summary.h"
 
-const cli_command_t *cli_find_command(const char *name) {
-  for (size_t i = 0; i < cli_command_count; i++) {
-    if (strcmp(cli_commands[i].name, name) == 0) {
-      return &cli_commands[i];
-    }
-  }
-  return NULL;
-}
-
-static void offer_commands(cli_closest_t *closest) {
-  (void)cli_closest_find(closest, cli_commands, cli_command_count,
-                         sizeof cli_commands[0]);
+static const cli_command_t *find(cli_closest_t *closest) {
+  const size_t i = cli_closest_find(closest, cli_commands, cli_command_count,
+                                    sizeof cli_commands[0]);
+  return i < cli_command_count ? &cli_commands[i] : NULL;
 }
 
 // There is help on every word but this one: the closest that has some.
 static int no_help(const char *word) {
   cli_closest_t closest = cli_closest_to(word);
-  offer_commands(&closest);
+  (void)find(&closest);
   cli_topics_offer(&closest);
   return cli_message(CLI_USAGE,
                      "help: no help on '%s'%s; try 'twofold help' or 'twofold "
@@ -44,7 +36,8 @@ int cli_help(int argc, char *const argv[]) {
   }
   const char *word = argv[argc - 1];
   word += strncmp(word, "--", 2) == 0 ? 2 : 0;
-  const cli_command_t *command = argc == 1 ? cli_find_command(word) : NULL;
+  cli_closest_t closest = cli_closest_to(word);
+  const cli_command_t *command = argc == 1 ? find(&closest) : NULL;
   if (command != NULL && (command->bit != 0 || command->about != NULL)) {
     cli_print_page(command);
   } else if (command != NULL) {
@@ -58,46 +51,39 @@ int cli_help(int argc, char *const argv[]) {
 }
 
 // The benchmarks need several builds of the core, so they belong to make.
-static int unknown_command(const char *name) {
+static int unknown_command(const cli_closest_t *closest) {
+  const char *name = closest->word;
   if (strcmp(name, "bench") == 0 || strcmp(name, "stability") == 0) {
     return cli_message(CLI_USAGE, "%s is a target of make: 'make %s'", name,
                        name);
   }
-  cli_closest_t closest = cli_closest_to(name);
-  offer_commands(&closest);
   return cli_message(CLI_USAGE,
                      "unknown command '%s'%s ('twofold help' lists them)", name,
-                     closest.hint);
-}
-
-static bool is_help_option(const char *word) {
-  return strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0;
+                     closest->hint);
 }
 
 static bool asks_for_help(int argc, char *const argv[]) {
+  bool asks = false;
   for (int i = 0; i < argc; i++) {
-    if (is_help_option(argv[i])) {
-      return true;
-    }
+    asks = asks || strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0;
   }
-  return false;
+  return asks;
 }
 
 static bool asks_for_json(int argc, char *const argv[]) {
+  bool asks = false;
   for (int i = 0; i < argc; i++) {
-    if (strcmp(argv[i], "--summary=json") == 0 ||
-        (i > 0 && strcmp(argv[i - 1], "--summary") == 0 &&
-         strcmp(argv[i], "json") == 0)) {
-      return true;
-    }
+    asks = asks || strcmp(argv[i], "--summary=json") == 0 ||
+           (i > 0 && strcmp(argv[i - 1], "--summary") == 0 &&
+            strcmp(argv[i], "json") == 0);
   }
-  return false;
+  return asks;
 }
 
 #define PATH_ROOM 4200
 
-// Whether writing the one would destroy the other. Standard output takes the
-// rows of one option.
+// Whether writing the one, or the `.part` or `.resume` beside it, would destroy
+// the other. Standard output takes the rows of one option.
 static bool destroys(const cli_file_t *writer, const cli_file_t *file) {
   static const char *const beside[] = {"", ".part", ".resume"};
   const char *value = writer->given.value;
@@ -115,41 +101,49 @@ static bool destroys(const cli_file_t *writer, const cli_file_t *file) {
   return false;
 }
 
-static int check_files(const cli_syntax_t *syntax, int argc,
-                       char *const argv[]) {
-  for (int at = 0; at < argc;) {
-    const int begin = at;
-    const cli_file_t writer = cli_next_file(syntax, argv, &at);
-    for (int other = 0; writer.how == CLI_WRITES && other < argc;) {
-      const bool itself = other == begin;
-      const cli_file_t file = cli_next_file(syntax, argv, &other);
-      if (!itself && file.how != 0 && destroys(&writer, &file)) {
+static int check_files(const cli_file_t *files, size_t count) {
+  for (size_t i = 0; i < count; i++) {
+    const cli_file_t *writer = &files[i];
+    for (size_t k = 0; k < count && writer->how == CLI_WRITES; k++) {
+      const cli_file_t *file = &files[k];
+      if (k != i && file->how != 0 && destroys(writer, file)) {
         return cli_message(
-            CLI_USAGE,
-            "%s %s would write over %s%s%s: two files are "
-            "needed",
-            writer.given.name, writer.given.value, file.given.name,
-            file.given.name[0] != '\0' ? " " : "", file.given.value);
+            CLI_USAGE, "%s %s would write over %s%s%s: two files are needed",
+            writer->given.name, writer->given.value, file->given.name,
+            file->given.name[0] != '\0' ? " " : "", file->given.value);
       }
     }
   }
   return CLI_DONE;
 }
 
-int cli_read_args(const cli_command_t *command, cli_args_t *args, int argc,
-                  char *const argv[]) {
+static int take_scene(void *to, const char *word) {
+  cli_args_t *args = to;
+  return cli_take_scene(&args->scene, word);
+}
+
+// args: out; its files are from the heap, whatever is returned.
+static int read_args(const cli_command_t *command, cli_args_t *args, int argc,
+                     char *const argv[]) {
+  const bool of_scene = command->take == NULL;
   const cli_syntax_t syntax = {cli_options, cli_option_count, command->name,
-                               command->bit, command->take};
+                               command->bit,
+                               of_scene ? take_scene : command->take};
   memset(args, 0, sizeof *args);
   args->command = command->name;
   args->points = 1;
   args->listed = 20;
   args->shard = cli_whole_shard;
   cli_usual_values(&syntax, args);
-  int code = cli_read_words(&syntax, args, argc, argv);
-  code = code == CLI_DONE ? check_files(&syntax, argc, argv) : code;
-  if (code == CLI_DONE && args->scene == NULL &&
-      strncmp(command->words, "SCENE", 5) == 0) {
+  const size_t words = (size_t)argc;
+  cli_file_t *files = calloc(words + 1, sizeof *files);
+  if (files == NULL) {
+    return cli_message(CLI_STOPPED, "out of memory");
+  }
+  int code = cli_read_words(&syntax, args, argc, argv, files);
+  code = code == CLI_DONE ? check_files(files, words) : code;
+  free(files);
+  if (code == CLI_DONE && of_scene && args->scene == NULL) {
     return cli_message(CLI_USAGE,
                        "%s: which scene? ('twofold scenes' lists them)",
                        command->name);
@@ -163,7 +157,7 @@ int cli_read_args(const cli_command_t *command, cli_args_t *args, int argc,
 static int perform(const cli_command_t *command, int argc, char *const argv[]) {
   static cli_args_t args;
   int code = command->raw != NULL ? command->raw(argc, argv)
-                                  : cli_read_args(command, &args, argc, argv);
+                                  : read_args(command, &args, argc, argv);
   if (code == CLI_DONE && command->raw == NULL) {
     code = command->perform(&args);
   }
@@ -180,16 +174,18 @@ int cli_command(int argc, char *const argv[]) {
   if (argc < 1) {
     return cli_message(CLI_USAGE, "which command? ('twofold help' lists them)");
   }
-  if (is_help_option(argv[0])) {
+  if (asks_for_help(1, argv)) {
     return cli_help(argc - 1, argv + 1);
   }
   if (strcmp(argv[0], "--version") == 0) {
-    return cli_print_version();
+    (void)puts("twofold " TF_VERSION ", tf_real_t is " CLI_NUMBER_TYPE);
+    return cli_finish_stdout();
   }
-  const cli_command_t *command = cli_find_command(argv[0]);
+  cli_closest_t closest = cli_closest_to(argv[0]);
+  const cli_command_t *command = find(&closest);
   if (asks_for_help(argc - 1, argv + 1)) {
     return cli_help(command != NULL ? 1 : 0, argv);
   }
   return command != NULL ? perform(command, argc - 1, argv + 1)
-                         : unknown_command(argv[0]);
+                         : unknown_command(&closest);
 }

@@ -2,44 +2,32 @@
 // line includes only folders below it (check `arrows` has the same table):
 //
 //   .          command (reads a command line and performs it), commands (this
-//              table), table (of the options), help, topics (help on single
-//              words), completions, the commands `scenes` and `scene`
-//   monitor/   the command `monitor`: frames of a board become rows or a live
-//              view, and commands are sent to it; takes only row.h of run/
+//              table), table (of the options), help, topics (help on words),
+//              completions, the commands `scenes` and `scene`
+//   monitor/   the command `monitor`; takes only row.h of run/
 //   run/       the command `run`: loop, rows, frames, events, summary
-//   analysis/  singularities, regions, design and atlas: they examine a machine
-//              without running it
-//   diverge/   the command `diverge`: samples of the motions that can follow a
-//              two-fold. Bottom up: canard, tracker, job, motion (with noise
-//              and smoothing), the steppers random and lagged, counts, diverge;
-//              `merge` adds its counts
-//   sweep/     the command `sweep`: one row for each point of a grid of
-//              settings; takes only events.h of run/
+//   analysis/  singularities, regions, design and atlas
+//   diverge/   the commands `diverge` and `merge`. Bottom up: canard, tracker,
+//              job, motion (with noise and smoothing), the steppers random and
+//              lagged, counts, diverge
+//   sweep/     the command `sweep`; takes only events.h of run/
 //   setup/     a scene, by its name or from a file, with --set and --select
 //              becomes a machine with its initial state; schemes, names; what a
 //              command line gives (args.h)
 //   live/      --live of run and monitor: planes and modes in a terminal
-//   host/      what POSIX provides: clock, signals, output files, serial lines,
-//              progress
+//   host/      what POSIX provides: clock, signals, files, lines, progress
 //   text/      messages, numbers, options, text in buffers
 //
 // run, analysis, diverge and sweep do not include each other otherwise.
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "command.h"
 #include "diverge/job.h"
-#include "setup/scene_file.h"
 #include "setup/setup.h"
 #include "sweep/sheet.h"
 #include "text/message.h"
-
-static int take_scene(void *to, const char *word) {
-  cli_args_t *args = to;
-  return cli_take_scene(&args->scene, word);
-}
 
 static int take_file(void *to, const char *word) {
   cli_args_t *args = to;
@@ -53,7 +41,6 @@ static int take_file(void *to, const char *word) {
   return CLI_DONE;
 }
 
-// The names of --set, from the tables that validate them.
 static void print_names(void) {
   cli_print_ranges();
   for (size_t i = 0; i < CLI_STARTS; i++) {
@@ -83,7 +70,6 @@ static void print_outcomes(void) {
   }
 }
 
-// What depends on the kind, from the table that sets it.
 static void print_mechanisms(void) {
   (void)puts("kind        unit of S   default DT, K, Q");
   for (int i = 0; i < CLI_MECHANISMS; i++) {
@@ -99,20 +85,17 @@ static void print_mechanisms(void) {
 // Lines of text are filled when they are printed, but those that begin with a
 // blank.
 const cli_command_t cli_commands[] = {
-    {.name = "scenes",
-     .words = "",
-     .what = "list the scenes",
-     .raw = cli_scenes},
-    {.name = "scene",
-     .words = "SCENE [OPTION]...",
-     .what = "print a scene as a file that can be changed",
+    {"scenes", "", "list the scenes", .raw = cli_scenes},
+    {"scene", "SCENE [OPTION]...",
+     "print a scene as a file that can be changed",
      .about = "Prints a scene as text. All commands, and 'make firmware' and "
               "'make fmu', take a file of such text as SCENE; it reads back to "
               "the same bits. A word with a . or a / in it names a file, any "
               "other one a scene of 'twofold scenes'.",
      .notes =
          "A line is KEY VALUE or KEY = VALUE; # begins a comment. No key may "
-         "be given twice. A file may begin with 'based-on SCENE', one of "
+         "be given twice. A last line without a newline is told: it may be cut "
+         "off. A file may begin with 'based-on SCENE', one of "
          "'twofold scenes', and then gives only what differs. For example:\n"
          "\n"
          "  based-on chaos\n"
@@ -130,78 +113,61 @@ const cli_command_t cli_commands[] = {
          "up to\n"
          "                            8 knots TIME:SPEED [s:rad/s]; or none\n"
          "and the parameters:",
-     .tail = cli_print_ranges,
-     .bit = CLI_SCENE,
-     .take = take_scene,
-     .perform = cli_scene},
-    {.name = "run",
-     .words = "SCENE [OPTION]...",
-     .what = "simulate a scene, one row per instant",
+     .tail = cli_print_ranges, .bit = CLI_SCENE, .perform = cli_scene},
+    {"run", "SCENE [OPTION]...", "simulate a scene, one row per instant",
      .notes =
-         "Every other option may be given once. Numbers are decimal, or "
+         "Each option but --set may be given once. Numbers are decimal, or "
          "hexadecimal as in C: 0x1.8p-3 is 0.1875 exactly, 0x10 is 16.\n"
          "\n"
-         "FILE appears when it is complete. Until then its rows are in "
-         "FILE.part, which stays where the run is stopped, and which one "
-         "program at a time can write. Pipes and devices are written as they "
-         "are.\n"
+         "Rows go to FILE.part, which becomes FILE when it is complete. It is "
+         "kept where the run is stopped, and only one program at a time can "
+         "write it. Pipes and devices are written as they are. On a terminal, "
+         "where neither --out nor --format is given, the first and the last "
+         "rows are shown, with fewer digits.\n"
          "After SIGINT, SIGTERM or SIGHUP the program finishes the step, "
          "writes its row and stops; a second signal kills it. The summary goes "
          "to standard error.\n"
          "exit codes: see 'twofold help exit'\n"
          "\n"
          "names of --set, with their ranges:",
-     .tail = print_names,
-     .bit = CLI_RUN,
-     .take = take_scene,
-     .check = cli_run_check,
+     .tail = print_names, .bit = CLI_RUN, .check = cli_run_check,
      .perform = cli_run},
-    {.name = "monitor",
-     .words = "FILE|DEVICE|- [OPTION]...",
-     .what = "decode frames from a board, a file or a pipe",
+    {"monitor", "FILE|DEVICE|- [OPTION]...",
+     "decode frames from a board, a file or a pipe",
      .about =
          "Decodes the frames of a board, a file or a pipe (-), and tells at "
          "the end, on standard error, who sent them, what was lost or broken "
-         "and the last state. Rows are written with --as; without it a "
+         "and the last state. Rows are written with --format; without it a "
          "terminal shows the live view, and anything else gets no rows.",
      .notes =
-         "FILE is FILE.part until the end, see 'twofold help run', and stays "
-         "so where frames are missing or are those of more than one run. Lost "
-         "and broken frames, and rows with a value that is not finite, are "
-         "counted on standard error at the end; of a device from its first "
-         "schema on. A stream of `run` has an end: without it, it is not "
-         "whole.\n"
+         "FILE is written as FILE.part and gets its name at the end ('twofold "
+         "help run'), but not where frames are missing or come from more than "
+         "one run. Lost and broken frames, and rows with a value that is not "
+         "finite, are counted at the end on standard error; on a device the "
+         "count begins at the first schema. A stream of `run` ends with a "
+         "heartbeat; without it the stream is incomplete.\n"
          "exit codes: 0 done, 2 usage, 3 a command was refused, 4 no frame, no "
          "answer, interrupted within a file, or the device was unplugged, 5 "
-         "done, but some steps were degraded, coarse or stalled, or "
-         "ticks of the board got no step, as it tells meanwhile, 6 done, but "
-         "frames were lost or broken, "
-         "the stream ends before its run, the sender was started again (unless "
-         "there is --follow), or a value is not finite",
-     .bit = CLI_MONITOR,
-     .take = cli_take_source,
-     .check = cli_monitor_check,
+         "done, but some steps were degraded, coarse or stalled, or the board "
+         "reports that it skipped steps, 6 done, but frames were lost or "
+         "broken, the stream ends before its run, the sender was started again "
+         "(unless there is --follow), or a value is not finite",
+     .bit = CLI_MONITOR, .take = cli_take_source, .check = cli_monitor_check,
      .perform = cli_monitor},
-    {.name = "singularities",
-     .words = "SCENE [OPTION]...",
-     .what = "all two-folds, as JSON",
+    {"singularities", "SCENE [OPTION]...", "all two-folds, as JSON",
      .about = "All two-folds as JSON: point, K, J1, J2, eigenvalues, type and "
               "case; or why there is none.",
      .notes = AT_START
      "\n"
-     "K++ .. K-- are in the paper's rescaled time tau, dt = time_scale "
-     "dtau; those under \"physical\" are in m/s^3. J1, J2 and the "
-     "eigenvalues are the same in both. \"case\" is the paper's, for type "
-     "invisible; case 3 is J1 J2 < 1. Along a direction in which the wheel "
-     "sticks the motion has the given velocity [m/s, m/s^2, rad/s^2] and "
-     "force lambda [N]; a negative eigenvalue leads from sliding to "
-     "escaping.",
-     .bit = CLI_SINGULARITIES,
-     .take = take_scene,
-     .perform = cli_singularities},
-    {.name = "regions",
-     .words = "SCENE --r A:B:N --omega A:B:N [OPTION]...",
-     .what = "sliding, escaping, crossing: a grid of (r, omega)",
+     "K++ .. K-- are in the paper's rescaled time tau, dt = time_scale dtau; "
+     "those under \"physical\" are in m/s^3. J1, J2 and the eigenvalues are "
+     "the same in both. \"case\" is the paper's, for type invisible; case 3 is "
+     "J1 J2 < 1. Along a direction in which the wheel sticks the motion has "
+     "the given velocity [m/s, m/s^2, rad/s^2] and force lambda [N]; a "
+     "negative eigenvalue leads from sliding to escaping.",
+     .bit = CLI_SINGULARITIES, .perform = cli_singularities},
+    {"regions", "SCENE --r A:B:N --omega A:B:N [OPTION]...",
+     "sliding, escaping, crossing: a grid of (r, omega)",
      .about =
          "The region of the surface h = 0 at each point of a grid, as CSV: "
          "r,omega,region,lambda,delassus. Regions: sliding, escaping, "
@@ -209,14 +175,10 @@ const cli_command_t cli_commands[] = {
          "= 0, where the last two columns are empty). lambda [N] is the force "
          "that would hold h = 0; where the surface is crossed it exceeds mu. "
          "delassus is in 1/kg.",
-     .notes = AT_START,
-     .bit = CLI_REGIONS,
-     .take = take_scene,
-     .check = cli_analysis_check,
+     .notes = AT_START, .bit = CLI_REGIONS, .check = cli_analysis_check,
      .perform = cli_regions},
-    {.name = "design",
-     .words = "SCENE --r R --omega W [OPTION]...",
-     .what = "kappa and k2 that put a two-fold at (r, omega)",
+    {"design", "SCENE --r R --omega W [OPTION]...",
+     "kappa and k2 that put a two-fold at (r, omega)",
      .about =
          "kappa and k2 that put a two-fold at (R, W), and its normal form, "
          "as JSON.",
@@ -224,13 +186,9 @@ const cli_command_t cli_commands[] = {
      "\n"
      "kappa and k2 of the scene are not used. Exit code 3 where no kappa and "
      "k2 in their ranges exist.",
-     .bit = CLI_DESIGN,
-     .take = take_scene,
-     .check = cli_analysis_check,
-     .perform = cli_design},
-    {.name = "atlas",
-     .words = "SCENE --r A:B:N --omega A:B:N [OPTION]...",
-     .what = "for which (r, omega) it is a Teixeira singularity",
+     .bit = CLI_DESIGN, .check = cli_analysis_check, .perform = cli_design},
+    {"atlas", "SCENE --r A:B:N --omega A:B:N [OPTION]...",
+     "for which (r, omega) it is a Teixeira singularity",
      .about =
          "The conditions of the paper's figure 4 for a two-fold at each point "
          "of a grid, as CSV. Columns: r,omega,v,g,kappa,k2,K++,K+-,K-+,K--,J1,"
@@ -241,39 +199,30 @@ const cli_command_t cli_commands[] = {
          "sign(g); where g < 0 the paper's figure shows it with the other "
          "sign. Where no kappa and k2 exist (r = 0, r = r0, omega = omega0) "
          "all columns but r, omega and overlap are empty.",
-     .notes = AT_START,
-     .bit = CLI_ATLAS,
-     .take = take_scene,
-     .check = cli_analysis_check,
+     .notes = AT_START, .bit = CLI_ATLAS, .check = cli_analysis_check,
      .perform = cli_atlas},
-    {.name = "diverge",
-     .words = "SCENE [OPTION]...",
-     .what = "what can follow a two-fold: exits, returns, samples",
+    {"diverge", "SCENE [OPTION]...",
+     "what can follow a two-fold: exits, returns, samples",
      .about =
          "Follows motions from a state with several consistent modes: the "
          "two-fold that stick passes through, or a start given by --set r=, "
          "omega=, h= (or v=). A cycle goes from one arrival at the two-fold to "
          "the next.",
-     .notes =
-         "A file appears when it is complete, and is FILE.part until then; "
-         "its last line: 'twofold help trailer'. "
-         "Without --exits and --returns the returns go to standard output; "
-         "FILE - is standard output. Fields of what did not happen are empty. "
-         "Outcomes: returned, small_cycle (lands 3 times or more and never "
-         "comes back), pinned, timeout, refused. A landing is an arrival in "
-         "the sliding region on the other side of g = 0.\n"
-         "\n"
-         "exit codes: 0 done, 2 usage, 3 refused: only one mode is consistent, "
-         "or out of range, 4 stopped (what has ended is in FILE.part) or a "
-         "file could not be written\n",
-     .tail = print_mechanisms,
-     .bit = CLI_DIVERGE,
-     .take = take_scene,
-     .check = cli_diverge_check,
+     .notes = "A file is FILE.part until it is complete; 'twofold help "
+              "trailer' explains its last line. Without --exits and --returns "
+              "the returns go to standard output; FILE - is standard output. A "
+              "field is empty where its event did not happen. Outcomes: "
+              "returned, small_cycle (lands 3 times or more and never comes "
+              "back), rest (pinned, or a stick with |g| <= 1e-9 m/s), timeout, "
+              "refused. A landing is an arrival in the "
+              "sliding region on the other side of g = 0.\n"
+              "\n"
+              "exit codes: 0 done, 2 usage, 3 refused: only one mode is "
+              "consistent, or out of range, 4 stopped (finished samples are in "
+              "FILE.part) or a file could not be written\n",
+     .tail = print_mechanisms, .bit = CLI_DIVERGE, .check = cli_diverge_check,
      .perform = cli_diverge},
-    {.name = "merge",
-     .words = "FILE... [OPTION]...",
-     .what = "adds the counts of shards of diverge",
+    {"merge", "FILE... [OPTION]...", "adds the counts of shards of diverge",
      .about =
          "Adds files of 'twofold diverge --counts', each of other shards of "
          "one run, in any order, to one file of the same form. The sum of all "
@@ -282,51 +231,42 @@ const cli_command_t cli_commands[] = {
      .notes =
          "exit codes: 0 done, 2 usage, or a file is damaged, 3 refused: files "
          "of different runs, or a shard twice, 4 the sum could not be written",
-     .bit = CLI_MERGE,
-     .take = take_file,
-     .check = cli_merge_check,
+     .bit = CLI_MERGE, .take = take_file, .check = cli_merge_check,
      .perform = cli_merge},
-    {.name = "sweep",
-     .words = "SCENE --over NAME=A:B:N [OPTION]...",
-     .what = "a grid of settings: what becomes of each point",
-     .about = "One motion at each point of a grid, one row a point, as CSV.",
+    {"sweep", "SCENE --over NAME=A:B:N [OPTION]...",
+     "a grid of settings: what becomes of each point",
+     .about = "Follows one motion from each point of a grid and writes one row "
+              "for each, as CSV.",
      .notes =
          "Columns: point (from 0), one for each axis, status, reason, t (the "
          "time that was reached), one for each outcome. status is `done`; "
          "`flagged` where some steps were degraded, coarse or stalled; "
-         "`stopped` where a step was refused, and outcomes are those until "
-         "then; `refused` where the machine or its start was, and t and "
-         "outcomes are empty. reason has the message, with semicolons for "
-         "commas. An outcome that did not happen is empty. Lines that begin "
+         "`stopped` where a step was refused (the outcomes are those up to "
+         "it); `refused` where the machine or its start was refused (t and "
+         "outcomes are empty). reason is the message, with semicolons in place "
+         "of commas. An outcome that did not happen is empty. Lines that begin "
          "with # tell the command, the units and, at the end, how many rows "
          "there are: 'twofold help trailer'.\n"
          "\n"
-         "A row is what `run` would find: --set NAME=VALUE of its fields "
-         "repeats it to the bit. Each program takes one core. "
-         "tools/study/shards runs the shards on all cores, under GNU parallel, "
-         "Slurm or Snakemake, and draws the map.\n"
+         "`run` with the values of a row as --set NAME=VALUE repeats it to the "
+         "bit. Each program takes one core. tools/study/shards runs the shards "
+         "on all cores, under GNU parallel, Slurm or Snakemake, and draws the "
+         "map.\n"
          "\n"
          "exit codes: 0 done, whatever the rows say; 2 usage, 3 refused: an "
          "axis leaves the range of its name, or FILE is of another sweep, 4 "
          "stopped\n"
          "\n"
          "outcomes:",
-     .tail = print_outcomes,
-     .bit = CLI_SWEEP,
-     .take = take_scene,
-     .check = cli_sweep_check,
+     .tail = print_outcomes, .bit = CLI_SWEEP, .check = cli_sweep_check,
      .perform = cli_sweep},
-    {.name = "completions",
-     .words = "SHELL",
-     .what = "a script by which a shell completes all this",
+    {"completions", "SHELL", "a script by which a shell completes all this",
      .about = "Prints a script. SHELL is bash, zsh or fish. In bash: 'source "
               "<(twofold completions bash)', "
               "in ~/.bashrc; of zsh, into a file _twofold of the $fpath; of "
               "fish, into ~/.config/fish/completions/twofold.fish.",
      .raw = cli_completions},
-    {.name = "help",
-     .words = "[COMMAND]",
-     .what = "this text, or the options of a command",
+    {"help", "[COMMAND]", "this text, or the options of a command",
      .raw = cli_help},
 };
 const size_t cli_command_count = sizeof cli_commands / sizeof cli_commands[0];

@@ -1,7 +1,5 @@
 // Completions for three shells, from the same tables as the reading of command
-// lines. Each script completes commands, the options of the command, words that
-// a value may be, and the names of scenes and files. The texts are those of the
-// help, up to their first pause.
+// lines. The texts are those of the help, up to their first pause.
 
 #include <stdio.h>
 #include <string.h>
@@ -14,10 +12,6 @@ static const char shells[] = "bash zsh fish";
 
 static bool takes(const cli_command_t *command, const cli_option_t *option) {
   return option->name != NULL && (option->commands & command->bit) != 0;
-}
-
-static bool takes_scene(const cli_command_t *command) {
-  return strncmp(command->words, "SCENE", 5) == 0;
 }
 
 static bool takes_file(const cli_option_t *option) {
@@ -40,15 +34,12 @@ static void print_commands(void) {
   }
 }
 
-static void print_scenes(void) {
-  for (size_t i = 0; i < TF_SCENES; i++) {
-    (void)printf("%s ", tf_scenes[i]->name);
-  }
-}
-
-static void print_choices(const cli_option_t *option) {
+// colon: what stands for one at the end.
+static void print_choices(const cli_option_t *option, const char *colon) {
   for (const cli_choice_t *at = option->choices; at->name != NULL; at++) {
-    (void)printf("%s ", at->name);
+    const size_t bare = strcspn(at->name, ":");
+    (void)printf("%.*s%s ", (int)bare, at->name,
+                 at->name[bare] != '\0' ? colon : "");
   }
 }
 
@@ -58,8 +49,10 @@ static void print_words(const cli_command_t *command) {
     print_commands();
   } else if (strcmp(command->name, "completions") == 0) {
     (void)fputs(shells, stdout);
-  } else if (takes_scene(command)) {
-    print_scenes();
+  } else if (command->bit != 0 && command->take == NULL) {
+    for (size_t i = 0; i < TF_SCENES; i++) {
+      (void)printf("%s ", tf_scenes[i]->name);
+    }
   }
 }
 
@@ -72,7 +65,7 @@ static void bash_command(const cli_command_t *command) {
     (void)printf("  %s:%s) ", command->name, option->name);
     if (option->choices != NULL) {
       (void)fputs("words='", stdout);
-      print_choices(option);
+      print_choices(option, ":");
       (void)fputs("' ", stdout);
     } else if (!takes_file(option)) {
       (void)fputs("compopt +o default ", stdout);
@@ -120,11 +113,7 @@ static void zsh_option(const cli_option_t *option) {
     (void)fputs(":value:", stdout);
     if (option->choices != NULL) {
       (void)putchar('(');
-      for (const cli_choice_t *at = option->choices; at->name != NULL; at++) {
-        const size_t bare = strcspn(at->name, ":");
-        (void)printf("%.*s%s ", (int)bare, at->name,
-                     at->name[bare] != '\0' ? "\\:" : "");
-      }
+      print_choices(option, "\\:");
       (void)putchar(')');
     } else if (takes_file(option)) {
       (void)fputs("_files", stdout);
@@ -177,7 +166,7 @@ static void fish_option(const cli_command_t *command,
   }
   if (option->choices != NULL) {
     (void)fputs(" -a '", stdout);
-    print_choices(option);
+    print_choices(option, ":");
     (void)putchar('\'');
   }
   (void)fputs(" -d '", stdout);

@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "command.h"
-#include "text/message.h"
 #include "twofold.h"
 
 #define WIDTH 79   // columns
@@ -62,8 +61,20 @@ static bool is_number(const cli_option_t *option) {
   return option->kind == CLI_WHOLE || option->kind == CLI_REAL;
 }
 
-// What an option is, with its range and its usual value.
-static void describe(const cli_option_t *option, char *out, size_t room) {
+// The words of a value are told with the first option that takes them.
+static bool is_told_before(const cli_option_t *option) {
+  for (const cli_option_t *at = cli_options; at < option; at++) {
+    if (at->choices == option->choices &&
+        (at->commands & option->commands) != 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+static void describe(const cli_option_t *option, size_t first, size_t margin) {
+  char out[1024];
+  const size_t room = sizeof out;
   int used = snprintf(out, room, "%s", option->what);
   if (is_number(option)) {
     used +=
@@ -76,11 +87,9 @@ static void describe(const cli_option_t *option, char *out, size_t room) {
     (void)snprintf(out + used, room - (size_t)used, ", default %g",
                    option->usual);
   }
-}
-
-static void print_choices(const cli_option_t *option, size_t margin) {
-  for (const cli_choice_t *at = option->choices; at != NULL && at->name != NULL;
-       at++) {
+  cli_print_filled(out, first, first);
+  for (const cli_choice_t *at = option->choices;
+       at != NULL && at->name != NULL && !is_told_before(option); at++) {
     if (at->what[0] != '\0') {
       (void)printf("%*s%-*s", (int)margin, "", CHOICE, at->name);
       cli_print_filled(at->what, margin + CHOICE, margin + CHOICE);
@@ -89,13 +98,10 @@ static void print_choices(const cli_option_t *option, size_t margin) {
 }
 
 static void print_option(const cli_option_t *option) {
-  char text[1024];
   const int used = printf("  %s %s", option->name,
                           option->value != NULL ? option->value : "");
   (void)printf("%*s", used < COLUMN ? COLUMN - used : 1, "");
-  describe(option, text, sizeof text);
-  cli_print_filled(text, COLUMN, COLUMN);
-  print_choices(option, COLUMN);
+  describe(option, COLUMN, COLUMN);
 }
 
 void cli_print_overview(void) {
@@ -143,7 +149,6 @@ void cli_print_page(const cli_command_t *command) {
   }
 }
 
-// The commands that take an option.
 static void print_commands(const cli_option_t *option) {
   const char *separator = "of";
   for (size_t i = 0; i < cli_command_count; i++) {
@@ -166,7 +171,6 @@ static bool is_of(const cli_option_t *option, const char *word) {
 }
 
 bool cli_print_option(const char *word) {
-  char text[1024];
   bool found = false;
   for (size_t i = 0; i < cli_option_count; i++) {
     const cli_option_t *option = &cli_options[i];
@@ -174,17 +178,10 @@ bool cli_print_option(const char *word) {
       (void)printf("%s %s ", option->name,
                    option->value != NULL ? option->value : "");
       print_commands(option);
-      describe(option, text, sizeof text);
       (void)puts(":");
-      cli_print_filled(text, 0, 0);
-      print_choices(option, 2);
+      describe(option, 0, 2);
       found = true;
     }
   }
   return found;
-}
-
-int cli_print_version(void) {
-  (void)puts("twofold " TF_VERSION ", tf_real_t is " CLI_NUMBER_TYPE);
-  return cli_finish_stdout();
 }

@@ -1,10 +1,7 @@
 // The options of all commands, in the order of the help. From a row come the
-// reading of the option with its checks and messages, its lines in the help of
-// its commands, in `twofold help OPTION` and in the manual, what is suggested
-// for a mistyped word, and the completions of bash, zsh and fish. So a new
-// option is a row here; a new member of cli_args_t keeps its value.
-//
-// An option that means something else in another command has a row for each.
+// reading of the option, help and manual, suggestions and completions. So a new
+// option is a row here; a new member of cli_args_t keeps its value. An option
+// that means something else in another command has a row for each.
 
 #include <string.h>
 
@@ -50,53 +47,47 @@ static const cli_choice_t rules[] = {
     {"slip+", "an escaping stick ends at once, to this side"},
     {"slip-", "likewise"},
     {"random",
-     "with :SEED behind it or not: it ends at the rate `rate` [1/s], "
-     "to either side"},
+     "it ends at a random time, at the rate `rate` [1/s], to either side; "
+     "random:SEED sets the seed"},
     {NULL, NULL}};
 static const cli_choice_t between[] = {
-    {"held", "a row of it holds until the next one"},
-    {"linear", "between two rows inputs are linear"},
+    {"held", "each row holds until the next one"},
+    {"linear", "inputs change linearly from row to row"},
     {NULL, NULL}};
 static const cli_choice_t formats[] = {
-    [CLI_FORMAT_CSV] = {"csv",
-                        "t,r,v,omega,h,g,F,M,mode,choices (the default)"},
-    [CLI_FORMAT_PLOTTER] = {"plotter",
-                            "label:value pairs for a serial plotter"},
+    [CLI_FORMAT_CSV] = {"csv", "t,r,v,omega,h,g,F,M,mode,choices; for files"},
     [CLI_FORMAT_FRAMES] = {"frames",
-                           "what a board sends: see "
-                           "docs/PROTOCOL.md"},
-    {NULL, NULL}};
-static const cli_choice_t streams[] = {
-    {"csv", "as `run` writes them; for files"},
-    {"plotter", "label:value pairs, for the Arduino IDE's plotter"},
-    {"teleplot", "name:ms:value, for Teleplot's UDP port"},
-    {"json", "an object a line, for PlotJuggler's UDP server"},
-    {NULL, NULL}};
+                           "what a board sends: see docs/PROTOCOL.md; of "
+                           "monitor all bytes as they come"},
+    [CLI_FORMAT_JSON] = {"json",
+                         "an object a line, for PlotJuggler's UDP server"},
+    [CLI_FORMAT_PLOTTER] = {"plotter",
+                            "label:value pairs, for the Arduino IDE's "
+                            "plotter"},
+    [CLI_FORMAT_TELEPLOT] = {"teleplot",
+                             "name:ms:value, for Teleplot's UDP port"},
+    [CLI_FORMATS] = {NULL, NULL}};
 static const cli_choice_t summaries[] = {
     {"text", ""}, {"json", ""}, {NULL, NULL}};
 static const cli_choice_t mechanisms[] = {
     [CLI_BY_RANDOM] = {"random",
-                       "a draw: an escaping stick is left at --rate, "
-                       "to either side with equal probability (the "
-                       "default)"},
+                       "a draw: an escaping stick is left at --rate, to either "
+                       "side with equal probability (the default)"},
     [CLI_BY_NOISE] = {"noise", "white noise on h, of --size"},
     [CLI_BY_SMOOTHING] = {"smoothing",
                           "sign(h) smoothed over the width --size"},
     [CLI_BY_HYSTERESIS] = {"hysteresis",
-                           "friction changes its side at |h| = "
-                           "--size"},
+                           "friction changes its side at |h| = --size"},
     [CLI_BY_DELAY] = {"delay", "friction has the sign that h had --size ago"},
     {NULL, NULL}};
 static const cli_choice_t codim2[] = {
-    [CLI_CODIM2_REST] = {"rest",
-                         "pinned, where that is consistent, until a "
-                         "draw (the default)"},
+    [CLI_CODIM2_REST] =
+        {"rest",
+         "stays pinned, where it may, until an exit is drawn (the default)"},
     [CLI_CODIM2_ATTRACTING] = {"attracting",
-                               "the attracting stick where there "
-                               "is one"},
+                               "the attracting stick where there is one"},
     [CLI_CODIM2_EVEN] = {"even",
-                         "one of the consistent modes, all equally "
-                         "likely"},
+                         "one of the consistent modes, all equally likely"},
     {NULL, NULL}};
 static const cli_choice_t commands[] = {
     {"start", ""},   {"stop", ""},     {"reset", ""},  {"snapshot", ""},
@@ -112,8 +103,8 @@ static int read_set(void *to, const cli_given_t *given) {
 // An option that is the name of a setting.
 static int read_named(void *to, const cli_given_t *given) {
   cli_args_t *args = to;
-  return cli_settings_add_named(&args->settings, given->name, given->name + 2,
-                                given->value);
+  return cli_settings_add_named(&args->settings, given->name, given->value,
+                                given->name + 2, given->value);
 }
 
 static int read_shard(void *to, const cli_given_t *given) {
@@ -151,10 +142,9 @@ const cli_option_t cli_options[] = {
     {"--rate", "R", CLI_DIVERGE, OTHER, .read = read_named,
      .what = "of --by random [1/s]; default: the scene's rate"},
     {"--size", "S", CLI_DIVERGE, REAL(size), .how = CLI_OPEN, .high = 1,
-     .what = "of what selects the exit; unit: see below"},
+     .what = "of the perturbation; its unit is in the table below"},
     {"--spread", "Q", CLI_DIVERGE, REAL(spread), .low = 1, .high = 1e6,
-     .what = "the size of each sample is drawn from [S/Q, S], "
-             "log-uniformly"},
+     .what = "the size of each sample is drawn from [S/Q, S], log-uniformly"},
     {"--codim2", "MODE", CLI_DIVERGE, CHOICE(codim2), .choices = codim2,
      .what = "--by random at h = g = 0:"},
     {.commands = CLI_DIVERGE, .what = "how much:"},
@@ -167,9 +157,11 @@ const cli_option_t cli_options[] = {
     {"--seed", "N", CLI_DIVERGE, WHOLE(seed), .high = UINT32_MAX, .usual = 1,
      .what = "of the draws"},
     {"--dt", "DT", CLI_DIVERGE, OTHER, .read = read_named,
-     .what = "step [s]; near the two-fold (random: in slip) DT / K"},
+     .what = "step [s]; near the two-fold (random: in slip, <= 1 ms) DT / K"},
     {"--near", "K", CLI_DIVERGE, REAL(refinement), .low = 1, .high = 1e6,
-     .what = "how much shorter steps are near the two-fold"},
+     .what = "steps near the two-fold are K times shorter"},
+    {"--fine", "N", CLI_DIVERGE, REAL(fine), .low = 1, .high = 1e6, .usual = 16,
+     .what = "noise next to h = g = 0: takes N steps to bring it there"},
     {"--section", "D", CLI_DIVERGE, REAL(section), .how = CLI_OPEN, .high = 1e3,
      .unit = "m", .usual = 1e-3,
      .what = "the phase is read where r is D past the two-fold"},
@@ -188,19 +180,19 @@ const cli_option_t cli_options[] = {
     {"--scheme", "NAME", MOTIONS, CHOICE(scheme), .choices = schemes,
      .usual = CLI_NOT_GIVEN, .noun = "scheme", .what = "of the steps:"},
     {"--accuracy", "E", CLI_RUN, REAL(accuracy), .how = CLI_OPEN, .high = 1,
-     .what = "of --scheme moreau: takes every step in halves as well, at three "
-             "times the cost; one that these say is off by more than E, as a "
-             "share of the velocities, is coarse"},
+     .what = "of --scheme moreau: takes each step also as two halves, at three "
+             "times the cost, and calls it coarse where they differ by more "
+             "than E, as a share of the velocities"},
     {"--realtime", NULL, CLI_RUN, FLAG(real_time),
      .what = "every step waits for its time on the wall clock; the summary "
              "counts the late ones"},
     {"--priority", NULL, CLI_RUN, FLAG(priority), .needs = "--realtime",
-     .what = "with --realtime: before all other programs, with memory locked "
-             "(SCHED_FIFO, which needs the right)"},
+     .what = "with --realtime: runs before all other programs (SCHED_FIFO), "
+             "with its memory locked; needs the permission"},
     {"--lateness", "FILE", CLI_RUN, PATH(lateness), .how = CLI_WRITES,
      .needs = "--realtime",
-     .what = "with --realtime: a histogram of how long after their time steps "
-             "began and ended, us,began,ended"},
+     .what = "with --realtime: a histogram of how late steps began and ended; "
+             "columns us,began,ended"},
     {"--select", "RULE", MOTIONS | CLI_SCENE, TEXT(select), .choices = rules,
      .noun = "rule",
      .what = "selects one of several consistent modes; default: the scene's "
@@ -218,11 +210,15 @@ const cli_option_t cli_options[] = {
      .usual = 1,
      .what = "a row every N steps; the first and the last instant are always "
              "written"},
-    {"--format", "NAME", CLI_RUN, CHOICE(format), .choices = formats,
-     .noun = "format", .what = "of the rows:"},
+    {"--format", "NAME", CLI_RUN | CLI_MONITOR, CHOICE(format),
+     .choices = formats, .usual = CLI_NOT_GIVEN, .noun = "format",
+     .what = "of the rows (run: csv unless another is given; monitor: without "
+             "it no rows, and a terminal shows --live):"},
+    {"--as", "NAME", CLI_MONITOR, CHOICE(format), .choices = formats,
+     .usual = CLI_NOT_GIVEN, .noun = "format", .what = "the same as --format"},
     {"--shard", "I/N", CLI_DIVERGE | CLI_SWEEP, OTHER, .read = read_shard,
-     .what = "only part I of N of the samples or points; the rows of the "
-             "parts, one file after the other, are those of all"},
+     .what = "only part I of N of the samples or points; the files of all "
+             "parts, one after the other, have the rows of the whole"},
     {.commands = CLI_DIVERGE, .what = "files, CSV:"},
     {"--exits", "FILE", CLI_DIVERGE, PATH(exits), .how = CLI_WRITES,
      .what = "sample,cycle,time [s since the arrival],r [m],omega [rad/s],g "
@@ -243,35 +239,32 @@ const cli_option_t cli_options[] = {
              "--counts, --returns, --exits)"},
     {"--header", NULL, CLI_DIVERGE, FLAG(header),
      .what = "writes a header even if the shard is not the first"},
-    {"--as", "FORM", CLI_MONITOR, CHOICE(as), .choices = streams,
-     .usual = CLI_NOT_GIVEN, .noun = "form",
-     .what = "rows, with the digits of the sender's number type; without this "
-             "option a terminal shows --live. Forms:"},
-    {"--csv", NULL, CLI_MONITOR, FLAG(csv), .what = "--as csv"},
+    {"--csv", NULL, CLI_MONITOR, FLAG(csv), .what = "--format csv"},
     {"--live", NULL, CLI_RUN | CLI_MONITOR, FLAG(live),
      .what = "draws the planes (g, h) and (r, omega) and the modes over time "
              "in the terminal (run: with --realtime at the pace of the "
-             "machine; monitor: the last ten seconds); rows go to --out only"},
+             "machine; monitor: the last ten seconds), until it ends or q is "
+             "pressed; rows go to --out only"},
     {"--out", "FILE", MOTIONS | CLI_SCENE | ANALYSES | CLI_MERGE | CLI_MONITOR,
      PATH(out), .how = CLI_WRITES,
-     .what = "instead of standard output; monitor: with --as"},
+     .what = "instead of standard output; monitor: with --format"},
     {"--save", "FILE", CLI_RUN, PATH(save), .how = CLI_WRITES,
      .what = "the state at the end of the run, whatever ends it"},
     {"--from", "FILE", CLI_RUN, PATH(from), .how = CLI_READS,
      .what = "continues from there, bit for bit: t-end is that of the whole, "
              "and the first row is the last one of the run before"},
     {"--replay", "FILE", CLI_RUN, PATH(replay), .how = CLI_READS,
-     .what = "repeats, to the bit, what a board did while 'twofold monitor "
-             "--record FILE' sent it commands; with --dt 1/RATE of its "
-             "firmware, in its number type; --save then keeps what commands "
-             "have left in effect, and the summary names the options by which "
-             "--from goes on with it"},
+     .what = "repeats, to the bit, what a board did under the commands that "
+             "'twofold monitor --record FILE' sent it. Needs --dt 1/RATE of "
+             "the firmware and the board's number type. --save keeps the "
+             "settings that the commands left, and the summary names the "
+             "options with which --from continues"},
     {"--record", "FILE", CLI_MONITOR, PATH(record), .how = CLI_WRITES,
      .what = "the commands that took effect, each with its step, for 'twofold "
              "run SCENE --replay FILE'"},
     {"--resume", NULL, CLI_SWEEP, FLAG(resume),
-     .what = "goes on with the rows of FILE.part whose check is right; does "
-             "nothing where FILE is whole"},
+     .what = "continues FILE.part of a sweep that was stopped; does nothing "
+             "where FILE is complete"},
     {"--provenance", NULL, CLI_RUN | GRIDS | CLI_DIVERGE | CLI_MONITOR,
      FLAG(provenance),
      .what = "four comment lines before the header of CSV (diverge: of "
@@ -285,15 +278,16 @@ const cli_option_t cli_options[] = {
      .what = "events that the summary lists; default 20"},
     {.commands = CLI_DIVERGE, .what = "all branches:"},
     {"--exhaustive", NULL, CLI_DIVERGE, FLAG(exhaustive),
-     .what = "every mode of every state with several consistent ones; an "
-             "escaping stick is left at multiples of --grid, to both sides"},
+     .what = "follows every mode wherever several are consistent, and leaves "
+             "an escaping stick at multiples of --grid, to both sides"},
     {"--grid", "T", CLI_DIVERGE, REAL(grid), .low = 1e-6, .high = 1e3,
      .unit = "s", .usual = 1e-2, .needs = "--exhaustive",
      .what = "from one exit to the next"},
     {"--depth", "N", CLI_DIVERGE, WHOLE(depth), .low = 1, .high = 1000,
-     .usual = 3, .needs = "--exhaustive", .what = "states in a row"},
+     .usual = 3, .needs = "--exhaustive",
+     .what = "choices one after the other"},
     {"--count", "N", CLI_DIVERGE, WHOLE(nodes), .low = 1, .high = 1e6,
-     .usual = 1000, .needs = "--exhaustive", .what = "states in all"},
+     .usual = 1000, .needs = "--exhaustive", .what = "choices in all"},
     {"--branches", "FILE", CLI_DIVERGE, PATH(branches), .how = CLI_WRITES,
      .needs = "--exhaustive",
      .what = "node,depth,kind,r,omega,mode,stick_time,exit_r,exit_omega,end,"
@@ -304,20 +298,20 @@ const cli_option_t cli_options[] = {
      .what = "speed of a serial device; default: unchanged"},
     {"--send", "COMMAND", CLI_MONITOR, OTHER, .read = cli_read_send,
      .how = CLI_REPEATABLE, .choices = commands,
-     .what = "sends a command to the board and prints the answer; may be "
-             "repeated. Commands: start, stop, reset, snapshot, restore, "
-             "describe, clear, set:NAME=VALUE, select:RULE[:SEED], input (the "
-             "scene's own), input:OMEGA0,R0,FORCE,TORQUE, deadman:TICKS that "
-             "inputs hold (0: without end), every:STEPS from record to record. "
-             "Ends after the last answer unless "
-             "there is --as or a live view"},
+     .what =
+         "sends a command to the board and prints the answer; may be repeated. "
+         "Commands: start, stop, reset, snapshot, restore, describe, clear, "
+         "set:NAME=VALUE, select:RULE[:SEED], input (the scene's own), "
+         "input:OMEGA0,R0,FORCE,TORQUE, deadman:TICKS for which inputs hold "
+         "(0: for ever), every:STEPS from record to record. Ends after the "
+         "last answer unless there is --format or a live view"},
     {"--key", "FILE", CLI_MONITOR, TEXT(key), .how = CLI_READS,
-     .what = "32 hexadecimal digits, which the owner of the file alone may "
-             "read: the key of a board that wants its commands tagged"},
+     .what = "the key of a board that takes only tagged commands: a file of 32 "
+             "hexadecimal digits that only its owner may read"},
     {"--verify", NULL, CLI_MONITOR, FLAG(verify), .needs = "--key",
-     .what = "leave out, and count, what comes from the board without the tag "
-             "of its key"},
+     .what = "leaves out frames without the tag of the board's key, and counts "
+             "them"},
     {"--follow", NULL, CLI_MONITOR, FLAG(follow),
-     .what = "wait for a device that was unplugged, or for a file to grow"},
+     .what = "waits until an unplugged device is back, or until a file grows"},
 };
 const size_t cli_option_count = sizeof cli_options / sizeof cli_options[0];

@@ -54,16 +54,19 @@ static const topic_t topics[] = {
      "The contact: slip+ (h > 0), slip- (h < 0), stick+ (h = 0, g > 0), "
      "stick- (h = 0, g < 0), pinned (h = g = 0, at rest on the turntable)."},
     {"choices futures ambiguous ambiguous_since choices_at_start",
-     "How many modes were consistent in a step. Where it is more than one "
-     "the physics leaves open what follows; --select takes one by a declared "
-     "rule, 'diverge' follows all. The summary of 'run' counts such steps, "
-     "and tells the time [s] since when there are any: 0 where the start has "
+     "How many modes were consistent in a step. Where there are several, the "
+     "physics does not decide what follows; --select takes one by a declared "
+     "rule, 'diverge' follows all. The summary of 'run' counts such steps, and "
+     "tells the time [s] since when there are any: 0 where the start has "
      "several."},
     {"two-fold singularity escaping sliding crossing",
-     "Where stick runs from the sliding region (both slips drive h to 0) "
-     "into the escaping region (both drive it away), in finite time. What "
-     "follows is not unique. 'singularities' lists them, 'regions' maps the "
-     "regions."},
+     "Where stick runs from the sliding region (both slips drive h to 0) into "
+     "the escaping region (both drive it away), in finite time. What follows "
+     "is not unique. 'singularities' lists them, 'regions' maps the regions."},
+    {"codimension codim2",
+     "Codimension two is h = g = 0, where the contact neither slips nor rolls. "
+     "A wheel may rest there (pinned) or leave in any consistent mode: "
+     "'twofold help rest'. The summary of 'run' counts the arrivals."},
     {"law laws jump coulomb two_piece string smooth none",
      "--set law=NAME: how friction depends on h and g.\n"
      "  jump       force and moment jump where h changes sign (set-valued)\n"
@@ -77,29 +80,29 @@ static const topic_t topics[] = {
      "  hull     convex hull of the limits of slip (Filippov), the default\n"
      "  square   convex hull of the law of stick\n"
      "  bow_tie  the paper's, not convex: at some points no future"},
-    {"rule rules schemes formats events",
+    {"rule rules schemes formats event events",
      "Words that --select, --scheme and --format take, what they mean, and "
      "--events: 'twofold help select' and so on."},
     {"frame wire schema layout heartbeat",
      "What a board sends, and 'run --format frames' writes: docs/PROTOCOL.md."},
     {"plotter",
      "Lines of label:value pairs for a serial plotter, from 'run --format "
-     "plotter', 'monitor --as plotter' and a board with FORMAT=plotter: "
+     "plotter', 'monitor --format plotter' and a board with FORMAT=plotter: "
      "r:0.18 v:-0.03 omega:-1.037 h:0 g:0.009 mode:2 choices:1 in m, m/s, "
      "rad/s, m/s, m/s; the modes are numbered slip+, slip-, stick+, stick-, "
      "pinned from 0."},
     {"input inputs table",
      "--inputs FILE --between held|linear of 'run' and 'sweep': inputs over "
-     "time, from a CSV table; FILE - is standard input. The first column is "
-     "t [s], in no row earlier than in the one before; any of these follow: "
-     "omega0 [rad/s], r0 [m], force [N], torque [N m]. Lines that begin with # "
-     "are comments; "
-     "'# N rows' is how many rows there have to be.\n"
+     "time, from a CSV table; FILE - is standard input. The first column is t "
+     "[s], which never decreases; any of these follow: omega0 [rad/s], r0 [m], "
+     "force [N], torque [N m]. Lines that begin with # are comments; '# N "
+     "rows' is how many rows there have to be. A last line without a newline "
+     "gives a warning; it is refused where the length is declared.\n"
      "  held    a row holds from the first step that begins at t until the\n"
-     "          next row does; a step is told its omega0 and alpha = 0, and\n"
-     "          where omega0 is another one, the turntable jumps at its start\n"
-     "  linear  between rows; a step is told omega0 at its end and its mean\n"
-     "          slope alpha, and the mean of r0, force and torque over it\n"
+     "          next row does; its steps have its omega0 and alpha = 0, and\n"
+     "          where omega0 changes, the turntable jumps as a step begins\n"
+     "  linear  between rows; a step has omega0 at its end, its mean slope\n"
+     "          alpha, and the mean of r0, force and torque over the step\n"
      "Two rows of one time are a jump; linear, one within a step acts on its "
      "omega0 at its start. Steps of --scheme located are split at the rows of "
      "a linear table. Before the first row and after the last one it is that "
@@ -111,12 +114,13 @@ static const topic_t topics[] = {
     {"exit exits codes",
      CLI_EXIT_CODES " The file --exits of 'diverge' is something else."},
     {"degraded coarse stalled fell_back fell-back reserved_since",
-     "A step is degraded where no mode is consistent, or h and g contradict "
-     "the mode; coarse where it does not resolve the motion, or a located step "
-     "misses its tolerance: a smaller dt helps; stalled where the change of "
-     "the motion is lost in rounding: a longer dt helps, double, or --scheme "
-     "compensated. All are counted, and make exit code 5. fell_back: a located "
-     "step that tf_step took, to its own order."},
+     "Steps that may be wrong; they are counted, and make the exit code 5. "
+     "degraded: no mode is consistent, or h and g contradict the mode. coarse: "
+     "the step is too long for the motion, or a located step misses its "
+     "tolerance; take a smaller dt. stalled: the motion of a step is lost in "
+     "rounding; take a larger dt, double, or --scheme compensated. fell_back, "
+     "which changes no exit code: tf_step took a located step, to its own "
+     "order."},
     {"summary json text message",
      "What 'run', 'sweep', 'diverge' and 'monitor' say on standard error at "
      "their end. --summary json: one line of JSON, the last one there; SI "
@@ -128,24 +132,25 @@ static const topic_t topics[] = {
      "output_seconds cost late latest applied passed within jumps rows last "
      "t_first t_last name held changes began_with commands states left source",
      "In the summary of 'run': steps before it (first), up to its end and "
-     "asked for; why and where it ended (end, final); its events (list, "
-     "kinds, and their counts); how well stick [m/s] and law [N] hold, "
-     "and what --accuracy estimates (largest); time on the clock [s] and late "
-     "steps of --realtime. Of a "
-     "table of inputs: rows from t_first to t_last, of which some passed "
-     "between two steps or lie within one (as jumps), and the least and the "
-     "largest value applied. Of --replay: what commands have changed, and "
-     "whose inputs hold."},
+     "asked for; why and where it ended (end, final); its events (list, kinds, "
+     "and their counts); how well stick [m/s] and law [N] hold, and what "
+     "--accuracy estimates (largest); time on the clock [s] and late steps of "
+     "--realtime. Of a table of inputs: rows from t_first to t_last, of which "
+     "some passed between two steps or lie within one (as jumps), and the "
+     "least and the largest value applied. Of --replay: what commands have "
+     "changed, and whose inputs hold."},
     {"bytes broken forged lost missing restarts too_long other_version "
      "other_runs not_finite unmatched unknown sender dropped overruns skipped "
      "expired exec_min_ns exec_mean_ns exec_max_ns",
      "Counts of 'monitor': frames that came damaged, not at all, too long, "
      "forged or of another run (other_runs), and what the board's own "
      "heartbeat counts (docs/PROTOCOL.md)."},
+    {"together",
+     "Of 'sweep': how many points are followed at once (docs/SWEEPS.md)."},
     {"progress",
-     "Work of more than two seconds tells on standard error how far it is "
-     "and how long it still takes: one line on a terminal, a line now and "
-     "then in a log; not where the rows go to the same terminal."},
+     "After two seconds, long work says on standard error how far it is and "
+     "how much time is left: on a terminal in one line, in a log now and then. "
+     "It does not where the rows go to the same terminal."},
     {"tick step",
      "A step of the length dt [s], the parameter; its number is the tick, "
      "and time is tick times dt. Frames, records and --save count ticks."},
@@ -159,13 +164,12 @@ static const topic_t topics[] = {
      "expire after so many ticks; then the safe ones hold, those of a machine "
      "that nothing drives: docs/PROTOCOL.md."},
     {"provenance unit units commit hash parameters number",
-     "--provenance of 'run', 'diverge', 'regions', 'atlas' and 'monitor': "
-     "four '# ' lines before the header with version, commit and checksum "
-     "of the sources, number type; "
-     "scene, its hash, that of the parameters, law, rule, seed; scheme, dt, "
-     "hash of the inputs; units of the columns. The file of 'sweep' always "
-     "has such lines, and the JSON of 'singularities' and 'design' has them "
-     "as members. All numbers are in SI units."},
+     "--provenance of 'run', 'diverge', 'regions', 'atlas' and 'monitor': four "
+     "'# ' lines before the header with version, commit and checksum of the "
+     "sources, number type; scene, its hash, that of the parameters, law, "
+     "rule, seed; scheme, dt, hash of the inputs; units of the columns. The "
+     "file of 'sweep' always has such lines, and the JSON of 'singularities' "
+     "and 'design' has them as members. All numbers are in SI units."},
     {"region lambda delassus",
      "Columns of 'regions': what becomes of motions at a point of the "
      "surface h = 0; the force [N] that holds h = 0 there; how much a force "
@@ -177,9 +181,8 @@ static const topic_t topics[] = {
      "outcomes",
      "Columns of 'sweep', what status may be, and what it finds: 'twofold "
      "help sweep'."},
-    {"returned small_cycle timeout canard "
-     "phase side landing landings windings branch branches node nodes joined "
-     "counts begun",
+    {"returned small_cycle timeout canard phase side landing landings windings "
+     "branch branches node nodes joined counts begun",
      "What 'diverge' samples and finds: 'twofold help diverge'."},
     {"alpha",
      "Mean acceleration of the turntable over a step [rad/s^2], by the column "
@@ -228,17 +231,21 @@ static const char *const about[TF_PARAMETERS] = {
     "of --scheme located: relative error of a segment of its series",
     "of --scheme located: how many segments a step may take"};
 
-// Whether a word is in a list.
+// Cuts the next word off a list. Returns: whether there is one.
+static bool next_word(const char **words, char word[WORD_ROOM]) {
+  const size_t span = strcspn(*words, " ");
+  (void)snprintf(word, WORD_ROOM, "%.*s", (int)span, *words);
+  *words += span + ((*words)[span] == ' ' ? 1 : 0);
+  return span > 0;
+}
+
 static bool is_in(const char *words, const char *word) {
-  const size_t length = strlen(word);
-  for (const char *at = words; *at != '\0' && length > 0;) {
-    const size_t span = strcspn(at, " ");
-    if (span == length && strncmp(at, word, length) == 0) {
-      return true;
-    }
-    at += span + (at[span] == ' ' ? 1 : 0);
+  char one[WORD_ROOM];
+  bool found = false;
+  while (!found && next_word(&words, one)) {
+    found = strcmp(one, word) == 0;
   }
-  return false;
+  return found;
 }
 
 static bool print_parameter(const char *word) {
@@ -266,16 +273,17 @@ static bool print_scene(const char *word) {
 }
 
 static bool print_outcome(const char *word) {
-  for (size_t i = 0; i < CLI_MEASURES; i++) {
-    const cli_measure_info_t *info = &cli_measures[i];
-    if (strcmp(info->name, word) == 0) {
-      (void)printf("Outcome %s of 'sweep': %s%s%s.\n", word,
-                   info->what[0] != '\0' ? info->what : "state at the end",
-                   info->unit[0] != '\0' ? ", unit " : "", info->unit);
-      return true;
-    }
+  cli_closest_t closest = cli_closest_to(word);
+  const size_t i = cli_closest_find(&closest, cli_measures, CLI_MEASURES,
+                                    sizeof cli_measures[0]);
+  if (i == CLI_MEASURES) {
+    return false;
   }
-  return false;
+  const cli_measure_info_t *info = &cli_measures[i];
+  (void)printf("Outcome %s of 'sweep': %s%s%s.\n", word,
+               info->what[0] != '\0' ? info->what : "state at the end",
+               info->unit[0] != '\0' ? ", unit " : "", info->unit);
+  return true;
 }
 
 // A word may be several things: `string` is a law and a scene.
@@ -293,16 +301,6 @@ bool cli_topic(const char *word) {
   return found;
 }
 
-static void offer_words(cli_closest_t *closest, const char *words) {
-  while (*words != '\0') {
-    char word[WORD_ROOM];
-    const size_t span = strcspn(words, " ");
-    (void)snprintf(word, sizeof word, "%.*s", (int)span, words);
-    cli_closest_offer(closest, word);
-    words += span + (words[span] == ' ' ? 1 : 0);
-  }
-}
-
 void cli_topics_offer(cli_closest_t *closest) {
   (void)cli_closest_find(closest, tf_parameter_ranges, TF_PARAMETERS,
                          sizeof tf_parameter_ranges[0]);
@@ -317,6 +315,9 @@ void cli_topics_offer(cli_closest_t *closest) {
     }
   }
   for (size_t i = 0; i < TOPICS; i++) {
-    offer_words(closest, topics[i].words);
+    const char *words = topics[i].words;
+    for (char word[WORD_ROOM]; next_word(&words, word);) {
+      cli_closest_offer(closest, word);
+    }
   }
 }

@@ -42,12 +42,17 @@ INSTALLED = bin/twofold include/twofold.h \
   $(addprefix lib/pkgconfig/,twofold.pc twofold_f64.pc twofold_f32.pc) \
   $(patsubst tools/package/dist/install/%.cmake,lib/cmake/twofold/%.cmake,\
     $(wildcard tools/package/dist/install/*.cmake)) \
-  share/man/man1/twofold.1
+  share/man/man1/twofold.1 $(COMPLETIONS)
+# Where the shells look for them.
+COMPLETIONS := share/bash-completion/completions/twofold \
+  share/zsh/site-functions/_twofold share/fish/vendor_completions.d/twofold.fish
 # Folders of its own, and others, which go with it where they are then empty and
 # no folder of the system.
 ROOMS := include/twofold lib/cmake/twofold
 ifneq ($(filter-out '/usr' '/usr/' '/usr/local' '/usr/local/',$(AT)),)
-ROOMS += bin include lib/pkgconfig lib/cmake lib share/man/man1 share/man share
+ROOMS += bin include lib/pkgconfig lib/cmake lib share/man/man1 share/man \
+  $(foreach room,bash-completion/completions bash-completion \
+    zsh/site-functions zsh fish/vendor_completions.d fish,share/$(room)) share
 endif
 
 # $(call fill,FROM,TO,REAL,TYPE,FLAGS)
@@ -72,19 +77,30 @@ install: $(BUILD)/double/twofold $(BUILD)/float/libtwofold.a
 	  lib/cmake/twofold/twofoldConfigVersion.cmake)
 	@tools/package/dist/manual $(BUILD)/double/twofold $(TF_VERSION) \
 	  >$(AT)/share/man/man1/twofold.1
+	@for file in $(COMPLETIONS); do \
+	  mkdir -p $(AT)/$${file%/*} && \
+	  $(BUILD)/double/twofold completions $$(echo $$file | cut -d / -f 2 | \
+	    sed 's/-.*//') >$(AT)/$$file || exit 1; done
 	@echo 'twofold $(TF_VERSION) is in' $(AT).
 
 uninstall: ## remove what `make install` put there
 	@rm -f $(foreach file,$(INSTALLED),$(AT)/$(file))
 	@rmdir $(foreach room,$(ROOMS),$(AT)/$(room)) 2>/dev/null || true
 
+.PHONY: api
+api: ## the public headers as pages: build/api/index.html
+	@command -v doxygen >/dev/null || { echo >&2 'doxygen is missing' \
+	  '(Debian: apt-get install doxygen)'; exit 3; }
+	@rm -rf $(BUILD)/api && mkdir -p $(BUILD)
+	@{ cat tools/package/dist/api/Doxyfile; echo 'HTML_OUTPUT = $(BUILD)/api'; \
+	  } | doxygen -
+	@echo 'The pages are in $(BUILD)/api/index.html.'
+
 test-dist: ## each package, compiled and run as its user would
 test-dist: dist $(BUILD)/double/twofold $(BUILD)/float/twofold
 	@MAKEFLAGS= MAKELEVEL= MAKE='$(MAKE)' BUILD='$(BUILD)' \
 	  tools/package/dist/test/run.py $(DISTS)
 
-# Where `make fmu` puts what it makes: twofold.fmu is for FMI 3.0.
-FMU_DIST := $(BUILD)/dist
 FMU_SCENE := $(notdir $(or $(SCENE),chaos))
 FMU_SCENES := $(patsubst %,$(BUILD)/fmu/%/done,$(shell \
   sed -n 's/^ *\.name = "\(.*\)",$$/\1/p' src/scene/scenes.c))
@@ -97,10 +113,9 @@ FMU_BINARY_fmi3 := binaries/x86_64-linux
 
 fmu: ## FMUs of SCENE=chaos: build/dist/twofold.fmu
 fmu: $(BUILD)/fmu/$(FMU_SCENE)/done
-	@mkdir -p $(FMU_DIST)
-	@cp $(<D)/twofold.fmu $(<D)/twofold-fmi2.fmu $(FMU_DIST)
-	@echo 'FMI 3.0: $(FMU_DIST)/twofold.fmu'
-	@echo 'FMI 2.0: $(FMU_DIST)/twofold-fmi2.fmu'
+	@cp $(<D)/twofold.fmu $(<D)/twofold-fmi2.fmu $(DIST)
+	@echo 'FMI 3.0: $(DIST)/twofold.fmu'
+	@echo 'FMI 2.0: $(DIST)/twofold-fmi2.fmu'
 
 test-fmu: ## the FMUs of all scenes under an importer of their own
 test-fmu: $(FMU_SCENES) $(BUILD)/double/twofold

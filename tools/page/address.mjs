@@ -3,6 +3,7 @@
 // the command line's own reader. The last word is `end`, so that an
 // address that was cut off on its way is known.
 import { exact } from './decimal.mjs';
+import { isStep } from './tour.mjs';
 
 const END = 'end';
 const SHOWN = 48; // characters of a word that is not understood
@@ -39,7 +40,8 @@ export function differences(core, scene) {
   return words;
 }
 
-export function write(core, scene, log, tick) {
+// tour: its step, or null.
+export function write(core, scene, log, tick, tour = null) {
   const words = [sceneWord(core, scene)];
   for (const [name, value] of differences(core, scene))
     words.push(`${name}=${encodeURIComponent(value)}`);
@@ -49,6 +51,7 @@ export function write(core, scene, log, tick) {
       : `take=${entry.tick}:${encodeURIComponent(core.modes[entry.mode])}`);
   }
   if (tick > 0) words.push(`tick=${tick}`);
+  if (tour !== null) words.push(`tour=${tour}`);
   return whole(words);
 }
 
@@ -73,6 +76,7 @@ class Reader {
     this.told = [];
     this.log = [];
     this.tick = 0;
+    this.tour = null;
     this.given = new Map(); // words by what they say
     this.names = [];        // of the numbers that were set
   }
@@ -186,6 +190,10 @@ class Reader {
     const { name, value, word } = given;
     if (name === 'tick') {
       if (this.isFirst('tick', word)) this.tick = this.steps(value, word) ?? 0;
+    } else if (name === 'tour') {
+      const step = this.isFirst('tour', word) ? this.steps(value, word) : null;
+      if (step !== null && !isStep(step)) this.refuse(word, 'no such step');
+      else this.tour = step;
     } else if (name === 'hand' || name === 'take') {
       const entry = this[name](given);
       if (entry && this.isFirst(`${name} ${entry.tick}`, word))
@@ -196,9 +204,9 @@ class Reader {
 
 const isScene = ({ name }) => name === 'scene' || name === 'file';
 
-// Returns: { scene, own, log, tick, told, names }, the set-up being in the
-// core; own: the scene's values; told: what was not done, word by word; names:
-// of the numbers that the address sets.
+// Returns: { scene, own, log, tick, tour, told, names }, the set-up being in
+// the core; own: the scene's values; told: what was not done, word by word;
+// names: of the numbers that the address sets.
 export function read(core, text) {
   const reader = new Reader(core), words = text === '' ? [] : text.split('&');
   const isWhole = text === '' || words[words.length - 1] === END;
@@ -216,8 +224,8 @@ export function read(core, text) {
   for (const word of others) if (word.name === 'law') reader.set(word);
   for (const word of others) if (word.name !== 'law') reader.other(word);
   if (!isWhole) reader.told.push(`no '${END}' at its end: it may be cut off`);
-  const { log, tick, told, names } = reader;
+  const { log, tick, tour, told, names } = reader;
   if (told.length > TOLD)
     told.splice(TOLD, Infinity, `and ${told.length - TOLD} more`);
-  return { scene, own, log, tick, told, names };
+  return { scene, own, log, tick, tour, told, names };
 }

@@ -226,11 +226,6 @@ export class Core {
     return at === 0 ? null : this.bytes(at, columns * rows);
   }
 
-  regionsAt(r, g0, g1, count) {
-    const at = this.c.regions_at(r, g0, g1, count);
-    return at === 0 ? null : this.bytes(at, count);
-  }
-
   twoFolds() {
     const count = this.c.find_two_folds();
     const flat = this.numbers(this.c.two_folds(), 4 * count);

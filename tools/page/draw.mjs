@@ -1,6 +1,15 @@
 // What all drawings share: canvases that are sharp on any screen, the colours
-// of the style, and axes.
-import { short } from './decimal.mjs';
+// of the style, ranges and words.
+
+// An element by its id.
+export const $ = (id) => document.getElementById(id);
+
+// A new one.
+export function element(tag, properties = {}, ...children) {
+  const made = Object.assign(document.createElement(tag), properties);
+  made.append(...children);
+  return made;
+}
 
 export const TAU = 2 * Math.PI;
 export const FONT = '12px system-ui, -apple-system, "Segoe UI", "Noto Sans", ' +
@@ -20,7 +29,7 @@ export function readColours() {
 // A canvas with its size in CSS pixels.
 export class Sheet {
   constructor(id) {
-    this.canvas = document.getElementById(id);
+    this.canvas = $(id);
     this.ctx = this.canvas.getContext('2d');
     this.width = this.height = 0;
     new ResizeObserver(() => this.fit()).observe(this.canvas);
@@ -191,45 +200,4 @@ export function arrow(ctx, x0, y0, x1, y1, stroke, width = 2.5) {
   fillShape(ctx, [[x1, y1],
     [x1 - c * head - s * head * 0.5, y1 - s * head + c * head * 0.5],
     [x1 - c * head + s * head * 0.5, y1 - s * head - c * head * 0.5]], stroke);
-}
-
-// A frame with axes: x and y map numbers to pixels.
-export class Frame {
-  constructor(sheet, x, y, top = 8) {
-    this.left = 58;
-    this.right = sheet.width - 14;
-    this.top = top;
-    this.bottom = sheet.height - 34;
-    const across = (this.right - this.left) / (x.high - x.low);
-    const up = (this.bottom - this.top) / (y.high - y.low);
-    this.rangeX = x;
-    this.rangeY = y;
-    this.x = (value) => this.left + (value - x.low) * across;
-    this.y = (value) => this.bottom - (value - y.low) * up;
-  }
-
-  get box() {
-    return [this.left, this.top, this.right - this.left,
-      this.bottom - this.top];
-  }
-
-  axes(ctx, nameX, nameY) {
-    ctx.strokeStyle = colour.line;
-    ctx.lineWidth = 1;
-    ctx.strokeRect(...this.box);
-    text(ctx, nameX, this.right, this.bottom + 14, 'right', colour.ink);
-    text(ctx, nameY, this.left - 7, this.top + 7, 'right', colour.ink);
-    const count = Math.max(2, Math.floor((this.right - this.left) / 80));
-    for (const value of ticks(this.rangeX.low, this.rangeX.high, count)) {
-      const x = this.x(value);
-      path(ctx, [[x, this.bottom], [x, this.bottom + 4]], colour.soft, 1);
-      text(ctx, short(value, 9), x, this.bottom + 14, 'center');
-    }
-    for (const value of ticks(this.rangeY.low, this.rangeY.high, 4)) {
-      const y = this.y(value);
-      path(ctx, [[this.left - 4, y], [this.left, y]], colour.soft, 1);
-      if (y > this.top + 18)
-        text(ctx, short(value, 9), this.left - 7, y, 'right');
-    }
-  }
 }

@@ -1,6 +1,7 @@
 // Work that takes longer than a frame: how much of it is done, the time left as
 // if the rest went at the mean speed so far, and a button that ends it.
 import { short } from './decimal.mjs';
+import { $ } from './draw.mjs';
 
 const PATIENCE = 0.5; // [s] before anything is shown
 const UNITS = [[31557600, 'years'], [86400, 'days'], [3600, 'h'], [60, 'min'],
@@ -14,10 +15,8 @@ function inWords(seconds) {
 
 export class Far {
   constructor(stop) {
-    const [row, done, left, button] = ['row', 'done', 'left', 'stop']
-      .map((id) => document.getElementById(id));
-    Object.assign(this, { row, done, left });
-    button.onclick = stop;
+    Object.assign(this, { row: $('row'), done: $('done'), left: $('left') });
+    $('stop').onclick = stop;
   }
 
   // Work with a goal has come to `at`. Another goal, or a way back, is other

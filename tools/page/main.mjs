@@ -3,22 +3,22 @@ import { AT, Core } from './core.mjs';
 import { numbers, putBack, read, sceneWord, whole, write } from './address.mjs';
 import { Line, Record, openSerial } from './board.mjs';
 import { short } from './decimal.mjs';
-import { readColours } from './draw.mjs';
+import { $, readColours } from './draw.mjs';
+import { Fan } from './fan.mjs';
 import { Far } from './far.mjs';
 import { download, takeFiles } from './files.mjs';
 import { Mechanism } from './mechanism.mjs';
 import { Motion } from './motion.mjs';
 import { Hand, Panel } from './panel.mjs';
-import { SlipPlane, SurfacePlane } from './planes.mjs';
+import { dragTime, holdMachine, turnSpace } from './pointers.mjs';
+import { Space } from './space.mjs';
 import { commandLine, showState, tellTime } from './status.mjs';
 import { Strips } from './strips.mjs';
+import { Tour, stepWords } from './tour.mjs';
 
 const BUDGET = 9;   // of a frame, for steps [ms]
 const PATIENT = 40; // of one that is on its way to a far goal
-const TRAIL = 1.5; // [s] in the planes
-const HAND = { spring: 40, damper: 6, brake: 1.5, force: 20, torque: 6 };
 
-const $ = (id) => document.getElementById(id);
 const bytes = Uint8Array.from('@CORE@'.match(/../g), (x) => parseInt(x, 16));
 const compiled = new WebAssembly.Module(bytes);
 const core = new Core(compiled), scout = new Core(compiled);
@@ -26,25 +26,26 @@ const motion = new Motion(core, scout);
 const calm = matchMedia('(prefers-reduced-motion: reduce)');
 
 readColours();
-const mechanism = new Mechanism(), plane = new SlipPlane();
-const surface = new SurfacePlane(), strips = new Strips();
-const views = [mechanism, plane, surface, strips];
-const hand = new Hand((force, torque) => act(() =>
-  motion.drive(force, torque)));
+const mechanism = new Mechanism(), space = new Space(), strips = new Strips();
+const views = [mechanism, space, strips];
+const hand = new Hand(push);
 const panel = new Panel(core, change, refuse);
 const far = new Far(stop);
+const fan = new Fan(motion, choose);
+const page = { motion, play, seek, showFan, openAt, push, showHand,
+  isLive: () => live !== null };
+const pull = holdMachine(mechanism, page);
+const tour = new Tour(motion, goTo);
 
 let scene = 0;
 let own = {};            // the scene's values
 let isPlaying = false;
 let goal = 0;            // the tick that the motion is to reach
 let part = 0;            // of a step, left over from the last frame
-let held = null;         // what a pointer holds
-let fan = null;          // { tick, futures }
+let isFanDue = false;    // at the goal, for the tour
 let live = null;         // a board's line in place of the motion
 let isStale = true;
 let writing = null;      // the rows that are written to a file
-let sayTimer = 0;
 let draws = 0;
 
 const speed = () => 10 ** Number($('speed').value);
@@ -52,24 +53,17 @@ const span = () => Number($('span').value);
 
 function say(words) {
   $('said').textContent = words;
-  clearTimeout(sayTimer);
-  sayTimer = setTimeout(() => { $('said').textContent = ''; },
+  clearTimeout(say.timer);
+  say.timer = setTimeout(() => { $('said').textContent = ''; },
     4000 + 60 * words.length);
-}
-
-// Does something to the present; what lay ahead is another motion now.
-function act(what) {
-  what();
-  goal = motion.tick;
-  showFan(null);
-  remember();
 }
 
 function remember() {
   isStale = true;
   clearTimeout(remember.timer);
   remember.timer = setTimeout(() => history.replaceState(null, '',
-    `#${write(core, scene, motion.log, Math.max(motion.tick, goal))}`), 250);
+    `#${write(core, scene, motion.log, Math.max(motion.tick, goal),
+      tour.number)}`), 250);
 }
 
 // Ends what takes long: what is reached is where the motion stays.
@@ -87,19 +81,27 @@ function refuse(words) {
   if (words) say(words);
 }
 
-// The scene of a file stands last in the list.
-function showFile() {
-  const list = $('scene').options;
-  list[core.ownScene] = new Option(core.scenes[core.ownScene]);
-}
-
 // Opens a file with a scene, or says what is wrong in it.
 async function openFile(file) {
   const refusal = core.takeFile(file.name, await file.text());
   refuse(refusal);
-  if (refusal) return;
+  if (!refusal) openScene(core.ownScene);
+}
+
+// Another scene runs where this one did, or where the tour has shown one.
+function openScene(number) {
+  const runs = isPlaying || tour.number !== null && !calm.matches;
+  open(whole([sceneWord(core, number)]));
+  play(runs);
+  remember();
+}
+
+// Opens a step of the tour as it begins, or leaves the tour for null.
+function goTo(number) {
   play(false);
-  open(whole([sceneWord(core, core.ownScene)]));
+  if (number === null) tour.show(null);
+  else open(whole(stepWords(number)));
+  play(Boolean(tour.step.plays) && !calm.matches);
   remember();
 }
 
@@ -125,12 +127,14 @@ function begin(text) {
   throw new Error(refusal);
 }
 
-// Opens what an address says.
+// Opens what an address says; nothing, and the page begins with its story.
 function open(text) {
-  const got = begin(text);
+  const got = begin(text === '' ? whole(stepWords(0)) : text);
+  say('');
   scene = got.scene;
   own = got.own;
-  if (core.file) showFile();
+  if (core.file) $('scene').options[core.ownScene] =
+    new Option(core.scenes[core.ownScene]);
   $('scene').selectedIndex = scene;
   $('shows').textContent = core.text(core.c.scene_shows(scene));
   panel.show(own);
@@ -139,7 +143,11 @@ function open(text) {
   goal = got.tick;
   part = 0;
   showFan(null);
-  isStale = true;
+  tour.show(got.tour);
+  tour.begin();
+  isFanDue = tour.step.fan !== undefined && got.log.length === 0;
+  if (isFanDue) goal = tour.step.fan;
+  if (got.tour !== null) space.see(-0.5, 0.6);
 }
 
 // A number of the set-up has a new value: the same motion, from its start.
@@ -161,7 +169,7 @@ function change(name, value) {
   if (given) say(`law ${core.lists.law[value]}: ${given}`);
   goal = Math.round(time / motion.dt);
   mechanism.begin(core);
-  surface.key = '';
+  tour.begin();
   showFan(null);
   remember();
   return null;
@@ -169,38 +177,20 @@ function change(name, value) {
 
 // The futures of the step that ends at a tick, or none.
 function showFan(tick) {
-  if (tick === (fan ? fan.tick : null)) return;
-  const all = tick === null ? []
-    : motion.futures(tick, Math.min(0.15, 0.06 * span()), 240);
-  fan = tick === null ? null
-    : { tick, futures: all.filter(({ rows }) => rows.length) };
-  const box = $('choices');
-  box.replaceChildren();
+  if (tick === fan.tick) return;
+  fan.show(tick, tour.step.fan === tick ? tour.step.reach
+    : Math.min(0.15, 0.06 * span()));
   isStale = true;
-  if (!fan) return;
-  box.append(`t = ${short(tick * motion.dt, 7)} s`);
-  let number = 0;
-  for (const { mode, rows } of all) {
-    const button = document.createElement('button');
-    const isOpen = rows.length > 0;
-    button.className = 'mode';
-    button.dataset.mode = mode;
-    button.disabled = !isOpen;
-    button.textContent = (isOpen ? `${++number}  ` : '') +
-      core.modes[mode].replace('-', '−');
-    button.title = isOpen ? `Go on with it (${number})`
-      : 'Possible in this step, but a step into it ends in another mode';
-    button.onclick = () => choose(mode);
-    box.append(button);
-  }
 }
 
 function choose(mode) {
   const { tick } = fan;
-  if (!motion.choose(tick, mode))
+  const isTaken = motion.choose(tick, mode);
+  if (!isTaken)
     say(`not taken: ${motion.stopped?.text ?? core.modes[mode]}`);
   goal = motion.tick;
   showFan(null);
+  if (tour.number !== null) play(isTaken);
   remember();
 }
 
@@ -216,7 +206,7 @@ function play(on) {
 function seek(tick) {
   goal = Math.max(0, Math.round(tick));
   motion.seek(Math.min(goal, Math.max(motion.last, motion.tick)));
-  hand.show({ force: motion.now[AT.force], torque: motion.now[AT.torque] });
+  showHand();
   remember();
 }
 
@@ -227,9 +217,28 @@ function nearest() {
   const tick = past.length ? past[past.length - 1] : all[0];
   if (tick === undefined) return say('one future at every instant so far');
   play(false);
+  return openAt(tick);
+}
+
+// Goes to an instant at which several futures are open, and shows them.
+function openAt(tick) {
   seek(tick);
   motion.seek(tick);
-  return showFan(tick);
+  showFan(tick);
+}
+
+// By hand, from the present on: what lay ahead is another motion now.
+function push(force, torque) {
+  motion.drive(force, torque);
+  goal = motion.tick;
+  showFan(null);
+  remember();
+  hand.show({ force, torque });
+  if (tour.number !== null) play(true);
+}
+
+function showHand() {
+  hand.show({ force: motion.now[AT.force], torque: motion.now[AT.torque] });
 }
 
 // Steps of a frame: towards the goal, for as long as the budget lasts.
@@ -255,29 +264,24 @@ function move(seconds) {
   }
   // What could not be done in time is not owed.
   if (isPlaying && goal - motion.tick > 1e5) goal = motion.tick;
+  follow();
   if (writing) return;
   if (isPlaying || motion.tick >= goal) far.end();
   else far.tell(`to t = ${short(goal * motion.dt, 6)} s`, motion.tick, goal);
 }
 
-// A pointer that holds the slider pulls it by a spring with a damper; one that
-// holds the disc turns it by a brake.
-function pull() {
-  if (!held) return;
-  const row = motion.now;
-  // In thousandths, so that the address stays short.
-  const within = (x, most) =>
-    Math.round(1000 * Math.max(-most, Math.min(most, x))) / 1000;
-  if (held.part === 'slider') {
-    const away = mechanism.along(held, row, held.lens) - row[AT.r];
-    motion.drive(within(HAND.spring * away - HAND.damper * row[AT.v],
-      HAND.force), 0);
-  } else {
-    motion.drive(0, within(HAND.brake * (held.turn - row[AT.omega]),
-      HAND.torque));
-    held.turn *= 0.7;
+// What the tour waits for: an instant to show futures of, or a gesture.
+function follow() {
+  if (isFanDue && motion.tick >= goal) {
+    isFanDue = false;
+    showFan(goal);
   }
-  hand.show({ force: motion.now[AT.force], torque: motion.now[AT.torque] });
+  const tick = tour.done();
+  if (tick === null) return;
+  isStale = true;
+  if (!tour.step.stops) return;
+  play(false);
+  seek(tick);
 }
 
 const csvSteps = () => Math.max(motion.tick, 1);
@@ -304,7 +308,7 @@ async function writeRows() {
 }
 
 async function share() {
-  const link = `#${write(core, scene, motion.log, motion.tick)}`;
+  const link = `#${write(core, scene, motion.log, motion.tick, tour.number)}`;
   history.replaceState(null, '', link);
   try {
     await navigator.clipboard.writeText(location.href);
@@ -351,6 +355,7 @@ function frame(now) {
   const seconds = Math.min(0.05, (now - (frame.before ?? now)) / 1000);
   frame.before = now;
   if (!live) move(seconds);
+  if (fan.run(now, calm.matches)) isStale = true;
   if (isStale || views.some((view) => view.sheet.isStale)) draw();
   requestAnimationFrame(frame);
 }
@@ -358,11 +363,12 @@ function frame(now) {
 function draw() {
   isStale = false;
   views.forEach((view) => { view.sheet.isStale = false; });
-  const futures = fan ? fan.futures : [], shown = live ?? motion;
+  fan.run(performance.now(), calm.matches);
+  const { futures } = fan, shown = live ?? motion;
   mechanism.draw(shown.now, futures);
-  plane.draw(shown, TRAIL, futures);
-  surface.draw(shown, TRAIL, futures);
-  strips.draw(shown, span(), futures, fan?.tick);
+  space.draw(shown, span() / 2, futures, fan.exits);
+  strips.draw(shown, span(), futures, fan.tick);
+  tour.tell();
   showState(shown.now, core.modes);
   tellTime(strips.sheet.canvas, shown.now, shown.last * shown.dt, core.modes);
   $('pace').textContent = `× ${short(speed(), 2)}`;
@@ -382,9 +388,12 @@ function keys(event) {
     Home: () => seek(0),
     End: () => seek(motion.last),
     f: nearest,
+    n: () => $('after').checkVisibility() && $('after').click(),
+    p: () => $('before').checkVisibility() && $('before').click(),
+    '?': () => say($('askkeys').title),
     Escape: () => (showFan(null), stop()),
   };
-  const future = fan?.futures[Number(event.key) - 1];
+  const future = fan.futures[Number(event.key) - 1];
   const action = future ? () => choose(future.mode) : actions[event.key];
   if (!action || (event.key === ' ' && event.target.tagName === 'BUTTON'))
     return;
@@ -392,75 +401,10 @@ function keys(event) {
   action();
 }
 
-function wireStrips() {
-  const { canvas } = strips.sheet;
-  let isDown = false;
-  const scrub = (place) => seek(Math.min(strips.time(place.x) / motion.dt,
-    Math.max(motion.last, motion.tick)));
-  canvas.onpointerdown = (event) => {
-    const place = strips.sheet.place(event), mark = strips.markAt(place);
-    play(false);
-    if (live) return;
-    if (mark) {
-      seek(mark.tick);
-      motion.seek(mark.tick);
-      showFan(mark.tick);
-      return;
-    }
-    showFan(null);
-    isDown = true;
-    canvas.setPointerCapture(event.pointerId);
-    scrub(place);
-  };
-  canvas.onpointermove = (event) => {
-    const place = strips.sheet.place(event);
-    if (isDown) return scrub(place);
-    const mark = strips.markAt(place);
-    canvas.style.cursor = mark ? 'pointer' : '';
-    if (mark && !live) showFan(mark.tick);
-    return undefined;
-  };
-  canvas.onpointerup = canvas.onpointercancel = () => { isDown = false; };
-}
-
-function wireMechanism() {
-  const { canvas } = mechanism.sheet;
-  canvas.onpointerdown = (event) => {
-    const place = mechanism.sheet.place(event);
-    held = live ? null : mechanism.hold(place, motion.now);
-    if (!held) return;
-    Object.assign(held, place, { turn: 0, angle: mechanism.angle(place),
-      at: event.timeStamp });
-    canvas.setPointerCapture(event.pointerId);
-    canvas.classList.add('held');
-    showFan(null);
-    if (!isPlaying) play(true);
-  };
-  canvas.onpointermove = (event) => {
-    if (!held) return;
-    const place = mechanism.sheet.place(event), angle = mechanism.angle(place);
-    const seconds = Math.max(1e-3, (event.timeStamp - held.at) / 1000);
-    const turned = Math.atan2(Math.sin(angle - held.angle),
-      Math.cos(angle - held.angle));
-    Object.assign(held, place, { angle, at: event.timeStamp,
-      turn: turned / seconds });
-  };
-  canvas.onpointerup = canvas.onpointercancel = () => {
-    if (!held) return;
-    held = null;
-    canvas.classList.remove('held');
-    act(() => motion.drive(0, 0));
-    hand.show({ force: 0, torque: 0 });
-  };
-}
-
 function wire() {
   core.scenes.forEach((name) => $('scene').append(new Option(name)));
-  $('scene').onchange = () => {
-    play(false);
-    open(whole([sceneWord(core, $('scene').selectedIndex)]));
-    remember();
-  };
+  $('scene').onchange = () => openScene($('scene').selectedIndex);
+  $('askkeys').onclick = () => say($('askkeys').title);
   takeFiles($('open'), $('file'), openFile);
   $('save').onclick = () => download(`${core.scenes[scene]}.scene`,
     core.text(core.c.scene_print()));
@@ -481,19 +425,19 @@ function wire() {
   });
   matchMedia('(prefers-color-scheme: dark)').onchange = () => {
     readColours();
-    surface.key = '';
     isStale = true;
   };
-  wireStrips();
-  wireMechanism();
+  dragTime(strips, page);
+  turnSpace(space);
 }
 
 wire();
 open(location.hash.slice(1));
-play(!calm.matches && location.hash === '');
+remember();
 requestAnimationFrame(frame);
 // For the tests, and for whoever has a line of their own.
-window.twofold = { core, motion, views, connect, play, seek, showFan, draw,
+window.twofold = { core, motion, views, connect, play, seek, showFan, draw, fan,
+  tour, goTo, arrived: () => motion.tick >= goal && !isFanDue,
   read: (text) => read(core, text),
   writeOf: (...what) => write(core, ...what),
-  write: () => write(core, scene, motion.log, motion.tick) };
+  write: () => write(core, scene, motion.log, motion.tick, tour.number) };

@@ -60,7 +60,7 @@ export class Mechanism {
     if (this.sheet.width < 10) return;
     this.#lay(row);
     this.#turntable(ctx, row);
-    this.#top(ctx, row);
+    this.#top(ctx, row, futures);
     this.#closeUp(ctx, row, futures);
   }
 
@@ -78,7 +78,7 @@ export class Mechanism {
     }
   }
 
-  #top(ctx, row) {
+  #top(ctx, row, futures) {
     const { x, y, size } = this;
     const at = (a, b) => this.#disc(row, a, b);
     ctx.globalAlpha = 0.5;
@@ -96,6 +96,9 @@ export class Mechanism {
     const [px, py] = at(row[AT.r], this.d);
     dot(ctx, px, py, Math.max(11, this.scale * this.reach), colour.panel);
     this.#wheel(ctx, px, py, -row[AT.phi], 8, row[AT.mode]);
+    for (const { head, mode } of futures)
+      this.#wheel(ctx, ...this.#disc(head, head[AT.r], this.d), -head[AT.phi],
+        8, mode, true);
     // The lens and what it shows.
     const ring = Math.max(14, this.scale * this.reach * 1.1);
     circle(ctx, px, py, ring, colour.ink, 1);
@@ -162,11 +165,9 @@ export class Mechanism {
     const k = lens / this.reach;
     this.#floor(ctx, row, k);
     this.#rail(ctx, k);
-    for (const future of futures) {
-      const end = future.rows[future.rows.length - 1];
-      this.#wheel(ctx, x + k * (end[AT.r] - this.middle), y, 0, lens * 0.24,
-        future.mode, true);
-    }
+    for (const { head, mode } of futures)
+      this.#wheel(ctx, x + k * (head[AT.r] - this.middle), y, 0, lens * 0.24,
+        mode, true);
     const px = x + k * (row[AT.r] - this.middle);
     ctx.strokeStyle = colour.ink;
     ctx.lineWidth = 1.5;

@@ -1,13 +1,10 @@
-/// @file
 /// What the files of the page's module share: how a function is exported, and
 /// the numbers that go to the page and back. They are doubles in one table,
 /// which the page views as a Float64Array: that of the present instant is
 /// also a snapshot, because all that the motion goes on from is in it.
-#ifndef TWOFOLD_PAGE_MODULE_H
-#define TWOFOLD_PAGE_MODULE_H
+#pragma once
 
 #include "cli/setup/scene_file.h"
-#include "twofold.h"
 
 // The page looks these functions up by their names, and no file of the module
 // calls one of another: each is declared where it is defined.
@@ -55,5 +52,3 @@ const tf_scene_t *own_scene(void);
 
 /// A scene as the text of a file, until the next file is put in its place.
 const char *scene_as_file(const tf_scene_t *scene);
-
-#endif

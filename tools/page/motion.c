@@ -195,7 +195,9 @@ int32_t EXPORT(begin)(void) {
 int32_t EXPORT(offending)(void) { return offender; }
 
 // Whether the law of rest matters: only where stick carries a moment.
-bool EXPORT(uses_rest)(void) { return begun && machine.stick_kappa > 0; }
+bool EXPORT(uses_rest)(void) {
+  return begun && machine.contact.stick_kappa > 0;
+}
 
 // A force and a torque beside those of the scene, from the next step on.
 void EXPORT(by_hand)(double new_force, double new_torque) {
@@ -262,12 +264,12 @@ int32_t EXPORT(take)(uint32_t mode) {
   if (mode >= TF_MODES || !begun) return TF_BAD_PARAMETER;
   const int32_t status = try_step(mode);
   if (status != TF_BAD_PARAMETER) return status;
-  const tf_rule_t rule = machine.rule;
+  const tf_rule_t rule = machine.contact.rule;
   const uint8_t old_mode = state.mode;
   state.mode = (uint8_t)mode;
-  machine.rule = TF_RULE_PERSIST;
+  machine.contact.rule = TF_RULE_PERSIST;
   const int32_t forced = try_step(mode);
-  machine.rule = rule;
+  machine.contact.rule = rule;
   if (forced < 0) state.mode = old_mode;
   return forced;
 }

@@ -20,6 +20,7 @@ export class Motion {
     this.changes = [];
     this.log = [];
     this.stopped = null;
+    this.begun = 0; // how often
   }
 
   // Starts the core's set-up. Returns: null or the refusal; then the motion is
@@ -27,6 +28,7 @@ export class Motion {
   begin(log = []) {
     const refusal = this.core.begin();
     if (refusal) return refusal;
+    this.begun++;
     this.dt = this.core.get('dt');
     this.every = Math.max(1, Math.round(1e-3 / this.dt));
     this.count = 0;
@@ -193,6 +195,26 @@ export class Motion {
     return found;
   }
 
+  // How else a stick whose rows `futures` has just found may end: by a slip at
+  // some of its instants, as long as that is possible. Each is { mode, rows },
+  // which ends when the stick's do.
+  exits(rows, count) {
+    const { scout } = this, found = [], stride = Math.ceil(rows.length / count);
+    const isStick = (row) => row && row[AT.mode] === rows[1][AT.mode];
+    for (let i = 1; isStick(rows[i]); i += stride) {
+      for (const mode of [0, 1]) {
+        scout.restore(rows[i]);
+        if (!(rows[i][AT.set] >> mode & 1) || scout.c.take(mode) < 0) continue;
+        const ahead = [rows[i], scout.look().slice()];
+        while (ahead.length < rows.length - i &&
+          scout.c.step(rows[2][AT.tick] - rows[1][AT.tick]) >= 0)
+          ahead.push(scout.look().slice());
+        found.push({ mode, rows: ahead });
+      }
+    }
+    return found;
+  }
+
   // Goes on with one of the futures of the step that ends at a tick.
   choose(tick, mode) {
     this.seek(tick - 1);
@@ -227,12 +249,5 @@ export class Motion {
       this.advance(steps);
       if (this.tick > written) yield line(this.now, modes);
     }
-  }
-
-  // All of it; then the motion is where it was.
-  csv(every, steps) {
-    const here = this.tick, text = [...this.lines(every, steps)].join('');
-    this.seek(here);
-    return text;
   }
 }

@@ -45,8 +45,7 @@ def script():
     text = "".join(IMPORT.sub("", text) for text in texts.values())
     if re.search(r"^import\b", text, re.M) or "</script" in text:
         sys.exit("pack.py: an import that is not from './NAME';, or </script")
-    return re.sub(r"^export ", "", re.sub(r"^ *//.*\n", "", text, flags=re.M),
-                  flags=re.M)
+    return re.sub(r"^(?: *//.*\n| +|export )", "", text, flags=re.M)
 
 
 def digest(text):

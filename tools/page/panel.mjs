@@ -4,6 +4,7 @@
 // is told and every field shows what holds: the motion goes on as it was.
 import { rangeOf } from './core.mjs';
 import { decimal } from './decimal.mjs';
+import { $, element } from './draw.mjs';
 
 const STEPS = 400;
 const SPREAD = { r: 0.2, omega: 1, h: 0.5, v: 0.5 };
@@ -30,12 +31,6 @@ const rounded = (x) => Number(x.toPrecision(6));
 // What a field shows until it is entered.
 const brief = (x) => decimal(rounded(x));
 
-function element(tag, properties = {}, ...children) {
-  const made = Object.assign(document.createElement(tag), properties);
-  made.append(...children);
-  return made;
-}
-
 export class Panel {
   // change(name, value): informs the page. Returns: null or a refusal.
   // refuse(words): tells one, or that there is none.
@@ -43,10 +38,10 @@ export class Panel {
     this.core = core;
     this.change = change;
     this.refuse = refuse;
-    this.lists = document.getElementById('lists');
-    this.numbers = document.getElementById('numbers');
-    this.starts = document.getElementById('starts');
-    this.refusal = document.getElementById('refusal');
+    this.lists = $('lists');
+    this.numbers = $('numbers');
+    this.starts = $('starts');
+    this.refusal = $('refusal');
     this.rows = {};
   }
 
@@ -145,7 +140,7 @@ export class Panel {
       count += differs;
     }
     this.rows.rest.label.hidden = core.unused('rest') !== null;
-    document.getElementById('changed').textContent =
+    $('changed').textContent =
       count ? `${count} changed` : 'as in the scene';
   }
 }
@@ -155,7 +150,7 @@ export class Hand {
   constructor(push) {
     this.push = push;
     this.values = { force: 0, torque: 0 };
-    const place = document.getElementById('hand');
+    const place = $('hand');
     for (const [name, unit, most] of
       [['force', 'N', 5], ['torque', 'N m', 2]]) {
       const slider = element('input', { type: 'range', min: -most, max: most,

@@ -3,30 +3,19 @@
 import { AT } from './core.mjs';
 import { differences } from './address.mjs';
 import { decimal } from './decimal.mjs';
+import { $, element } from './draw.mjs';
 
-const minus = (words) => words.replace('-', '\u2212');
-
-function cell(name, value, mode) {
-  const box = document.createElement('div');
-  const dt = Object.assign(document.createElement('dt'), { textContent: name });
-  const dd = Object.assign(document.createElement('dd'),
-    { textContent: minus(value) });
-  if (mode !== undefined) {
-    dd.className = 'mode';
-    dd.dataset.mode = mode;
-  }
-  box.append(dt, dd);
-  return box;
-}
+const cell = (name, value, more = {}) => element('div', {},
+  element('dt', {}, name), element('dd', more, value.replace('-', '\u2212')));
 
 export function showState(row, modes) {
   const mode = row[AT.mode], choices = row[AT.choices];
-  document.getElementById('time').textContent = `t = ${row[AT.t].toFixed(4)} s`;
-  document.getElementById('state').replaceChildren(
+  $('time').textContent = `t = ${row[AT.t].toFixed(4)} s`;
+  $('state').replaceChildren(
     cell('r', `${row[AT.r].toFixed(5)} m`),
     cell('v', `${row[AT.v].toFixed(4)} m/s`),
     cell('ω', `${row[AT.omega].toFixed(4)} rad/s`),
-    cell('', modes[mode], mode),
+    cell('', modes[mode], { className: `mode mode${mode}` }),
     cell('F', `${row[AT.F].toFixed(3)} N`),
     cell('M', `${row[AT.M].toFixed(3)} N m`),
     cell('E', Number.isNaN(row[AT.energy]) ? '–'

@@ -140,10 +140,13 @@ export class Strips {
     if (range.low < 0 && range.high > 0)
       path(ctx, [[LEFT, y(0)], [width, y(0)]], colour.line, 1);
     lines.forEach((points, i) => this.#curve(ctx, points, y, STYLE[i]));
-    for (const { mode, rows } of futures)
-      for (const name of strip.names)
-        path(ctx, rows.map((row) => [this.x(row[AT.t]), y(row[AT[name]])]),
-          colour.mode[mode], 1.4);
+    for (const { mode, rows, head } of futures) {
+      for (const name of strip.names) {
+        const at = (row) => [this.x(row[AT.t]), y(row[AT[name]])];
+        path(ctx, rows.map(at), colour.mode[mode], 1.4);
+        dot(ctx, ...at(head), 2.8, colour.mode[mode]);
+      }
+    }
     const x = this.x(motion.tick * motion.dt);
     for (const name of strip.names)
       dot(ctx, x, y(motion.now[AT[name]]), 2.8, colour.ink);

@@ -1,5 +1,5 @@
 // The surface h = 0 for the page: which region a point lies in, a map of them
-// over (r, omega) and along the line of one r, and the two-folds.
+// over (r, omega), what friction does to a slip there, and the two-folds.
 #include "module.h"
 
 #define MAP_MOST 40000
@@ -38,19 +38,18 @@ const uint8_t *EXPORT(regions)(double r0, double r1, uint32_t columns,
   return map;
 }
 
-// Regions along h = 0 at one r: v and w follow from g, as in tf_two_folds.
-const uint8_t *EXPORT(regions_at)(double r, double g0, double g1,
-                                  uint32_t count) {
+// By how much 1 N of friction brakes the slip of a wheel that rolls forwards,
+// [m/s^2]; 0 where there is no such point.
+double EXPORT(delassus_at)(double r, double w) {
   const tf_machine_t *k = machine_begun();
-  if (!k || count > MAP_MOST) return 0;
+  tf_surface_t at = {0};
+  tf_real_t v = 0;
+  if (!k) return 0;
   const tf_input_t input = input_applied();
-  for (uint32_t i = 0; i < count; i++) {
-    const tf_real_t g = part(g0, g1, i, count);
-    const tf_real_t z = g * k->sin_gamma / r;
-    map[i] =
-        region_at(k, &input, r, k->d * z - g * k->cos_gamma, input.omega0 + z);
-  }
-  return map;
+  if (tf_speed_for_slip(k, r, w, input.omega0, 0, &v) != TF_OK ||
+      tf_surface_at(k, &input, r, v, w, &at) != TF_OK)
+    return 0;
+  return at.delassus;
 }
 
 // Returns: how many there are.

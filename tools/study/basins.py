@@ -2,11 +2,9 @@
 
 Starts lie on a grid over (r, omega), on both sides of h = 0; each is followed
 by `twofold sweep` until it reaches the two-fold, or for 20 s. Of scene `chaos`
-the grid has SIDE by SIDE points, and a coarse one is followed for longer; of
-DESIGNS of those around `chaos` that were followed, spread over all, 8 by 8.
+the grid has SIDE by SIDE points; of DESIGNS of those around `chaos` that were
+followed, spread over all, 8 by 8.
 """
-from __future__ import annotations
-
 import os
 import tempfile
 from pathlib import Path
@@ -18,14 +16,12 @@ import driven
 import pictures
 import space
 import table
-from maps import COLOURS
 from pictures import pyplot
 
 SIDE = int(os.environ.get("SIDE") or 100)
 DESIGNS = int(os.environ.get("DESIGNS") or 300)
 R, OMEGA, H = (-0.5, 0.5), (-2.5, 0.5), (0.05, -0.05)
 TIMES = 5, 10, 20  # [s]
-COARSE, LONG = min(SIDE, 24), 300  # points a side, followed so long [s]
 
 
 def arrivals(twofold: str, side: int, h: float, until: float,
@@ -56,18 +52,17 @@ def follow(work: Path, twofold: str, rows: pd.DataFrame) -> None:
         return float(np.mean([arrivals(twofold, 8, h, TIMES[-1], *words)
                               < np.inf for h in H]))
 
-    grids = [(SIDE, h, TIMES[-1]) for h in H] + [(COARSE, h, LONG) for h in H]
-    found = driven.side_by_side(lambda one: arrivals(twofold, *one), grids)
+    found = driven.side_by_side(
+        lambda h: arrivals(twofold, SIDE, h, TIMES[-1]), H)
     shares = driven.side_by_side(of_machine, [row for _, row in
                                               rows.iterrows()])
     np.savez(work / "basins.npz", *found, shares=shares,
-             classes=rows.random.to_numpy(str))
+             classes=rows.became.to_numpy(str))
 
 
-def draw(path: Path, chaos: list[np.ndarray],
-         of: dict[str, np.ndarray]) -> None:
-    """Time over the starts of `chaos`, and shares of the designs."""
-    figure, panels = pyplot.subplots(1, 3, figsize=(13, 4.2))
+def draw(path: Path, chaos: list[np.ndarray]) -> None:
+    """Time over the starts of `chaos`."""
+    figure, panels = pyplot.subplots(1, 2, figsize=(9, 4.2))
     for axes, h, found in zip(panels, H, chaos):
         shown = axes.imshow(np.ma.masked_invalid(found).T, origin="lower",
                             extent=(*R, *OMEGA), aspect="auto", vmin=0,
@@ -76,28 +71,21 @@ def draw(path: Path, chaos: list[np.ndarray],
                  ylabel="omega [rad/s]")
         axes.plot(*space.CHAOS, "+", color="red", ms=9)
     figure.colorbar(shown, ax=panels[1], label="time to the two-fold [s]")
-    for one, colour in COLOURS.items():
-        panels[2].hist(of[one], np.linspace(0, 1, 21), histtype="step", lw=1.5,
-                       color=colour, label=f"{one} ({len(of[one])})")
-    panels[2].set(title="designs", xlabel="share of starts that reach it",
-                  ylabel="designs")
-    panels[2].legend(fontsize=8)
     pictures.save(figure, path, 100)
 
 
 def count(work: Path, kept: Path) -> None:
     """How many starts arrive within a time; and of the designs the shares."""
     found = np.load(work / "basins.npz")
-    grids = [found[f"arr_{i}"] for i in range(4)]
-    of = {one: found["shares"][found["classes"] == one] for one in COLOURS}
-    draw(kept / "basins.png", grids[:2], of)
+    grids = [found[f"arr_{i}"] for i in range(2)]
+    of = {one: found["shares"][found["classes"] == one] for one in
+          space.CLASSES}
+    draw(kept / "basins.png", grids)
     pd.DataFrame([
         {"h": h, "starts": grid.size, **{
-            f"within_{t}": (grid <= t).sum() for t in times}}
-        for h, grid, times in zip(H * 2, grids, (
-            TIMES, TIMES, (*TIMES, LONG), (*TIMES, LONG)))]).astype(
-                {f"within_{LONG}": "Int64"}).to_csv(
-                    kept / "recurrence-basins.csv", index=False)
+            f"within_{t}": (grid <= t).sum() for t in TIMES}}
+        for h, grid in zip(H, grids)]).to_csv(
+            kept / "recurrence-basins.csv", index=False)
     pd.DataFrame([
         {"designs": one, "number": len(shares), "mean":
          f"{shares.mean():.3f}", **{name: f"{x:.3f}" for name, x in zip(
@@ -112,10 +100,10 @@ def parts(kept: Path) -> dict[str, str]:
     designs = table.read(kept / "recurrence-designs.csv")
     return {
         "basins": table.markdown(
-            ["`chaos`", "starts", *(f"within {t} s" for t in (*TIMES, LONG))],
+            ["`chaos`", "starts", *(f"within {t} s" for t in TIMES)],
             [[f"h = {row.h} m/s", f"{row.starts:.0f}", *(
-                "-" if np.isnan(k) else table.share(k, row.starts).text(3)
-                for k in row[2:])] for _, row in chaos.iterrows()]),
+                table.share(k, row.starts).text(3) for k in row[2:])]
+             for _, row in chaos.iterrows()]),
         "designs": table.markdown(
             ["designs", "number", "mean share", "least", "median", "largest"],
             [[row.designs, row.number, *(f"{x:.3f}" for x in row[2:])]

@@ -7,12 +7,9 @@ Samples that follow one another from the two-fold are independent under --by
 random, which starts afresh there; the perturbations without a draw are not, so
 judge those by --cycles 1.
 """
-from __future__ import annotations
-
 import os
 import subprocess
 import tempfile
-from collections import Counter
 from pathlib import Path
 
 import numpy as np
@@ -66,12 +63,6 @@ def passages(exits: str | Path, returns: str | Path,
         "side": np.where(both["side"] == "slip+", 1, -1),
         "exit": begin + both["time"], "passed": begin + both["section_time"],
         "phase": both["phase"]})
-
-
-def phase_bins(rows: pd.DataFrame) -> list[int]:
-    """How many phases there are in each tenth of a winding."""
-    found = Counter((rows["phase"].dropna() * 10).astype(int) % 10)
-    return [found[i] for i in range(10)]
 
 
 def ks(first: str, second: str, column: str) -> None:

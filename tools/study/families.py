@@ -1,7 +1,5 @@
 """Machines and motions beside `chaos` itself, by the command line: gamma as a
 family, the rolling circle, and the core's law `smooth` beside finer.c."""
-from __future__ import annotations
-
 import json
 import math
 from pathlib import Path

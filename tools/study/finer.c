@@ -13,7 +13,6 @@
 //
 // The equations of motion and the steps are the reference's (tests/reference),
 // in the precision of REF_BITS.
-#include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>

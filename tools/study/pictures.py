@@ -1,6 +1,4 @@
 """Pictures by matplotlib, in few colours: a tree keeps them for ever."""
-from __future__ import annotations
-
 import io
 from pathlib import Path
 
@@ -19,6 +17,14 @@ def save(figure: pyplot.Figure, path: Path, dpi: int) -> None:
     drawn = io.BytesIO()
     figure.savefig(drawn, dpi=dpi, format="png")
     small(Image.open(drawn), path)
+    pyplot.close(figure)
+
+
+def save_drawing(figure: pyplot.Figure, path: Path) -> None:
+    """A figure of few lines as SVG, the same bytes each time."""
+    figure.tight_layout()
+    with pyplot.rc_context({"svg.hashsalt": "", "svg.fonttype": "none"}):
+        figure.savefig(path, metadata={"Date": None})
     pyplot.close(figure)
 
 

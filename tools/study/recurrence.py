@@ -6,8 +6,6 @@ What the machines are, and how each is followed: space.py. A machine is
 in the long one, *partly* where some did, *never* where none did; where some did
 not, the pass that waits decides. Shares have Wilson's 95 % interval.
 """
-from __future__ import annotations
-
 import json
 import math
 import sys
@@ -19,23 +17,22 @@ from typing import Iterator, Optional, Sequence
 
 import numpy as np
 import pandas as pd
-from scipy import ndimage, stats
-from statsmodels.stats.contingency_tables import StratifiedTable
+from scipy import ndimage
 
 import basins
 import driven
 import maps
 import space
 import table
-from space import (CLASSES, ENDINGS, KINDS, LOST, PASSES, QUARTERED, SPACES,
-                   WAIT, classes, ends, most, passes_of, quarters)
+from space import (CLASSES, ENDINGS, LOST, PASSES, SPACES, USUAL, WAIT,
+                   classes, ends, most)
 
 PAGE = "docs/RECURRENCE.md"
 PART = 100  # machines
 REASONS = "no design", "not case 1", "not followed"
 RATIOS = 1, 2, 3, 4, 6, 8, 16, 32, 2048
-REGION = ("space", "kind", "lasting", "r_low", "r_high", "omega_low",
-          "omega_high", "chaos")
+REGION = ("space", "lasting", "r_low", "r_high", "omega_low", "omega_high",
+          "chaos")
 FEWEST = 3  # machines of a region that is listed
 # Resonances: the share within NEAR of each whole number against that between
 # NEAR and BESIDE from it, on both sides, so that a trend cancels.
@@ -88,7 +85,7 @@ class Twofold:
         if fold["case"] != 1 or not fold["directions"][0]["sticks"]:
             return {**found, "reason": "not case 1"}
         found["ratio"] = fold["eigenvalues"][1] / fold["eigenvalues"][0]
-        found["seed"] = space.seed_of(number, "random")
+        found["seed"] = space.seed_of(number, "first")
         for name, run in PASSES.items():
             count: Optional[Counter[str]] = Counter()
             if space.is_followed(name, lambda other: [
@@ -167,7 +164,7 @@ def followed_of(work: Path) -> pd.DataFrame:
     """Machines that were followed, with their classes."""
     rows = rows_of(work)
     rows = rows[rows.reason.isna()]
-    return rows.assign(**{kind: classes(rows, kind) for kind in KINDS})
+    return rows.assign(became=classes(rows))
 
 
 def per_space(rows: pd.DataFrame, followed: pd.DataFrame
@@ -177,22 +174,20 @@ def per_space(rows: pd.DataFrame, followed: pd.DataFrame
     for name in SPACES:
         drawn, here = (one[one.space == name] for one in (rows, followed))
         above = drawn[drawn.omega >= space.OMEGA0]
-        for kind in KINDS:
-            first, second = (ends(here, one) for one in passes_of(kind))
-            kept = first[:, 1:].sum(1) == 0
-            lost = second[kept, 1:].sum(1)
-            yield {"space": name, "kind": kind, "drawn": len(drawn),
-                   **{one: (drawn.reason == one).sum() for one in REASONS},
-                   "followed": len(here),
-                   **{one: (here[kind] == one).sum() for one in CLASSES},
-                   "above": len(above), "above_of_case_1":
-                       (~above.reason.isin(REASONS[:2])).sum(),
-                   "kept_in_first": kept.sum(), "lost_in_long":
-                       (lost > 0).sum(), "long_cycles": second[kept].sum(),
-                   "long_lost": lost.sum(),
-                   "returned": first[:, 0].sum() + second[:, 0].sum(),
-                   "late": sum(here[f"{one}_late"].sum()
-                               for one in passes_of(kind))}
+        first, second = (ends(here, one) for one in USUAL)
+        kept = first[:, 1:].sum(1) == 0
+        lost = second[kept, 1:].sum(1)
+        yield {"space": name, "drawn": len(drawn),
+               **{one: (drawn.reason == one).sum() for one in REASONS},
+               "followed": len(here),
+               **{one: (here.became == one).sum() for one in CLASSES},
+               "above": len(above), "above_of_case_1":
+                   (~above.reason.isin(REASONS[:2])).sum(),
+               "kept_in_first": kept.sum(), "lost_in_long":
+                   (lost > 0).sum(), "long_cycles": second[kept].sum(),
+               "long_lost": lost.sum(),
+               "returned": first[:, 0].sum() + second[:, 0].sum(),
+               "late": sum(here[f"{one}_late"].sum() for one in USUAL)}
 
 
 def per_wait(rows: pd.DataFrame) -> Iterator[dict[str, object]]:
@@ -201,7 +196,7 @@ def per_wait(rows: pd.DataFrame) -> Iterator[dict[str, object]]:
         here = rows[(rows.space == name) & (ends(rows, WAIT).sum(1) > 0)]
         found = ends(here, WAIT)
         yield {"space": name, "machines": len(here),
-               "lasting": (here.random == "lasting").sum(),
+               "lasting": (here.became == "lasting").sum(),
                "cycles": found.sum(), "lost": found[:, 1:].sum(),
                "late": here[f"{WAIT}_late"].sum()}
 
@@ -211,31 +206,30 @@ def per_ending(rows: pd.DataFrame) -> Iterator[dict[str, object]]:
     cycles of the first passes that did not."""
     for name in SPACES:
         here = rows[rows.space == name]
-        for kind in KINDS:
-            never = ends(here[here[kind] == "never"], kind)
-            of = Counter(most(never))
-            yield {"space": name, "kind": kind, "of": "machines",
-                   **{end: of[end] for end in LOST},
-                   "several": ((never[:, 1:] > 0).sum(1) > 1).sum()}
-            yield {"space": name, "kind": kind, "of": "cycles",
-                   **dict(zip(LOST, ends(here, kind)[:, 1:].sum(0)))}
+        never = ends(here[here.became == "never"], "first")
+        of = Counter(most(never))
+        yield {"space": name, "of": "machines",
+               **{end: of[end] for end in LOST},
+               "several": ((never[:, 1:] > 0).sum(1) > 1).sum()}
+        yield {"space": name, "of": "cycles",
+               **dict(zip(LOST, ends(here, "first")[:, 1:].sum(0)))}
 
 
 def in_bins(rows: pd.DataFrame, column: str, edges: np.ndarray
             ) -> Iterator[dict[str, object]]:
-    """Classes of machines, exits at random, in bins of a column."""
+    """Classes of machines in bins of a column."""
     for low, high in zip(edges, edges[1:]):
         here = rows[(rows[column] >= low) & (rows[column] < high)]
         yield {"low": f"{low:.6g}", "high": f"{high:.6g}",
-               "followed": len(here), **{one: (here.random == one).sum()
+               "followed": len(here), **{one: (here.became == one).sum()
                                          for one in CLASSES}}
 
 
-def regions(rows: pd.DataFrame, name: str, kind: str,
+def regions(rows: pd.DataFrame, name: str,
             total: int) -> Iterator[dict[str, object]]:
     """Cells of the grid whose machines are lasting and that touch, by a side
     or a corner; the largest region first."""
-    rows = rows[(rows.space == name) & (rows[kind] == "lasting")]
+    rows = rows[(rows.space == name) & (rows.became == "lasting")]
     if rows.empty:
         return
     (low, high), (slow, fast) = SPACES[name].window
@@ -250,7 +244,7 @@ def regions(rows: pd.DataFrame, name: str, kind: str,
         holds = (np.abs(at - space.CHAOS) <= half).all(axis=1).any()
         if n >= FEWEST or holds:
             (r, omega), (r_end, omega_end) = at.min(axis=0), at.max(axis=0)
-            yield {"space": name, "kind": kind, "lasting": n,
+            yield {"space": name, "lasting": n,
                    "r_low": f"{r:.3f}", "r_high": f"{r_end:.3f}",
                    "omega_low": f"{omega:.3f}", "omega_high":
                        f"{omega_end:.3f}", "chaos": "yes" if holds else "no"}
@@ -261,7 +255,7 @@ def resonances(rows: pd.DataFrame) -> Iterator[dict[str, object]]:
     for name in SPACES:
         here = rows[rows.space == name]
         for what, of in WHAT.items():
-            hit = here.random.isin(of)
+            hit = here.became.isin(of)
             for whole in WHOLE:
                 away = (here.ratio - whole).abs()
                 near, beside = away < NEAR, (away >= NEAR) & (away < BESIDE)
@@ -280,21 +274,16 @@ def count(work: Path, kept: Path, build: str) -> None:
         pd.DataFrame(list(found), columns=columns).to_csv(
             kept / f"recurrence-{name}.csv", index=False)
 
-    others = followed[followed.space == "random"]
     keep("machines", per_space(rows, followed))
     keep("waits", per_wait(followed))
     keep("endings", per_ending(followed))
     keep("regions", (one for name, of in SPACES.items() if of.window
-                     for kind in KINDS
-                     for one in regions(followed, name, kind, len(rows))),
+                     for one in regions(followed, name, len(rows))),
          REGION)
     keep("ratios", ({"space": name, **one} for name in SPACES for one in
                     in_bins(followed[followed.space == name], "ratio",
                             np.array(RATIOS))))
     keep("resonances", resonances(followed))
-    keep("quarters", ({"parameter": column, **one} for column in QUARTERED
-                      for one in in_bins(others, column,
-                                         quarters(others, column))))
     maps.draw(kept / "recurrence.png", followed, len(rows))
     basins.count(work, kept)
 
@@ -308,9 +297,9 @@ def share(k: int, n: int) -> str:
 
 def machines_table(frame: pd.DataFrame) -> str:
     return table.markdown(
-        ["machines", "exits by", "drawn", *REASONS, "followed", *CLASSES,
+        ["machines", "drawn", *REASONS, "followed", *CLASSES,
          "lost in the long pass alone"],
-        [[SPACES[row.space].title, row.kind, row.drawn,
+        [[SPACES[row.space].title, row.drawn,
           *(row[one] for one in REASONS), row.followed,
           *(share(row[one], row.followed) for one in CLASSES),
           f"{row.lost_in_long} of {row.kept_in_first}"]
@@ -328,17 +317,17 @@ def waits_said(frame: pd.DataFrame) -> str:
 def endings_table(frame: pd.DataFrame) -> str:
     """Of the machines; those of the cycles stand in the kept counts."""
     return table.markdown(
-        ["machines", "exits by", "in all", *LOST, "several"],
-        [[SPACES[row.space].title, row.kind, sum(row[end] for end in LOST),
+        ["machines", "in all", *LOST, "several"],
+        [[SPACES[row.space].title, sum(row[end] for end in LOST),
           *(row[end] for end in LOST), f"{row.several:.0f}"]
          for _, row in frame[frame.of == "machines"].iterrows()])
 
 
 def regions_table(frame: pd.DataFrame) -> str:
     return table.markdown(
-        ["machines", "exits by", "lasting", "r* [m]", "omega* [rad/s]",
+        ["machines", "lasting", "r* [m]", "omega* [rad/s]",
          "has the cell of `chaos`"],
-        [[SPACES[row.space].title, row.kind, row.lasting,
+        [[SPACES[row.space].title, row.lasting,
           f"{row.r_low:.3f} to {row.r_high:.3f}",
           f"{row.omega_low:.3f} to {row.omega_high:.3f}", row.chaos]
          for _, row in frame.iterrows()])
@@ -357,28 +346,11 @@ def ratios_table(frame: pd.DataFrame) -> str:
          if here.followed.any()])
 
 
-def quarters_table(frame: pd.DataFrame) -> str:
-    """The share that is lasting in each quarter of a parameter."""
-    return table.markdown(
-        ["parameter", "quarters", *("lasting" for _ in range(4))],
-        [[name, ", ".join(f"{x:.3g}" for x in (*here.low, here.high.iloc[-1])),
-          *(share(row.lasting, row.followed) for _, row in here.iterrows())]
-         for name, here in frame.groupby("parameter", sort=False)])
-
-
 def tables_of(frame: pd.DataFrame) -> list[np.ndarray]:
     """2 by 2 tables, near and beside by counted or not, as floats."""
     return [np.array([[one.near, one.of_near - one.near],
                       [one.beside, one.of_beside - one.beside]], float)
             for _, one in frame.iterrows()]
-
-
-def together(found: list[np.ndarray]) -> float:
-    """The p-value of Cochran, Mantel and Haenszel over tables."""
-    found = [one for one in found if one.sum() > 1 and
-             (one.sum(0) > 0).all() and (one.sum(1) > 0).all()]
-    return float(StratifiedTable(np.dstack(found)).test_null_odds().pvalue) \
-        if found else 1.0
 
 
 def difference(found: list[np.ndarray]) -> table.Estimate:
@@ -403,30 +375,18 @@ def difference(found: list[np.ndarray]) -> table.Estimate:
 
 
 def resonances_said(frame: pd.DataFrame) -> str:
-    """By Fisher's exact test of each whole number, and of all together; all
-    tests corrected as one (Bonferroni)."""
-    groups = [here for _, here in frame.groupby(["space", "what"], sort=False)]
-    tests = len(frame) + len(groups)
-    found = {f"{row.whole} ({row.what}, {row.space})":
-             stats.fisher_exact(one)[1] * tests
-             for (_, row), one in zip(frame.iterrows(), tables_of(frame))}
-    found.update((f"all ({here.what.iloc[0]}, {here.space.iloc[0]})",
-                  together(tables_of(here)) * tests) for here in groups)
-    seen = [name for name, p in found.items() if p < 0.05]
-    wide = max((abs(end) for here in groups if here.of_near.sum() >= ENOUGH
+    """By how much the shares near whole numbers may differ, at most."""
+    wide = max((abs(end) for _, here in frame.groupby(["space", "what"])
+                if here.of_near.sum() >= ENOUGH
                 for end in difference(tables_of(here))[1:]), default=math.nan)
-    said = "A difference is seen at " + ", ".join(seen) if seen else \
-        "No resonance is seen"
-    return (f"{said}: the least of the {tests} corrected p-values is "
-            f"{min(1, *found.values()):.2g}. Shares\nnear and beside differ by "
-            f"less than {wide:.2g} where {ENOUGH} machines or more are near.")
+    return (f"Near and beside whole numbers shares differ by less than "
+            f"{wide:.2g}, where {ENOUGH} machines or\nmore are near.")
 
 
 def parts(kept: Path) -> dict[str, str]:
     """What the page has of the counts."""
     made = {"machines": machines_table, "regions": regions_table,
             "waits": waits_said, "endings": endings_table,
-            "ratios": ratios_table, "resonances": resonances_said,
-            "quarters": quarters_table}
+            "ratios": ratios_table, "resonances": resonances_said}
     return {**{name: write(table.read(kept / f"recurrence-{name}.csv"))
                for name, write in made.items()}, **basins.parts(kept)}

@@ -6,8 +6,6 @@ the paper's figure 4, (r*, omega*) on a grid over all of it, all else as in
 omega0 - omega*, beta, mu and both dampings, all log-uniform, and gamma. kappa
 and k2 follow from the place of the two-fold (`twofold design`).
 """
-from __future__ import annotations
-
 import math
 import os
 from typing import Callable, NamedTuple, Optional, Sequence
@@ -23,7 +21,6 @@ DRAWN = {"r": (0.05, 1), "below": (0.02, 1), "beta": (0.05, 1),
          "mu": (0.1, 3), "c1": (1e-4, 0.1), "c2": (1e-4, 0.1)}
 GAMMA = -3 * math.pi / 4 - 0.5, -3 * math.pi / 4 + 0.5
 SETTINGS = "beta", "mu", "c1", "c2", "gamma"
-QUARTERED = ("r", "omega", *SETTINGS, "kappa", "k2")
 CHAOS = 0.1859, -1.037  # r* [m], omega* [rad/s]
 CLASSES = "lasting", "partly", "never"
 
@@ -47,8 +44,6 @@ SPACES = {
 class Pass(NamedTuple):
     """A run of `twofold diverge`. `after`: only where that one lost nothing;
     `WAITS`: only where the passes before it lost something, and not all."""
-    kind: str
-    options: str
     samples: int
     cycles: int
     patience: int  # [s]
@@ -56,22 +51,17 @@ class Pass(NamedTuple):
 
 
 WAITS = "waits"
-NOISE = "--by noise --size 1e-5"
-PASSES = {
-    "random": Pass("random", "", 10, 5, 60),
-    "random_long": Pass("random", "", 25, 20, 60, "random"),
-    "noise": Pass("noise", NOISE, 8, 5, 20),
-    "noise_long": Pass("noise", NOISE, 25, 8, 20, "noise"),
-    "random_wait": Pass("random", "", 10, 50, 200, WAITS)}
-KINDS = "random", "noise"
-WAIT = "random_wait"
+PASSES = {"first": Pass(10, 5, 60), "long": Pass(25, 20, 60, "first"),
+          "wait": Pass(10, 50, 200, WAITS)}
+USUAL = "first", "long"
+WAIT = "wait"
 WAITING_SEEDS = 1000000  # and after: of the pass that waits
 # How a cycle ends; a `timeout` of diverge is told by what came before it.
 ENDINGS = {
     "returned": "come back to the two-fold",
     "small_cycle": "landed on the sliding region beyond g = 0 three times or "
                    "more, without coming back",
-    "pinned": "come to rest at h = g = 0, and is there",
+    "rest": "come to rest on the turntable, and is there",
     "landed": "landed once or twice, without coming back",
     "slipping": "left the surface and not landed",
     "sticking": "not left the escaping stick",
@@ -83,12 +73,6 @@ COLUMNS = ("machine", "space", "r", "omega", "kappa", "k2", *SETTINGS, "ratio",
                      for what in (*ENDINGS, "late")), "reason")
 
 
-def passes_of(kind: str) -> list[str]:
-    """The first pass and the long one."""
-    return [name for name, run in PASSES.items()
-            if run.kind == kind and run.after != WAITS]
-
-
 def is_followed(name: str, ends_of: Callable[[str], Sequence[int]]) -> bool:
     """Whether a machine is followed in a pass. ends_of: of one before it, the
     cycles by how they ended; all 0 where it was not followed there."""
@@ -97,7 +81,7 @@ def is_followed(name: str, ends_of: Callable[[str], Sequence[int]]) -> bool:
         return True
     if after != WAITS:
         return not any(ends_of(after)[1:])
-    found = [ends_of(other) for other in passes_of(PASSES[name].kind)]
+    found = [ends_of(other) for other in USUAL]
     return any(ends[0] for ends in found) and any(
         any(ends[1:]) for ends in found)
 
@@ -160,9 +144,9 @@ def follow_words(name: str, settings: dict[str, float],
                  seed: int) -> list[str]:
     """`twofold diverge` of a pass; settings hold kappa and k2 as well."""
     run = PASSES[name]
-    return ["diverge", "chaos", *set_words(settings), *run.options.split(),
-            "--samples", str(run.samples), "--cycles", str(run.cycles),
-            "--patience", str(run.patience), "--seed", str(seed)]
+    return ["diverge", "chaos", *set_words(settings), "--samples",
+            str(run.samples), "--cycles", str(run.cycles), "--patience",
+            str(run.patience), "--seed", str(seed)]
 
 
 # What became of machines, of rows of recurrence.csv.
@@ -172,14 +156,12 @@ def ends(rows: pd.DataFrame, name: str) -> np.ndarray:
     return rows[[f"{name}_{end}" for end in ENDINGS]].fillna(0).to_numpy(int)
 
 
-def classes(rows: pd.DataFrame, kind: str) -> np.ndarray:
+def classes(rows: pd.DataFrame) -> np.ndarray:
     """What became of machines that were followed."""
-    found = sum(ends(rows, name) for name in passes_of(kind))
-    waited = np.zeros(len(rows), bool)
-    if PASSES[WAIT].kind == kind:
-        last = ends(rows, WAIT)
-        waited = last.sum(1) > 0
-        found = np.where(waited[:, None], last, found)
+    last = ends(rows, WAIT)
+    waited = last.sum(1) > 0
+    found = np.where(waited[:, None], last,
+                     sum(ends(rows, name) for name in USUAL))
     back, lost = found[:, 0], found[:, 1:].sum(1)
     return np.where(back == 0, np.where(waited, "partly", "never"),
                     np.where(lost > 0, "partly", "lasting"))
@@ -188,11 +170,3 @@ def classes(rows: pd.DataFrame, kind: str) -> np.ndarray:
 def most(found: np.ndarray) -> np.ndarray:
     """How most of the cycles that did not return ended."""
     return np.array(LOST)[np.argmax(found[:, 1:], axis=1)]
-
-
-def quarters(rows: pd.DataFrame, column: str, parts: int = 4) -> np.ndarray:
-    """The edges of bins with as many machines each."""
-    edges = np.quantile(rows[column] if len(rows) else [0],
-                        np.linspace(0, 1, parts + 1))
-    edges[-1] = np.nextafter(edges[-1], np.inf)
-    return edges

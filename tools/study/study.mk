@@ -2,7 +2,7 @@
 # Makefile. tools/study/run makes a section and its page in docs/, which is kept
 # by keep-SECTION; the counts behind it are kept in docs/study.
 #
-#   CYCLES=20 MACHINES=200 SIDE=8 DESIGNS=4   less of a section
+#   CYCLES=20 MACHINES=200 SIDE=8 DESIGNS=4 MECHANISMS=100   less of a section
 #   FIGURES='tyre atlas'   of figures: some of them
 #   ONLY='counts map'      of test-shards: tests whose names have one of these
 
@@ -10,6 +10,12 @@ two := $(BUILD)/double/twofold
 study = @BUILD='$(BUILD)' TWOFOLD='$(two)' tools/study/run
 
 $(BUILD)/study/machines: $(BUILD)/double/tools/study/machines.o \
+    $(BUILD)/double/libtwofold.a
+	@mkdir -p $(@D)
+	$(link)
+
+TROLLEY := $(BUILD)/study/trolley
+$(TROLLEY): $(BUILD)/double/tools/study/trolley.o \
     $(BUILD)/double/libtwofold.a
 	@mkdir -p $(@D)
 	$(link)
@@ -29,7 +35,8 @@ $(FINER): $(BUILD)/study/finer-%: $(FINER_SOURCES) \
 	  -o $@
 
 .PHONY: statistics keep-statistics recurrence recurrence-page keep-recurrence \
-  finer keep-finer figures keep-figures keep-futures figures-gnuplot test-shards
+  noise keep-noise finer keep-finer mechanisms keep-mechanisms trolley \
+  keep-trolley figures keep-figures keep-futures figures-gnuplot test-shards
 statistics: ## exits and returns of chaos, counted (15 minutes)
 statistics: $(two) $(BUILD)/study/machines
 	$(study) exits
@@ -39,24 +46,38 @@ recurrence: $(two)
 recurrence-page: ## its page again, from the rows that are there
 recurrence-page: $(two)
 	$(study) recurrence count
+noise: ## what vanishing noise selects, at three steps (2 hours)
+noise: $(two)
+	$(study) noise
 finer: ## what finer laws select behind the two-fold (10 minutes)
 finer: $(two) $(FINER)
 	$(study) finer
+mechanisms: ## two-folds of 100000 random mechanisms (5 minutes)
+	$(study) mechanisms
 keep-statistics: ## copy what statistics made to docs/
 	$(study) exits keep
 keep-recurrence: ## copy what recurrence made to docs/
 	$(study) recurrence keep
+keep-noise: ## copy what noise made to docs/
+	$(study) noise keep
 keep-finer: ## copy what finer made to docs/
 	$(study) finer keep
+keep-mechanisms: ## copy what mechanisms made to docs/
+	$(study) mechanisms keep
+trolley: ## two-folds of a castor, and what follows them
+trolley: $(TROLLEY)
+	@tools/study/trolley.py $< $(BUILD)/study/trolley.svg
+keep-trolley: ## copy what trolley drew to docs/study/
+	cp $(BUILD)/study/trolley.svg docs/study/
 test-shards: ## sweeps under parallel, Snakemake; studies
-test-shards: $(two) $(BUILD)/study/finer-64
-	@TWOFOLD='$<' FINER='$(lastword $^)' tests/shards/test_shards.py $(ONLY)
+test-shards: $(two) $(BUILD)/study/finer-64 $(TROLLEY)
+	@TWOFOLD='$<' FINER='$(BUILD)/study/finer-64' TROLLEY='$(TROLLEY)' \
+	  tests/shards/test_shards.py $(ONLY)
 
 # Figures. Each is tools/study/figures/NAME.gp over data in $(BUILD)/figures,
 # which the command line or tools/study/figures/fields makes. docs/FIGURES.md
 # shows them.
-ALL_FIGURES := surface atlas normal regions set tyre exits return \
-  perturbations portrait
+ALL_FIGURES := surface atlas normal regions set tyre exits return portrait
 FIGURES ?= $(ALL_FIGURES)
 figdir := $(BUILD)/figures
 figtool := tools/study/figures
@@ -66,17 +87,6 @@ fields := $(BUILD)/double/$(figtool)/fields
 # docs/FIGURES.md says what they tell.
 WINDOW := --r 0.1:0.28:361 --omega=-1.16:-0.88:281
 ATLAS := --r 0.0025:0.5:200 --omega=-1.4975:-0.5:200
-SAMPLES_random := 2000
-SAMPLES_noise := 200
-SAMPLES_smoothing := 200
-SAMPLES_hysteresis := 150
-SAMPLES_delay := 100
-BY_random := --by random --rate 10
-BY_noise := --by noise --size 1e-4
-BY_smoothing := --by smoothing --size 1e-5
-BY_hysteresis := --by hysteresis --size 1e-3
-BY_delay := --by delay --size 1e-3
-KINDS := random noise smoothing hysteresis delay
 
 figures: ## the pictures of docs/FIGURES.md (gnuplot)
 figures: $(FIGURES:%=$(figdir)/%.svg) $(FIGURES:%=$(figdir)/%.png)
@@ -139,11 +149,10 @@ $(eval $(call by-command,atlas,atlas chaos $(ATLAS)))
 $(eval $(call by-command,branches,diverge chaos --exhaustive --depth 1 \
   --grid 0.005 --patience 2.4 --branches -))
 
-# Returns and exits of one kind of perturbation.
-$(KINDS:%=$(figdir)/returns-%.csv): $(figdir)/returns-%.csv: $(two) \
-    tools/study/study.mk | figures-gnuplot
-	$(call quietly,$< diverge chaos $(BY_$*) --samples $(SAMPLES_$*) \
-	  --patience 300 --exits $(figdir)/exits-$*.csv --returns -)
+# Returns and exits at random.
+$(figdir)/returns-random.csv: $(two) tools/study/study.mk | figures-gnuplot
+	$(call quietly,$< diverge chaos --rate 10 --samples 2000 --patience 300 \
+	  --exits $(figdir)/exits-random.csv --returns -)
 
 # Trajectories: $(call by-list,NAME,LIST,STEP,THIN,DATA), and what is picked out
 # of data for the figure NAME: $(call by-curves,NAME,DATA)
@@ -163,7 +172,6 @@ $(foreach e,svg png,$(figdir)/$(1).$(e)): $(figdir)/$(1).curves.dat
 endef
 $(eval $(call by-curves,exits,returns-random.csv branches.csv))
 $(eval $(call by-curves,normal,branches.csv))
-$(eval $(call by-curves,perturbations,$(KINDS:%=returns-%.csv)))
 $(eval $(call by-curves,regions,branches.csv))
 $(eval $(call by-curves,return,returns-random.csv branches.csv))
 $(eval $(call by-curves,set,set.dat))
@@ -176,5 +184,4 @@ $(call needs,normal,orbits.dat straight.dat numbers.dat loop.dat)
 $(call needs,regions,regions.csv borders.dat flow.dat numbers.dat)
 $(call needs,set,borders.dat numbers.dat)
 $(call needs,tyre,tyre.dat)
-$(call needs,perturbations,$(KINDS:%=returns-%.csv))
 $(call needs,portrait,directions.dat angular.dat corner.dat)

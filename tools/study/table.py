@@ -140,54 +140,29 @@ class Estimate(NamedTuple):
         return f"{value} [{low}, {high}]"
 
 
-def share(k: float, n: float, worth: Optional[float] = None,
-          method: str = "wilson") -> Estimate:
+def share(k: float, n: float, worth: Optional[float] = None) -> Estimate:
     """The share k of n with Wilson's interval, of so many independent ones as
     they are `worth`, by default all."""
     if not n:
         return Estimate(math.nan, math.nan, math.nan)
     size = n if worth is None else worth
-    low, high = proportion_confint(k / n * size, size, 1 - LEVEL, method)
+    low, high = proportion_confint(k / n * size, size, 1 - LEVEL, "wilson")
     return Estimate(k / n, 0 if k == 0 else float(low),
                     1 if k == n else float(high))
 
 
-def worth(groups: Iterable[Sequence[float]]) -> float:
-    """As many independent values tell as much as these: their number by Kish's
-    design effect, of the intraclass correlation by the mean squares of an
-    analysis of variance. Where nothing tells how alike those of a group are,
-    each group counts as one value."""
-    sizes, means, rest = np.array([
-        (len(group), np.mean(group), np.var(group) * len(group))
-        for group in map(np.asarray, groups)], float).T
-    n, k = sizes.sum(), len(sizes)
-    if n <= k or k < 2:
-        return float(k)
-    centre = (sizes * means).sum() / n
-    between = (sizes * (means - centre) ** 2).sum() / (k - 1)
-    within = rest.sum() / (n - k)
-    typical = (n - (sizes ** 2).sum() / n) / (k - 1)
-    whole = between + (typical - 1) * within
-    if not whole > 0:
-        return float(k)
-    alike = max(0.0, (between - within) / whole)
-    return float(n / (1 + ((sizes ** 2).sum() / n - 1) * alike))
-
-
-def quantile(values: Iterable[float], p: float,
-             worth_of: float = math.inf) -> Estimate:
+def quantile(values: Iterable[float], p: float) -> Estimate:
     """The least value that a share p of all does not exceed. The interval is
     between order statistics and assumes nothing of the distribution: how many
     values lie below the quantile is binomial. Of few values it has an open
-    end. `worth_of`: as many independent values, where these are fewer."""
+    end."""
     ordered = [math.nan, *sorted(values), math.nan]
     n = len(ordered) - 2
     if n == 0:
         return Estimate(math.nan, math.nan, math.nan)
-    m = min(n, max(1, math.floor(worth_of + 1e-9))) if worth_of < n else n
     tail = (1 - LEVEL) / 2
-    low = math.floor(stats.binom.ppf(tail, m, p) * n / m)
-    high = math.ceil((stats.binom.isf(tail, m, p) + 1) * n / m)
+    low = int(stats.binom.ppf(tail, n, p))
+    high = int(stats.binom.isf(tail, n, p)) + 1
     value = np.quantile(ordered[1:-1], p, method="inverted_cdf")
     return Estimate(float(value), ordered[low], ordered[min(high, n + 1)])
 

@@ -11,7 +11,7 @@
 #                           the target machine
 #   STEPS=1e9               soak: how many, in each of VARIANTS
 
-.PHONY: check valgrind stale bounds keep-bounds eva mutation fuzz fuzz-merge \
+.PHONY: check valgrind stale bounds keep-bounds eva mutation fuzz \
   fuzz-clang soak
 
 check: ## warnings, format, static analysis, sanitizers, promises
@@ -36,7 +36,8 @@ mutation: ## wrong changes of src/ for the tests to notice
 
 # Instructions of the public functions (tools/verify/cost), on x86-64 only: the
 # core is compiled with -O2 and counts itself.
-COST := $(wildcard tools/verify/cost/*.c)
+COST := $(filter-out %/board.c,$(wildcard tools/verify/cost/*.c)) \
+  tools/board/constants/constants.c
 COUNTED := $(CORE:src/%.c=%) memory
 EVALUATIONS ?= 100000
 counted = $(BUILD)/$(1)/counted
@@ -68,15 +69,14 @@ bounds: $(VARIANTS:%=$(BUILD)/%/cost)
 	@MAKEFLAGS= MAKELEVEL= BUILD='$(BUILD)' EVALUATIONS='$(EVALUATIONS)' \
 	  tools/verify/cost/bounds.py
 keep-bounds: ## copy them to docs/bench, and the calls
-	@cp $(foreach of,double float stack,$(BUILD)/bounds/worst.$(of)) \
+	@cp $(foreach of,double float boards stack,$(BUILD)/bounds/worst.$(of)) \
 	  tools/verify/cost/
 	@cp $(BUILD)/bounds/worst.csv docs/bench/
 
 # tests/regress/test_corpus.c replays the corpus in every `make test`, without
 # clang.
-ALL_FUZZ := machine frame arguments scene table state
+ALL_FUZZ := machine frame scene table state
 FUZZ ?= $(ALL_FUZZ)
-SECONDS ?= 30
 FUZZ_CC ?= clang
 FUZZ_REALS ?= double float
 # The other targets read decimals and bytes, which one real type shows.
@@ -90,10 +90,7 @@ FUZZ_PARTS := $(ALL_FUZZ:%=tools/verify/fuzz/%.c) tools/verify/fuzz/analysis.c \
 
 fuzz: ## random inputs, SECONDS=30 for each target (clang)
 fuzz: $(FUZZ_RUNS:%=$(fuzzdir)/%)
-	@BUILD='$(BUILD)' tools/verify/fuzz/fuzz.sh $(SECONDS) $(FUZZ_RUNS)
-fuzz-merge: ## put what fuzzing found into tests/corpus
-fuzz-merge: $(FUZZ_RUNS:%=$(fuzzdir)/%)
-	@BUILD='$(BUILD)' tools/verify/fuzz/fuzz.sh merge $(FUZZ_RUNS)
+	@BUILD='$(BUILD)' tools/verify/fuzz/fuzz.sh $(or $(SECONDS),30) $(FUZZ_RUNS)
 
 fuzz-clang:
 	@mkdir -p $(fuzzdir)

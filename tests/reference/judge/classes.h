@@ -12,8 +12,7 @@ typedef struct {
   long machines, first;
   uint64_t seed;
   double t_end;          ///< 0: that of the class
-  long show;             ///< replay commands printed for each count
-  lib_machine_t machine; ///< that of replay
+  long show;             ///< commands printed for each count
   const char *row, *dts; ///< of table: its class, steps instead of its own
   long jobs;             ///< of table: processes
 } options_t;
@@ -87,10 +86,7 @@ double class_difference(const ref_machine_t *q, ref_state_t x,
                         const lib_row_t *row);
 double class_distance(const ref_machine_t *q, ref_state_t a, ref_state_t b);
 
-extern const class_t class_validate, class_second, class_rest_law, class_branch,
-    class_path, class_impulses, class_energy, class_standing, class_estimates,
-    class_replay, class_table;
-/// The machine of replay, before --set.
-extern const lib_machine_t replay_machine;
+extern const class_t class_validate, class_second, class_branch, class_path,
+    class_impulses, class_energy, class_table;
 
 #endif

@@ -96,20 +96,6 @@ static void round_all(lib_machine_t *q) {
   }
 }
 
-bool draw_set(lib_machine_t *q, const char *text) {
-  for (int i = 0; i < NUMBERS; ++i) {
-    const size_t n = strlen(numbers[i].name);
-    if (strncmp(text, numbers[i].name, n) == 0 && text[n] == '=') {
-      *number_at(q, i) = strtod(text + n + 1, NULL);
-      q->on_surface = q->on_surface && i != NUMBERS - 1;
-      return true;
-    }
-  }
-  const bool law = strcmp(text, "law=coulomb") == 0;
-  q->coulomb = q->coulomb || law;
-  return law || strcmp(text, "h=0") == 0;
-}
-
 lib_machine_t draw_machine(draw_t *draw, bool extreme) {
   lib_machine_t q = {
       .m = draw_log(draw, 0.3, 3),
@@ -173,6 +159,12 @@ ref_machine_t draw_reference(const lib_machine_t *machine,
     out.knot[i] = (ref_knot_t){u->t, u->omega0, u->force, u->torque};
   }
   ref_prepare(&out);
+  // The number next to pi stands for pi: a wheel along the slot, whose A and N
+  // vanish together on the axis.
+  if (ref_abs(out.sine) < 1e-15L && out.gamma != 0) {
+    out.gamma = ref_sign(out.gamma) * REF_PI;
+    out.sine = 0;
+  }
   return out;
 }
 
@@ -184,24 +176,6 @@ ref_state_t draw_start(const lib_machine_t *machine, const ref_machine_t *q,
     x.p = -x.r * x.z * q->cosine / q->sine;
   }
   return x;
-}
-
-bool draw_read(lib_machine_t *q, const char *path) {
-  FILE *file = fopen(path, "r");
-  char head[64];
-  if (!file || !fgets(head, sizeof head, file) ||
-      strcmp(head, "t,omega0,force,torque\n") != 0) {
-    return false;
-  }
-  for (q->knots = 0; q->knots < LIB_KNOTS; ++q->knots) {
-    lib_knot_t *u = &q->knot[q->knots];
-    if (fscanf(file, "%lf,%lf,%lf,%lf", &u->t, &u->omega0, &u->force,
-               &u->torque) != 4) {
-      break;
-    }
-  }
-  fclose(file);
-  return q->knots > 0;
 }
 
 // Shortest decimal that reads back to the same double.

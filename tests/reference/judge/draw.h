@@ -33,10 +33,6 @@ ref_machine_t draw_reference(const lib_machine_t *machine,
                              const lib_table_t *real);
 ref_state_t draw_start(const lib_machine_t *machine, const ref_machine_t *q,
                        const lib_table_t *real);
-/// NAME=VALUE, law=coulomb or h=0; false where that is none of them.
-bool draw_set(lib_machine_t *machine, const char *text);
-/// Inputs from a table as draw_print makes it; false where it is none.
-bool draw_read(lib_machine_t *machine, const char *path);
 /// Prints the command that replays a run of the library.
 void draw_print(const lib_machine_t *machine, double t_end, const char *scheme);
 

@@ -5,8 +5,8 @@
 #include <assert.h>
 #include <string.h>
 
-#include "params.h"
 #include "told.h"
+#include "twofold.h"
 
 typedef struct {
   tf_compensated_t machine;
@@ -18,6 +18,16 @@ typedef struct {
   tf_state_block_t lanes;
   tf_report_block_t reports;
 } run_t;
+
+static tf_params_t params_of(const lib_machine_t *q) {
+  tf_params_t p = {PARAMETERS_OF(tf_real_t, q)};
+  p.theta = tf_scenes[0]->params.theta;
+  p.tolerance = tf_scenes[0]->params.tolerance;
+  p.dt = (tf_real_t)q->dt;
+  p.rest = (tf_rest_law_t)q->rest;
+  p.law = q->coulomb ? TF_TYRE_COULOMB : TF_TYRE_JUMP;
+  return p;
+}
 
 static run_t *run_of(lib_t *lib) { return (run_t *)(void *)lib->bytes; }
 

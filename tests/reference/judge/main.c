@@ -8,9 +8,8 @@
 #include "classes.h"
 
 static const class_t *const classes[] = {
-    &class_validate,  &class_second,   &class_rest_law, &class_branch,
-    &class_path,      &class_impulses, &class_energy,   &class_standing,
-    &class_estimates, &class_table,    &class_replay};
+    &class_validate, &class_second, &class_branch, &class_path,
+    &class_impulses, &class_energy, &class_table};
 enum { CLASSES = sizeof classes / sizeof classes[0] };
 
 static int usage(void) {
@@ -20,9 +19,7 @@ static int usage(void) {
       "       reference table [--class A|A8|A'|B|...|K|all] [--dt LIST]\n"
       "  [--jobs N] [--machines N] [--seed S] [--show N]; --first I --machines "
       "1\n"
-      "  shows one case\n"
-      "       reference replay --t-end T --set NAME=VALUE... [--inputs FILE]\n"
-      "  (what `twofold run chaos` takes to replay an offender)\n");
+      "  shows one case\n");
   for (int i = 0; i < CLASSES; ++i) {
     printf("  %-12s %s\n", classes[i]->name, classes[i]->about);
   }
@@ -46,19 +43,14 @@ static bool take(options_t *options, const char *name, const char *value) {
     options->dts = value;
   } else if (strcmp(name, "--jobs") == 0) {
     options->jobs = atol(value);
-  } else if (strcmp(name, "--set") == 0) {
-    return draw_set(&options->machine, value);
-  } else if (strcmp(name, "--inputs") == 0) {
-    return draw_read(&options->machine, value);
   } else {
-    return strcmp(name, "--scheme") == 0 || strcmp(name, "--between") == 0;
+    return false;
   }
   return true;
 }
 
 int main(int argc, char **argv) {
-  options_t options = {
-      .seed = 1, .show = 2, .machine = replay_machine, .row = "all", .jobs = 2};
+  options_t options = {.seed = 1, .show = 2, .row = "all", .jobs = 2};
   setvbuf(stdout, NULL, _IOLBF, BUFSIZ);
   const class_t *class = NULL;
   for (int i = 0; argc >= 2 && i < CLASSES; ++i) {

@@ -13,7 +13,18 @@ static double around(draw_t *draw, double size) {
 // The scene `chaos` in every second draw, from where it comes to h = g = 0.
 static void near_chaos(draw_t *draw, lib_machine_t *q) {
   if (draw_uniform(draw, 0, 2) < 1) {
-    *q = replay_machine;
+    *q = (lib_machine_t){.m = 1,
+                         .d = 1,
+                         .beta = 0.05,
+                         .k2 = 2.2270992253886014,
+                         .c1 = 1e-3,
+                         .c2 = 1e-3,
+                         .r0 = 0.1,
+                         .omega0 = -1,
+                         .mu = 1,
+                         .kappa = 0.27241153714062028,
+                         .gamma = -2.3561944901923448,
+                         .dt = 1e-4};
     q->r = (float)draw_uniform(draw, 0.05, 0.3);
     q->omega = q->omega0 + around(draw, 0.1);
     q->v = around(draw, 0.1);
@@ -116,7 +127,8 @@ lib_machine_t row_machine(draw_t *draw, const row_t *row, bool moves) {
 const model_t row_models[ROW_MODELS] = {
     {LIB_STEP, &lib_f64},        {LIB_STEP, &lib_f32},
     {LIB_COMPENSATED, &lib_f64}, {LIB_COMPENSATED, &lib_f32},
-    {LIB_LANES, &lib_f64},       {LIB_LOCATED, &lib_f64}};
+    {LIB_LANES, &lib_f64},       {LIB_LOCATED, &lib_f64},
+    {LIB_LOCATED, &lib_f32}};
 
 #define USUAL \
   .t_end = 0.5, .dt = {1e-3, 1e-4, 1e-5}, .located = 10, .least = 9e-5

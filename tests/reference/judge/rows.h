@@ -18,7 +18,7 @@ typedef struct {
   real_t stick_since; ///< -1: not in stick, or not from a slip
 } met_t;
 
-enum { ROW_STEPS = 3, ROW_MODELS = 6 };
+enum { ROW_STEPS = 3, ROW_MODELS = 7 };
 
 /// One kind of run of the library.
 typedef struct {

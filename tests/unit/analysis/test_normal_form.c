@@ -42,23 +42,6 @@ TEST(normal_form_against_the_paper) {
   }
 }
 
-/* Not in the paper: A depends on r alone, so K++ + K-- = K+- + K-+ and the
- * roots of its characteristic polynomial are K-+ - K++ and K++ - K+-. */
-TEST(eigenvalues_are_rational) {
-  for (int i = 0; i < samples(2000); i++) {
-    const sample_t c = random_two_fold();
-    paper_twofold_t n;
-    paper_twofold(&c.paper, c.x, c.s, &n);
-    const real close = 1e-15L * (bulk_of(&c) * c.c2 + 1);
-    CHECK_NEAR(n.Kpp + n.Kmm, n.Kpm + n.Kmp, close);
-    if (!(n.Kpp * n.Kmm < 0)) continue;
-    const real root = sqrtl(-n.Kpp * n.Kmm);
-    const real a = (n.Kmp - n.Kpp) / root, b = (n.Kpp - n.Kpm) / root;
-    CHECK_NEAR(a > b ? a : b, n.eigen[0], 100 * close / root);
-    CHECK_NEAR(a > b ? b : a, n.eigen[1], 100 * close / root);
-  }
-}
-
 /* Next to a two-fold the core's stick velocity is taken, and what it does to
  * (L+, L-) by the paper's gradients; the normal form has to foretell both. */
 TEST(sliding_motion_follows_the_normal_form) {

@@ -1,54 +1,19 @@
 /* Steps that reach h = g = 0 or leave it, most of them located, against the
  * field of slip by the paper's law. */
 #include "codim2_field.h"
-#include "event/segment.h"
-#include "friction/codim2.h"
+#include "model/consistent.h"
 #include "sim.h"
 
-/* Next to a limit direction the angle d off it changes with d' = c d / R, and R
- * with R' = v: d goes with t^(c/v). */
-TEST(exponent_of_a_limit_direction) {
-  int seen = 0;
-  for (int n = 0; n < 2000; n++) {
-    const tf_params_t params = any_params(n);
-    const tf_machine_t k = prepared(&params);
-    const tf_input_t u = tf_input_default(&k);
-    const tf_real_t r = uniform(-0.6, 0.6);
-    const field_t at = field_at(&params, &u, r);
-    const rates_t rates = rates_at(&k, &u, r, 0, 0, u.omega0);
-    const codim2_field_t field = tf_codim2_field_of(&k, &rates);
-    segment_t segment = {.contact = CONTACT_CODIM2_SLIP,
-                         .sign_h = n & 1 ? 1 : -1,
-                         .sign_g = n & 2 ? 1 : -1,
-                         .h_zero_order = 1,
-                         .g_starts_at_zero = true};
-    if (!tf_codim2_attractor(&k, &field, segment.sign_g, segment.sign_h,
-                             &segment.T))
-      continue;
-    static taylor_t motion;
-    begin_taylor(&motion, &k, &u, u.omega0, (phase_point_t){r, 0, 0});
-    CHECK(tf_taylor_coefficients(&motion, &segment, 0));
-    const real angle = angle_of(&at, wide(segment.T), segment.sign_g);
-    const real off = 1e-5L;
-    const real v = slip_rate_at(&at, segment.sign_h, angle).growth;
-    const real c = (slip_rate_at(&at, segment.sign_h, angle + off).rotation -
-                    slip_rate_at(&at, segment.sign_h, angle - off).rotation) /
-                   (2 * off);
-    if (fabsl(v) < 0.1L || fabsl(angle) < 1e-2L ||
-        PAPER_PI / 2 - fabsl(angle) < 1e-2L)
-      continue;
-    CHECK_NEAR(wide(motion.exponent), c / v,
-               (1e-3L + 1e4L * EPSILON) * (1 + fabsl(c / v)));
-    seen++;
-  }
-  CHECK(seen > 200);
-}
-
-/* How fast g grows in the stick on one side of g = 0. */
-static real stick_growth(const field_t *at, int roll) {
-  const real moment = (real)roll * at->paper.kappa;
-  const real lambda = -at->h[0] / (at->h[1] + moment * at->h[2]);
-  return (real)roll * (at->g[0] + lambda * (at->g[1] + moment * at->g[2]));
+static place_t any_place(int n) {
+  place_t c = {.params = any_params(n)};
+  c.params.dt = TF_R(1e-6);
+  c.k = prepared(&c.params);
+  c.u = tf_input_default(&c.k);
+  c.r = uniform(-0.6, 0.6);
+  c.at = field_at(&c.params, &c.u, c.r, wide(c.u.omega0));
+  const rates_t rates = rates_at(&c.k, &c.u, c.r, 0, 0, c.u.omega0);
+  c.field = tf_codim2_field_of(&c.k, &rates);
+  return c;
 }
 
 static unsigned faster_stick(const field_t *at) {
@@ -61,26 +26,19 @@ static unsigned faster_stick(const field_t *at) {
 TEST(of_two_sticks_the_faster_is_taken) {
   int taken[2] = {0};
   for (int n = 0; n < 20000; n++) {
-    tf_params_t params = any_params(n);
-    params.dt = TF_R(1e-6);
-    const tf_machine_t k = prepared(&params);
-    const tf_input_t u = tf_input_default(&k);
-    const tf_real_t r = uniform(-0.6, 0.6);
-    const field_t at = field_at(&params, &u, r);
-    const rates_t rates = rates_at(&k, &u, r, 0, 0, u.omega0);
-    const codim2_field_t field = tf_codim2_field_of(&k, &rates);
+    const place_t c = any_place(n);
     consistent_modes_t out;
     tf_report_t report;
-    tf_codim2_modes(&k, &field, &out);
+    tf_codim2_modes(&c.k.contact, &c.field, &out);
     if ((out.solutions.set & out.solutions.attracting & STICKS) != STICKS)
       continue;
     tf_state_t x = {
-        .r = r, .v = TF_REAL_EPSILON * uniform(-1e-4, 1e-4), .w = u.omega0};
-    const tf_slip_t slip = tf_slip(&k, x.r, x.v, x.w, u.omega0);
+        .r = c.r, .v = TF_REAL_EPSILON * uniform(-1e-4, 1e-4), .w = c.u.omega0};
+    const tf_slip_t slip = tf_slip(&c.k, x.r, x.v, x.w, c.u.omega0);
     x.mode = slip.h > 0 ? TF_SLIP_MINUS : TF_SLIP_PLUS; /* to be ignored */
-    const tf_status_t status = tf_step_located(&k, &x, &u, &report);
+    const tf_status_t status = tf_step_located(&c.k, &x, &c.u, &report);
     if (!ok_to_resolution(status) || x.mode == TF_PINNED) continue;
-    CHECK(x.mode == faster_stick(&at));
+    CHECK(x.mode == faster_stick(&c.at));
     taken[x.mode == TF_STICK_MINUS]++;
   }
   printf("# stick+ %d times, stick- %d times\n", taken[0], taken[1]);

@@ -1,8 +1,8 @@
-/* What ends a rest on a turntable that changes its speed, and when: against the
- * conditions by the paper's equations, looked for at close instants. */
+/* A rest that ends within a step on a turntable that changes its speed, against
+ * the conditions by the paper's equations, looked for at close instants. When
+ * it ends: law/test_pinned.c and law/test_located_turntable.c. */
 #include "codim2_field.h"
 #include "event/segment.h"
-#include "friction/rest_motion.h"
 
 enum { INSTANTS = 512, HALVES = 60 };
 
@@ -14,35 +14,10 @@ typedef struct {
   tf_real_t r, omega, length;
 } rest_t;
 
-/* h' and g' by the paper at a time, without friction, by F and by M, under the
- * acceleration of the turntable. */
+/* The field at a time, under the turntable that has moved on. */
 static field_t field_after(const rest_t *c, real t) {
-  field_t at = {.paper = paper_of(&c->params)};
-  at.paper.omega0 = wide(c->omega) + wide(c->u.alpha) * t;
-  const real x[3] = {wide(c->r), 0, at.paper.omega0};
-  real h_x[3], g_x[3];
-  paper_h_x(&at.paper, x, h_x);
-  paper_g_x(&at.paper, x, g_x);
-  /* The loads, which the paper has not, act by the inverse mass matrix. */
-  const real Q_r = wide(c->u.force);
-  const real Q_phi = wide(c->u.torque) + at.paper.d * Q_r;
-  const real beta = at.paper.beta;
-  const real by_mass = 1 / (at.paper.m * (beta * beta + x[0] * x[0]));
-  for (int by = 0; by < 3; by++) {
-    real dx[3];
-    paper_rhs_time(&at.paper, x, by == 1, by == 2, dx);
-    dx[1] += Q_r / at.paper.m + by_mass * at.paper.d * Q_phi;
-    dx[2] += by_mass * Q_phi - wide(c->u.alpha);
-    for (int i = 0; i < 3; i++) {
-      at.h[by] += h_x[i] * dx[i];
-      at.g[by] += g_x[i] * dx[i];
-    }
-  }
-  for (int by = 1; by < 3; by++) {
-    at.h[by] -= at.h[0];
-    at.g[by] -= at.g[0];
-  }
-  return at;
+  return field_at(&c->params, &c->u, c->r,
+                  wide(c->omega) + wide(c->u.alpha) * t);
 }
 
 /* How far the force that holds the wheel is within its law; < 0 beyond. */
@@ -60,9 +35,8 @@ static real margin_of_law(const rest_t *c, const field_t *at) {
 static real margin_of_stick(const field_t *at, int roll) {
   const real kappa = (real)roll * at->paper.kappa;
   const real A = -(at->h[1] + kappa * at->h[2]), lambda = at->h[0] / A;
-  const real growth =
-      (real)roll * (at->g[0] + lambda * (at->g[1] + kappa * at->g[2]));
-  return A > 0 ? fminl(growth, (at->paper.mu - fabsl(lambda)) * A) : -1;
+  const real room = (at->paper.mu - fabsl(lambda)) * A;
+  return A > 0 ? fminl(stick_growth(at, roll), room) : -1;
 }
 
 /* < 0 where the rest has ended. */
@@ -90,7 +64,6 @@ static real end_of_rest(const rest_t *c) {
   return 2 * length;
 }
 
-/* Loads hold it under a force within the law of stick. */
 /* Loads by which friction has this force and moment. */
 static void load(rest_t *c, tf_real_t F, tf_real_t M) {
   c->u.force = c->u.torque = 0;
@@ -123,46 +96,16 @@ static event_t next_event(const rest_t *c, taylor_t *motion, tf_real_t *time) {
   return tf_next_event(motion, &segment, c->length, time);
 }
 
-TEST(rest_ends_where_its_law_or_a_stick_ends_it) {
-  int by_law = 0, by_stick = 0, goes_on = 0;
-  for (int n = 0; n < samples(8000); n++) {
-    const rest_t c = any_rest(n);
-    if (!(margin_of_rest(&c, 0) > 1e-3L)) continue;
-    static taylor_t motion;
-    tf_real_t time;
-    const event_t event = next_event(&c, &motion, &time);
-    const real want = end_of_rest(&c), length = wide(c.length);
-    /* A condition that hardly changes its sign has no definite root. */
-    const real slack = length * (IS_DOUBLE ? 1e-5L : 1e-2L);
-    if (margin_of_rest(&c, want + slack) > -4096 * EPSILON) continue;
-    if (want > length) {
-      CHECK(event == EVENT_NONE || margin_of_rest(&c, wide(time)) < 1e-3L);
-      goes_on++;
-      continue;
-    }
-    if (!CHECK(event == EVENT_UNPINNED || want > length - slack)) continue;
-    CHECK_NEAR(wide(time), want, slack);
-    const field_t at = field_after(&c, want);
-    if (margin_of_law(&c, &at) < 1e-9L)
-      by_law++;
-    else
-      by_stick++;
-  }
-  printf("# by the law %d, by a stick %d, not at all %d\n", by_law, by_stick,
-         goes_on);
-  CHECK(by_law > 100 && by_stick > 50);
-}
-
 /* At the instant of the event whoever lists the modes has the one that ends the
  * rest: the wheel is not left there by rounding. */
 TEST(event_of_rest_is_seen_by_the_modes) {
   int by_stick = 0, by_slip = 0;
   for (int n = 0; n < samples(8000); n++) {
     rest_t c = any_rest(n);
-    c.k.rule = (tf_rule_t)(n / TF_REST_LAWS % TF_RULE_RANDOM);
-    const unsigned asked = c.k.rule == TF_RULE_SLIP_PLUS    ? 1
-                           : c.k.rule == TF_RULE_SLIP_MINUS ? 2
-                                                            : 0;
+    c.k.contact.rule = (tf_rule_t)(n / TF_REST_LAWS % TF_RULE_RANDOM);
+    const unsigned asked = c.k.contact.rule == TF_RULE_SLIP_PLUS    ? 1
+                           : c.k.contact.rule == TF_RULE_SLIP_MINUS ? 2
+                                                                    : 0;
     static taylor_t motion;
     tf_real_t time;
     unsigned set[2], attracting[2];
@@ -173,7 +116,7 @@ TEST(event_of_rest_is_seen_by_the_modes) {
       const rates_t rates = rates_at(&c.k, &c.u, c.r, 0, 0, omega);
       const codim2_field_t field = tf_codim2_field_of(&c.k, &rates);
       consistent_modes_t out;
-      tf_codim2_modes(&c.k, &field, &out);
+      tf_codim2_modes(&c.k.contact, &field, &out);
       set[i] = out.solutions.set;
       attracting[i] = set[i] & out.solutions.attracting & STICKS;
     }
@@ -185,24 +128,6 @@ TEST(event_of_rest_is_seen_by_the_modes) {
   }
   printf("# by a stick %d, by the slip of the rule %d\n", by_stick, by_slip);
   CHECK(by_stick > 50 && by_slip > 10);
-}
-
-/* The draw of RANDOM, not the stick, ends its rest. */
-TEST(random_rest_waits_for_its_draw) {
-  int waits = 0;
-  for (int n = 0; n < samples(4000); n++) {
-    rest_t c = any_rest(n);
-    if (!(margin_of_rest(&c, 0) > 1e-3L)) continue;
-    static taylor_t motion;
-    tf_real_t time, later;
-    if (next_event(&c, &motion, &time) == EVENT_NONE) continue;
-    c.k.rule = TF_RULE_RANDOM;
-    const event_t event = next_event(&c, &motion, &later);
-    CHECK(later >= time);
-    waits += event == EVENT_NONE;
-  }
-  printf("# %d rests that only a stick ends\n", waits);
-  CHECK(waits > 10);
 }
 
 /* A step to whose end the rest is possible, but not throughout, says so if it
@@ -221,7 +146,7 @@ TEST(rest_that_is_interrupted_is_coarse) {
     c.u.omega0 += c.u.alpha * c.k.dt;
     /* Under RANDOM, where a stick alone does not end it, it need not. */
     tf_machine_t random = c.k;
-    random.rule = TF_RULE_RANDOM;
+    random.contact.rule = TF_RULE_RANDOM;
     tf_state_t y = x;
     waits +=
         tf_step(&random, &y, &c.u, &report) == TF_OK && y.mode == TF_PINNED;
@@ -232,27 +157,4 @@ TEST(rest_that_is_interrupted_is_coarse) {
   }
   printf("# %d interrupted, %d wait for their draw\n", interrupted, waits);
   CHECK(interrupted >= 10 && waits >= 10);
-}
-
-/* While the turntable reverses the spring has more than friction holds, on one
- * side. */
-TEST(law_that_is_left_for_a_while_is_coarse) {
-  int left = 0;
-  for (int side = -1; side <= 1; side += 2) {
-    rest_t c = {.params = tf_scenes[0]->params, .r = TF_R(0.3)};
-    c.params.rest = TF_REST_SQUARE;
-    c.params.rule = TF_RULE_RANDOM; /* no stick ends it */
-    c.params.dt = c.length = 1;
-    c.k = prepared(&c.params);
-    c.u = tf_input_default(&c.k);
-    c.u.alpha = 1;
-    c.omega = c.u.omega0 = TF_R(-0.5);
-    load(&c, (tf_real_t)side * TF_R(0.999) * c.params.mu, 0);
-    const field_t half = field_after(&c, 0.5L);
-    const bool leaves = margin_of_law(&c, &half) < 0;
-    const rest_motion_t rest = tf_rest_motion(&c.k, &c.u, c.r, c.omega);
-    CHECK(tf_rest_is_interrupted(&rest, c.length) == leaves);
-    left += leaves;
-  }
-  CHECK(left == 1);
 }

@@ -83,3 +83,82 @@ TEST(released_slip_begins_with_its_order) {
   printf("# with t %d times, with t^2 %d times\n", of_order[1], of_order[2]);
   CHECK(of_order[1] > 100 && of_order[2] > 100);
 }
+
+/* The series of a stick keeps h at 0 as far as it goes, with as many terms as
+ * the tolerance asks for. */
+TEST(series_of_a_stick_keeps_h_at_zero) {
+  int of_order[SERIES_ORDER + 1] = {0};
+  for (int n = 0; n < 4000; n++) {
+    tf_params_t params = any_params(n);
+    params.tolerance = (tf_real_t)pow(10, (double)uniform(-12, -3.1));
+    const tf_machine_t k = prepared(&params);
+    tf_input_t u = tf_input_default(&k);
+    static trajectory_t path;
+    const unsigned mode = n & 1 ? TF_STICK_MINUS : TF_STICK_PLUS;
+    begin_at_release(&path, &k, &u, mode, 0);
+    path.remaining = (tf_real_t)pow(10, (double)uniform(-6, 0));
+    if (!tf_begin_series(&path)) continue;
+    const span_t span = tf_segment_span(&path);
+    of_order[path.motion.order]++;
+    tf_advance(&path, 0, span.length);
+    const tf_real_t off = magnitude(trajectory_slip(&path).h);
+    CHECK_NEAR(wide(off), 0,
+               16 * wide(span.error + 64 * trajectory_rounding(&path)));
+  }
+  for (int i = 3; i <= SERIES_ORDER; i++) CHECK(of_order[i] > 10);
+}
+
+/* The paper's A m (beta^2 + r^2) where the series of r has come to, as a share
+ * of its terms. */
+static real delassus_after(const paper_t *paper, const taylor_t *motion, real t,
+                           int sign) {
+  const real beta2 = paper->beta * paper->beta;
+  real r = 0, size = 0;
+  for (int c = motion->order; c >= 0; c--) {
+    r = r * t + wide(motion->r.c[c]);
+    size += fabsl(wide(motion->r.c[c]));
+  }
+  return paper_delassus(paper, r, sign) * paper->m * (beta2 + r * r) /
+         (beta2 + size * (size + paper->kappa));
+}
+
+/* A stick comes to a two-fold where the paper's A vanishes, and A has not
+ * changed its sign before: also next to the r where A is stationary, and where
+ * r turns on its way. */
+TEST(stick_ends_where_the_delassus_scalar_vanishes) {
+  int vanishes = 0, stays = 0;
+  for (int n = 0; n < 4000; n++) {
+    const tf_params_t params = any_params(n);
+    const tf_machine_t k = prepared(&params);
+    const paper_t paper = paper_of(&params);
+    const int sign = n & 1 ? -1 : 1;
+    const tf_real_t vertex =
+        (tf_real_t)-sign * k.contact.stick_kappa * k.cos_gamma / 2;
+    const tf_real_t about = n & 2 ? vertex : uniform(-0.5, 0.5);
+    static taylor_t motion;
+    memset(&motion, 0, sizeof motion);
+    motion.machine = &k;
+    motion.order = SERIES_ORDER;
+    motion.p.c[0] = (tf_real_t)-sign * k.cos_gamma;
+    motion.q.c[0] = (tf_real_t)sign * k.sin_gamma;
+    motion.r = (series_t){{about + uniform(-0.1, 0.1), uniform(-0.5, 0.5),
+                           uniform(-0.5, 0.5), uniform(-0.5, 0.5)}};
+    const segment_t segment = {.contact = CONTACT_STICK, .sign_g = sign};
+    tf_real_t time = -1;
+    const event_t event = tf_next_event(&motion, &segment, 1, &time);
+    const real A = delassus_after(&paper, &motion, 0, sign);
+    const bool ends = event == EVENT_TWO_FOLD;
+    CHECK(ends || (event == EVENT_NONE && time == 1));
+    if (ends)
+      CHECK_NEAR(delassus_after(&paper, &motion, wide(time), sign), 0,
+                 64 * EPSILON);
+    for (int i = 0; i < 200; i++) {
+      const real t = wide(time) * i / 200;
+      CHECK((delassus_after(&paper, &motion, t, sign) < 0) == (A < 0));
+    }
+    vanishes += ends;
+    stays += !ends;
+  }
+  printf("# vanishes %d times, stays %d times\n", vanishes, stays);
+  CHECK(vanishes > 100 && stays > 100);
+}

@@ -48,9 +48,13 @@ static exit_t search(const field_t *at, int side) {
   return best;
 }
 
-/* A field that no machine has: its friction may drive, so that directions from
- * which the neighbours turn away lead out as well. */
-static codim2_field_t any_field(const tf_params_t *params, field_t *at) {
+/* A machine, and a field that no machine has: its friction may drive, so that
+ * directions from which the neighbours turn away lead out as well. */
+static place_t any_field(int n) {
+  place_t c = {.params = any_params(n)};
+  const tf_params_t *params = &c.params;
+  field_t *at = &c.at;
+  c.k = prepared(params);
   at->paper = paper_of(params);
   for (int i = 0; i < 3; i++) {
     at->h[i] = wide(uniform(-1, 1));
@@ -64,30 +68,28 @@ static codim2_field_t any_field(const tf_params_t *params, field_t *at) {
     at->g[1] *= 0.02L;
   }
   const tf_real_t mu = params->mu, kappa_mu = params->kappa * mu;
-  return (codim2_field_t){{(tf_real_t)at->h[0], mu * (tf_real_t)at->h[1],
-                           kappa_mu * (tf_real_t)at->h[2]},
-                          {(tf_real_t)at->g[0], mu * (tf_real_t)at->g[1],
-                           kappa_mu * (tf_real_t)at->g[2]},
-                          {2, 2}};
+  c.field = (codim2_field_t){{(tf_real_t)at->h[0], mu * (tf_real_t)at->h[1],
+                              kappa_mu * (tf_real_t)at->h[2]},
+                             {(tf_real_t)at->g[0], mu * (tf_real_t)at->g[1],
+                              kappa_mu * (tf_real_t)at->g[2]},
+                             {2, 2}};
+  return c;
 }
 
 TEST(exits_of_any_field_are_those_of_a_search) {
   int attract = 0, repel = 0, close = 0;
   for (int n = 0; n < samples(2000); n++) {
-    const tf_params_t params = any_params(n);
-    const tf_machine_t k = prepared(&params);
-    field_t at;
-    const codim2_field_t field = any_field(&params, &at);
+    const place_t c = any_field(n);
     consistent_modes_t out;
-    tf_codim2_modes(&k, &field, &out);
+    tf_codim2_modes(&c.k.contact, &c.field, &out);
     for (int slip = 0; slip < 2; slip++) {
       const unsigned bit = TF_MODE_BIT(TF_SLIP_PLUS + slip);
       const bool attracts = out.solutions.attracting & bit;
-      const exit_t want = search(&at, slip == 0 ? 1 : -1);
+      const exit_t want = search(&c.at, slip == 0 ? 1 : -1);
       const real got = (out.solutions.set & bit)
                            ? fabsl(wide(out.solutions.h_limit[slip]))
                            : 0;
-      const real size = 1 + wide(params.mu) * (1 + wide(params.kappa));
+      const real size = 1 + wide(c.params.mu) * (1 + wide(c.params.kappa));
       if (attracts != want.attracts || fabsl(got - want.growth) > 1e-3L * size)
         close++;
       else if (want.growth > 0)
@@ -105,24 +107,22 @@ TEST(exits_of_any_field_are_those_of_a_search) {
  * depend on what that mode was. */
 TEST(lost_modes_have_the_same_future) {
   int lost = 0, held = 0;
-  const tf_state_t x = {.tick = 7, .seed = 1};
   for (int n = 0; n < samples(8000); n++) {
-    const tf_params_t params = any_params(n);
-    const tf_machine_t k = prepared(&params);
-    field_t at;
-    codim2_field_t field = any_field(&params, &at);
-    field.pin = (multipliers_t){uniform(-1, 1), 0};
-    field.pin.y = uniform(-1, 1) * field.pin.x;
+    place_t c = any_field(n);
+    c.field.pin.x = uniform(-1, 1);
+    c.field.pin.y = uniform(-1, 1) * c.field.pin.x;
     consistent_modes_t out;
-    tf_codim2_modes(&k, &field, &out);
+    tf_codim2_modes(&c.k.contact, &c.field, &out);
     const unsigned none =
-        tf_leave_codim2(&k, &field, TF_NO_MODE, false, &x, &out);
+        tf_leave_codim2(&c.k.contact, &c.field, TF_NO_MODE, false, 7, 1, &out);
     for (unsigned mode = 0; mode < TF_PINNED; mode++) {
       if (out.solutions.set & TF_MODE_BIT(mode)) continue;
-      CHECK(tf_leave_codim2(&k, &field, mode, false, &x, &out) == none);
+      CHECK(tf_leave_codim2(&c.k.contact, &c.field, mode, false, 7, 1, &out) ==
+            none);
       lost++;
       held += none != TF_PINNED && !tf_mode_is_slip(mode) &&
-              tf_leave_codim2(&k, &field, mode, true, &x, &out) == TF_PINNED;
+              tf_leave_codim2(&c.k.contact, &c.field, mode, true, 7, 1, &out) ==
+                  TF_PINNED;
     }
   }
   printf("# %d lost, %d would be held on arrival\n", lost, held);
@@ -164,17 +164,15 @@ static followed_t followed(const field_t *at, int side, real start,
 TEST(slip_takes_its_course) {
   int slips = 0, arrives = 0, close = 0, leaves_h = 0;
   for (int n = 0; n < samples(1500); n++) {
-    const tf_params_t params = any_params(n);
-    const tf_machine_t k = prepared(&params);
-    field_t at;
-    const codim2_field_t field = any_field(&params, &at);
+    const place_t c = any_field(n);
     const int side = n & 1 ? 1 : -1;
     const real start = tap_uniform(-1.5, 1.5);
     const real distance = exp(tap_uniform(log(0.02), log(3)));
     const tf_slip_t slip = {(tf_real_t)(distance * (real)side * cosl(start)),
                             (tf_real_t)(distance * sinl(start))};
-    const codim2_course_t is = tf_codim2_course(&k, &field, slip, side);
-    const followed_t want = followed(&at, side, start, distance);
+    const codim2_course_t is =
+        tf_codim2_course(&c.k.contact, &c.field, slip, side);
+    const followed_t want = followed(&c.at, side, start, distance);
     if (want.sticks) {
       leaves_h += is.mode != (side > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS);
       close += is.mode == (side > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS);
@@ -201,13 +199,10 @@ TEST(slip_takes_its_course) {
 TEST(a_course_ends_with_the_signs_of_its_mode) {
   int ends[TF_MODES + 1] = {0}, wrong = 0;
   for (int n = 0; n < samples(40000); n++) {
-    const tf_params_t params = any_params(n);
-    const tf_machine_t k = prepared(&params);
-    field_t at;
-    const codim2_field_t field = any_field(&params, &at);
+    const place_t c = any_field(n);
     const int side = n & 1 ? 1 : -1;
     const real angle = tap_uniform(-1.5, 1.5);
-    const slip_rate_t rate = slip_rate_at(&at, side, angle);
+    const slip_rate_t rate = slip_rate_at(&c.at, side, angle);
     const real time = tap_uniform(0, 1), off = tap_uniform(-0.1, 0.1);
     /* Along -rate, for a time, past h = g = 0 by a share of that. */
     const real C = cosl(angle), S = sinl(angle);
@@ -216,7 +211,8 @@ TEST(a_course_ends_with_the_signs_of_its_mode) {
     const tf_slip_t slip = {(tf_real_t)((real)side * time * (-h - off * g)),
                             (tf_real_t)(time * (-g + off * h))};
     if (!((tf_real_t)side * slip.h > 0)) continue;
-    const codim2_course_t is = tf_codim2_course(&k, &field, slip, side);
+    const codim2_course_t is =
+        tf_codim2_course(&c.k.contact, &c.field, slip, side);
     const tf_slip_t end = is.slip;
     ends[is.mode]++;
     if (is.mode == TF_SLIP_PLUS) wrong += !(end.h >= 0);
@@ -241,6 +237,7 @@ TEST(a_field_that_is_no_number_has_no_course) {
   const tf_real_t none = (tf_real_t)NAN;
   const codim2_field_t field = {{none, 1, 1}, {1, none, 1}, {2, 2}};
   for (int side = -1; side <= 1; side += 2)
-    CHECK(tf_codim2_course(&k, &field, (tf_slip_t){(tf_real_t)side, 1}, side)
+    CHECK(tf_codim2_course(&k.contact, &field, (tf_slip_t){(tf_real_t)side, 1},
+                           side)
               .mode == TF_NO_MODE);
 }

@@ -1,11 +1,10 @@
-/* The selection rule against its own declaration (select.h): every set of
+/* The selection rule against its own declaration (tf_rule_t): every set of
  * modes, every pattern of attracting sticks, every present mode and rule, so
  * that no branch is left to luck; then the random rule as statistics, with
  * bounds of five standard deviations that a fixed seed keeps or breaks. */
 #include <stdbool.h>
 
 #include "friction/mode_set.h"
-#include "friction/select.h"
 #include "tap.h"
 #include "twofold.h"
 
@@ -13,7 +12,7 @@
 #define NEVER UINT64_C(0)
 #define ALWAYS (UINT64_C(1) << 63)
 
-/* One question to tf_select. */
+/* One question to tf_contact_choose. */
 typedef struct {
   tf_rule_t rule;
   unsigned set, attracting, near, mode;
@@ -22,14 +21,16 @@ typedef struct {
 } question_t;
 
 static unsigned answer(const question_t *q, uint64_t tick, uint32_t seed) {
-  solutions_t solutions;
+  tf_contact_modes_t solutions;
   memset(&solutions, 0, sizeof solutions);
   solutions.set = (uint8_t)q->set;
   solutions.attracting = (uint8_t)q->attracting;
   solutions.near_stick = (uint8_t)q->near;
   solutions.h_limit[0] = TF_R(2.0);
   solutions.h_limit[1] = q->minus_is_faster ? TF_R(-3.0) : TF_R(-1.0);
-  return tf_select(q->rule, q->threshold, &solutions, q->mode, tick, seed);
+  const tf_contact_t contact = {.rule = q->rule,
+                                .exit_threshold = q->threshold};
+  return tf_contact_choose(&contact, &solutions, q->mode, tick, seed);
 }
 
 /* Number n of all questions; false past the last. */

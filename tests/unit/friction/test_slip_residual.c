@@ -6,7 +6,7 @@
  * open, others what they are off by. */
 TEST(slip_law_at_codimension_two_takes_every_angle) {
   const tf_machine_t machine = prepared(&tf_scenes[0]->params);
-  const tf_tyre_t *tyre = &machine.tyre;
+  const tf_tyre_t *tyre = &machine.contact.tyre;
   const real size = (real)tyre->mu * (1 + (real)tyre->kappa);
   const real close = 32 * EPSILON * (1 + size);
   const tf_slip_t rest = {0, 0};
@@ -44,6 +44,6 @@ TEST(no_contact_has_no_force) {
   const tf_slip_t slip = {TF_R(0.5), TF_R(-0.25)};
   for (int i = 0; i < 4; i++) {
     const tf_force_t force = {i & 1 ? 2 : -2, i & 2 ? 4 : -4};
-    CHECK(slip_law_residual(&machine.tyre, 1, force, slip) == 6);
+    CHECK(slip_law_residual(&machine.contact.tyre, 1, force, slip) == 6);
   }
 }

@@ -36,30 +36,6 @@ static int effect_of(board_t *board, const recorded_t *frame) {
   return code;
 }
 
-/* A reset that was recorded acts when it is sent, and never again: not at
- * once, not later, not on the same board after it was started anew. */
-TEST(recorded_command_acts_once) {
-  board_t board;
-  power_up(&board, "chaos");
-  ticks(&board, 50);
-  const recorded_t reset =
-      record(TF_UP_RESET, board.link.session, board.up, 0, NULL);
-  CHECK(effect_of(&board, &reset) == TF_ANSWER_DONE);
-  CHECK(board.simulation.state.tick == 0);
-  for (int n = 0; n < 50; n++) {
-    tick(&board);
-    CHECK(effect_of(&board, &reset) == TF_ANSWER_OLD);
-  }
-  CHECK(board.simulation.state.tick == 50);
-  for (int n = 0; n < 50; n++) {
-    switch_on(&board, "chaos");
-    /* Nobody has asked who it is: it has no session that a frame could name. */
-    CHECK(effect_of(&board, &reset) == TF_ANSWER_FOREIGN);
-    power_up(&board, "chaos");
-    CHECK(effect_of(&board, &reset) == TF_ANSWER_FOREIGN);
-  }
-}
-
 /* The session is made of all that was stirred in, and is never 0. */
 TEST(session_depends_on_every_reading) {
   board_t board;
@@ -304,7 +280,7 @@ TEST(tag_is_siphash_of_the_body) {
   static const char body[] =
       "\3\x45\14\5\0\0\0"  /* version, stop, 12 bytes, number 5 */
       "\115\0\0\0\0\0\0\0" /* at tick 77 */
-      "\x44\x33\x22\x11";  /* of this session */
+      "\x44\x33\x22\x11";  /* of the session */
   const tf_frame_t got = frame_of(frame.wire, frame.size);
   CHECK(got.length == 12);
   CHECK(tf_wire_get(got.payload + 4, 8) ==

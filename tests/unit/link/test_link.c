@@ -23,7 +23,7 @@ TEST(parameters_of_no_machine_are_refused_until_mended) {
   send_parameter(&board, 0, index_of("m"), 1);
   send(&board, TF_UP_RULE, 0, rule, sizeof rule);
   CHECK(boundary(&board) == 2);
-  CHECK(board.simulation.machine.rule == TF_RULE_RANDOM);
+  CHECK(board.simulation.machine.contact.rule == TF_RULE_RANDOM);
 }
 
 TEST(set_parameter_takes_effect_only_at_the_boundary) {
@@ -34,7 +34,7 @@ TEST(set_parameter_takes_effect_only_at_the_boundary) {
   CHECK(acts_alike(&board, &before));
   CHECK(answer_of(&board).length == 0); /* nothing to report yet */
   CHECK(boundary(&board) == 1);
-  CHECK(board.simulation.machine.tyre.mu == TF_R(1.25));
+  CHECK(board.simulation.machine.contact.tyre.mu == TF_R(1.25));
   tf_params_t params = board.scene->params;
   tf_machine_t machine;
   params.mu = TF_R(1.25);
@@ -46,10 +46,10 @@ TEST(set_parameter_takes_effect_only_at_the_boundary) {
   send_parameter(&board, 3, index_of("mu"), 1);
   for (int n = 0; n < 3; n++) {
     tick(&board);
-    CHECK(board.simulation.machine.tyre.mu == TF_R(1.25));
+    CHECK(board.simulation.machine.contact.tyre.mu == TF_R(1.25));
   }
   tick(&board);
-  CHECK(board.simulation.machine.tyre.mu == 1 &&
+  CHECK(board.simulation.machine.contact.tyre.mu == 1 &&
         board.simulation.state.tick == 4);
   CHECK(code_of(&board) == TF_ANSWER_DONE);
   const answer_t answer = answer_of(&board);
@@ -185,8 +185,18 @@ TEST(records_are_as_many_as_the_line_carries) {
   CHECK_TOLD(&board, 0, TF_ANSWER_LENGTH);
   char name[300] = {0};
   memset(name, 'a', sizeof name - 1);
-  CHECK(tf_line_of_frames(1, 0, name, "", false).beside ==
-        tf_line_of_frames(1, 0, name + 61, "", false).beside);
+  CHECK(tf_line_of_frames(1, 0, name, "", false, false).beside ==
+        tf_line_of_frames(1, 0, name + 61, "", false, false).beside);
+  /* A tail in state and report, with commands in an answer; and in five. */
+  for (unsigned i = 0; i < 2; i++) {
+    const bool up = i > 0;
+    const tf_line_t plain =
+        tf_line_of_frames(1, 0, "chaos", "twofold", up, false);
+    const tf_line_t tagged =
+        tf_line_of_frames(1, 0, "chaos", "twofold", up, true);
+    CHECK(tagged.record == plain.record + (2 + i) * TF_TAIL_BYTES);
+    CHECK(tagged.beside == plain.beside + 5 * TF_TAIL_BYTES);
+  }
 }
 
 TEST(inputs_act_at_their_tick) {
@@ -305,7 +315,7 @@ TEST(start_stop_reset_and_rule) {
   send(&board, TF_UP_RULE, 0, none, 5);
   board.link.describe = false;
   CHECK_TOLD(&board, 1, TF_ANSWER_DONE, TF_BAD_PARAMETER);
-  CHECK(board.simulation.machine.rule == TF_RULE_RANDOM);
+  CHECK(board.simulation.machine.contact.rule == TF_RULE_RANDOM);
   CHECK(board.simulation.state.seed == 0x04030201u && board.link.describe);
   board.link.describe = false;
   send_plain(&board, TF_UP_DESCRIBE);

@@ -20,27 +20,6 @@ TEST(kinematics_against_the_paper) {
   }
 }
 
-TEST(slip_speed_reads_back) {
-  for (int i = 0; i < samples(100000); i++) {
-    tf_params_t p = random_params();
-    p.gamma = uniform(-3.14, 3.14);
-    const tf_machine_t machine = prepared(&p);
-    const real s = fabsl(sinl(wide(p.gamma)));
-    const tf_real_t r = uniform(-2, 2), w = uniform(-2, 2);
-    const tf_real_t omega0 = uniform(-2, 2);
-    const tf_real_t h = i & 1 ? uniform(-1, 1) : (tf_real_t)1e-10;
-    tf_real_t v = 77;
-    CHECK(tf_speed_for_slip(&machine, r, w, omega0, h, &v) ==
-          (s < 1e-6L ? TF_BAD_STATE : TF_OK));
-    if (s < 1e-6L) continue;
-    const real z = fabsl(wide(w) - wide(omega0));
-    const real size = fabsl(wide(v)) + fabsl(wide(h)) +
-                      (fabsl(wide(p.d)) + fabsl(wide(r))) * z;
-    CHECK_NEAR(wide(tf_slip(&machine, r, v, w, omega0).h), wide(h),
-               8 * EPSILON * size);
-  }
-}
-
 TEST(slip_speed_is_refused_where_v_does_not_act_on_h) {
   const tf_real_t gamma[] = {0, TF_R(0.9e-6), TF_R(-0.9e-6),
                              TF_R(3.1415926535897932)};

@@ -94,7 +94,7 @@ TEST(an_unknown_law_or_rule_is_blamed_on_neither_member) {
   for (int i = 0; i < TF_RULES; i++) {
     tf_params_t p = params_of_law(TF_TYRE_JUMP);
     p.rule = (tf_rule_t)i;
-    CHECK(accepted(&p).rule == p.rule);
+    CHECK(accepted(&p).contact.rule == p.rule);
   }
 }
 
@@ -150,10 +150,10 @@ static void near(tf_real_t got, real want, real ulps) {
 TEST(exit_threshold_at_its_ends) {
   tf_params_t p = params_of_law(TF_TYRE_JUMP);
   p.rate = 0;
-  CHECK(accepted(&p).exit_threshold == 0);
+  CHECK(accepted(&p).contact.exit_threshold == 0);
   p.rate = TF_R(1e9);
   p.dt = 1;
-  CHECK(accepted(&p).exit_threshold == UINT64_C(1) << 63);
+  CHECK(accepted(&p).contact.exit_threshold == UINT64_C(1) << 63);
 }
 
 /* Without friction, or with less than a normal number, nothing is divided by
@@ -164,16 +164,17 @@ TEST(no_friction_has_no_inverse) {
     tf_params_t p = params_of_law(TF_TYRE_JUMP);
     p.mu = none[i];
     const tf_machine_t k = accepted(&p);
-    CHECK(k.inv_mu == 0 && k.inv_kappa_mu == 0 && k.inv_mu_dt == 0);
+    CHECK(k.contact.inv_mu == 0 && k.contact.inv_kappa_mu == 0 &&
+          k.inv_mu_dt == 0);
   }
   tf_params_t p = params_of_law(TF_TYRE_JUMP);
   p.mu = TF_REAL_MIN; /* the least normal one has an inverse */
   const tf_machine_t k = accepted(&p);
-  CHECK(k.inv_mu * TF_REAL_MIN == 1);
+  CHECK(k.contact.inv_mu * TF_REAL_MIN == 1);
   p.kappa = TF_R(0.125);
   for (int i = 2; i <= 32; i *= 2) { /* nor has stick a smaller moment */
     p.mu = (tf_real_t)i * TF_REAL_MIN;
-    CHECK((accepted(&p).stick_kappa > 0) == (i >= 8));
+    CHECK((accepted(&p).contact.stick_kappa > 0) == (i >= 8));
   }
 }
 
@@ -182,11 +183,11 @@ TEST(each_law_gets_its_own_constants) {
   for (int n = 0; n < TF_TYRE_LAWS; n++) {
     const tf_params_t p = params_of_law((tf_tyre_law_t)n);
     const tf_machine_t k = accepted(&p);
-    const tf_tyre_t *t = &k.tyre;
+    const tf_tyre_t *t = &k.contact.tyre;
     const bool paper = n == TF_TYRE_JUMP || n == TF_TYRE_SMOOTH;
     const bool string = n == TF_TYRE_STRING || n == TF_TYRE_TWO_PIECE;
     CHECK(t->law == p.law && t->mu == p.mu);
-    CHECK(k.stick_kappa == (n == TF_TYRE_JUMP ? p.kappa : 0));
+    CHECK(k.contact.stick_kappa == (n == TF_TYRE_JUMP ? p.kappa : 0));
     CHECK(t->kappa == (paper ? p.kappa : 0));
     CHECK((t->T_anchor[8] > 0) == paper);
     CHECK(t->epsilon == (n == TF_TYRE_SMOOTH ? p.epsilon : 0));

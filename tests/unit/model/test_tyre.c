@@ -21,7 +21,7 @@ static tf_params_t random_params(tf_tyre_law_t law) {
 }
 
 static tf_tyre_t tyre_of(const tf_params_t *params) {
-  return prepared(params).tyre;
+  return prepared(params).contact.tyre;
 }
 
 static paper_string_t string_of(const tf_tyre_t *tyre) {
@@ -185,23 +185,6 @@ TEST(smooth_law_tends_to_the_jump) {
       CHECK_NEAR(wide(f.F), wide(j.F),
                  (1e-10L + 4 * EPSILON) * fabsl(wide(j.F)));
   }
-}
-
-TEST(coulomb_and_none) {
-  for (int i = 0; i < 1000; i++) {
-    const tf_params_t params = random_params(TF_TYRE_COULOMB);
-    const tf_params_t nothing = random_params(TF_TYRE_NONE);
-    const tf_tyre_t coulomb = tyre_of(&params), none = tyre_of(&nothing);
-    const tf_real_t side = random_sign(), h = side * log_uniform(1e-9, 10);
-    const tf_real_t g = random_sign() * log_uniform(1e-9, 10);
-    const tf_force_t f = tf_tyre_force(&coulomb, side, h, g);
-    const tf_force_t n = tf_tyre_force(&none, side, h, g);
-    CHECK(f.F == side * params.mu && f.M == 0);
-    CHECK(n.F == 0 && n.M == 0);
-  }
-  for (int law = 0; law < TF_TYRE_LAWS; law++)
-    CHECK(tf_tyre_is_set_valued((tf_tyre_law_t)law) ==
-          (law == TF_TYRE_JUMP || law == TF_TYRE_COULOMB));
 }
 
 /* (h, g) -> (-h, g) changes the signs of F and M, (h, -g) that of M alone:

@@ -162,7 +162,7 @@ TEST(a_reversal_is_not_coarse) {
  * in the field over the step. */
 static int end_near_codim2(const tf_machine_t *k, const tf_state_t *x,
                            tf_slip_t *now, codim2_course_t *course,
-                           solutions_t *s, step_end_t *to) {
+                           tf_contact_modes_t *s, step_end_t *to) {
   const tf_input_t u = tf_input_default(k);
   const start_t start = start_of(k, x, &u);
   free_motion_t c = free_motion(k, x, &u, start);
@@ -170,12 +170,12 @@ static int end_near_codim2(const tf_machine_t *k, const tf_state_t *x,
   if (!c.linear.definite) return 0;
   const unsigned signs = solve_inclusion(&c, &in, s);
   if (!is_near_codim2(&c, &in, signs, s->set)) return 0;
-  tf_codim2_end(&c, &in, s, to);
+  tf_codim2_end(&c, &in, to);
   *now = c.start.slip;
   const codim2_field_t field = {{in.h.c0 - now->h, in.h.cx, in.h.cy},
                                 {in.g.c0 - now->g, in.g.cx, in.g.cy},
                                 {2, 2}};
-  *course = tf_codim2_course(k, &field, *now, now->h > 0 ? 1 : -1);
+  *course = tf_codim2_course(&k->contact, &field, *now, now->h > 0 ? 1 : -1);
   return 1;
 }
 
@@ -195,7 +195,7 @@ TEST(a_slip_that_may_miss_its_future_is_coarse) {
                                                         : TF_SLIP_MINUS;
     tf_slip_t now;
     codim2_course_t course;
-    solutions_t s;
+    tf_contact_modes_t s;
     step_end_t to;
     if (!end_near_codim2(&k, &x, &now, &course, &s, &to) ||
         !to.outcome.is_mean || course.mode >= TF_PINNED || size_of(s.set) < 2)

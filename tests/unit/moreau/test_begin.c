@@ -136,8 +136,14 @@ TEST(begin_finds_the_mode) {
   }
   p.law = TF_TYRE_COULOMB;
   const tf_machine_t coulomb = prepared(&p);
-  const tf_state_t x = {.r = TF_R(0.5), .w = p.omega0};
-  CHECK(begun(&coulomb, &x, TF_NO_MODE).mode != TF_PINNED);
+  tf_state_t x = {.r = TF_R(0.5), .w = p.omega0};
+  const tf_report_t still = begun(&coulomb, &x, TF_NO_MODE);
+  CHECK(still.mode != TF_PINNED);
+  x.w += TF_R(1e-4); /* it rolls slowly, under nearly the same force */
+  CHECK(tf_speed_for_slip(&coulomb, x.r, x.w, p.omega0, 0, &x.v) == TF_OK);
+  const real F = wide(begun(&coulomb, &x, TF_NO_MODE).force.F);
+  CHECK(fabsl(F) > 0.1L);
+  CHECK_NEAR(still.force.F, F, 1e-3L);
 }
 
 /* Off h = 0 the side decides alone, at any law, whatever mode is asked for. */
@@ -153,7 +159,8 @@ TEST(begin_off_the_surface) {
     if (fabsl(wide(slip.h)) < 200 * EPSILON) continue;
     const tf_report_t report = begun(&machine, &x, TF_NO_MODE);
     const tf_real_t side = slip.h > 0 ? TF_R(1.0) : TF_R(-1.0);
-    const tf_force_t f = tf_tyre_force(&machine.tyre, side, slip.h, slip.g);
+    const tf_force_t f =
+        tf_tyre_force(&machine.contact.tyre, side, slip.h, slip.g);
     CHECK(report.mode == (slip.h > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS));
     CHECK(report.choices == 1);
     CHECK(report.force.F == f.F && report.force.M == f.M);

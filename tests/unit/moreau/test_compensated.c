@@ -125,7 +125,8 @@ TEST(compensated_stick_is_exact) {
       worst = fmaxl(worst, fabsl((real)run.report.slip.h));
       /* Through h = g = 0 it is a mean with that of slip. */
       const real most = run.x.mode == was ? 1 : 4.0L / 3;
-      CHECK(fabsl((real)run.report.force.F) <= most * (real)run.k.tyre.mu);
+      CHECK(fabsl((real)run.report.force.F) <=
+            most * (real)run.k.contact.tyre.mu);
     }
     CHECK_NEAR(worst, 0, 32 * EPSILON * (real)dt);
     printf("# %s: %d sticks, |h| <= %.2Lg epsilon dt\n", names[i], sticks,

@@ -134,26 +134,19 @@ static tf_state_t difficult_state(tf_real_t omega0) {
 
 /* One that tf_step refuses, or nearly so. */
 static void spoil(tf_state_t *x) {
-  switch (tap_bits() % 6) {
-    case 0:
-      x->r = (tf_real_t)NAN;
-      break;
-    case 1:
-      x->v = (tf_real_t)INFINITY;
-      break;
-    case 2:
-      x->w = 2 * TF_STATE_LIMIT;
-      break;
-    case 3:
-      x->mode = (uint8_t)(TF_MODES + tap_bits() % 200);
-      break;
-    case 4:
-      x->v = -log_uniform(1, 1e9);
-      break;
-    default:
-      x->w = log_uniform(1, 1e9);
-      break;
-  }
+  const tf_real_t large = log_uniform(1, 1e9);
+  const struct {
+    tf_real_t *member, value;
+  } bad[] = {{&x->r, (tf_real_t)NAN},
+             {&x->v, (tf_real_t)INFINITY},
+             {&x->w, 2 * TF_STATE_LIMIT},
+             {&x->v, -large},
+             {&x->w, large}};
+  const uint64_t which = tap_bits() % 6;
+  if (which < 5)
+    *bad[which].member = bad[which].value;
+  else
+    x->mode = (uint8_t)(TF_MODES + tap_bits() % 200);
 }
 
 /* Machines and states that are hard on a step: every status is seen. */

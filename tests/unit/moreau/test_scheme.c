@@ -1,5 +1,5 @@
 /* A step against the equations of the scheme, solved once more in long double
- * (support/scheme.h); and those equations against the paper's. */
+ * (support/scheme.h). */
 #include "moreau/balance.h"
 #include "scheme.h"
 #include "sim.h"
@@ -88,92 +88,6 @@ TEST(a_step_ends_where_the_scheme_says) {
          worst / EPSILON, balanced);
   CHECK(judged > samples(10000));
   CHECK(worst <= 20 * EPSILON);
-}
-
-typedef struct {
-  real F, M;
-  bool clear; /* not next to a border of the cases of (11) */
-} secant_t;
-
-/* (11) at a predicted slip. */
-static secant_t secant(const case_t *at, scheme_slip_t slip) {
-  const scheme_step_t *c = &at->scheme;
-  const tf_force_t f = tf_tyre_force(&at->s.k.tyre, (tf_real_t)slip.h,
-                                     (tf_real_t)slip.h, (tf_real_t)slip.g);
-  real end[3], by[2];
-  scheme_end(c, 0, 0, end);
-  scheme_change_by(c, wide(f.F), wide(f.M), by);
-  const real dp = by[0] - c->p.d * by[1];
-  const real dq =
-      end[0] * by[1] + (end[2] - c->omega0) * c->theta * c->dt * by[0];
-  const real E = (-dp * c->sin - dq * c->cos) / slip.h;
-  secant_t out = {wide(f.F), wide(f.M),
-                  fabsl(slip.h) > 1e-2L && fabsl(E) > 1e-4L};
-  if (!(E < 0)) return out;
-  const real h_now = scheme_slip(c, 0, c->x).h;
-  const real h_free = scheme_slip(c, 1, end).h;
-  const real h_t = (h_now + c->theta * (h_free - h_now)) / (1 - c->theta * E);
-  const real share = fmaxl(-1, fminl(1, h_t / slip.h));
-  out.F *= share;
-  out.M *= share;
-  return out;
-}
-
-/* (11), twice: at the slip of the start, and at the theta point of the way
- * under the force that this gives. */
-TEST(single_valued_force_is_the_secant_of_the_scheme) {
-  static const tf_tyre_law_t laws[] = {TF_TYRE_SMOOTH, TF_TYRE_STRING,
-                                       TF_TYRE_TWO_PIECE};
-  int judged = 0;
-  real worst = 0;
-  for (int i = 0; i < samples(30000); i++) {
-    const case_t c = random_case(laws[i % 3], 0.1);
-    const scheme_step_t *scheme = &c.scheme;
-    const real theta = scheme->theta, *x0 = scheme->x;
-    tf_state_t x = c.s.x;
-    tf_report_t report;
-    if (tf_step(&c.s.k, &x, &c.s.u, &report) != TF_OK) continue;
-    const secant_t first = secant(&c, scheme_slip(scheme, 0, x0));
-    real end[3];
-    scheme_end(scheme, first.F, first.M, end);
-    const real middle[3] = {scheme->r_t, x0[1] + theta * (end[1] - x0[1]),
-                            x0[2] + theta * (end[2] - x0[2])};
-    const secant_t second = secant(&c, scheme_slip(scheme, theta, middle));
-    if (!first.clear || !second.clear) continue;
-    const real size = fabsl(second.F) + fabsl(second.M) + scheme->p.mu;
-    const real off = fabsl(wide(report.force.F) - second.F) +
-                     fabsl(wide(report.force.M) - second.M);
-    worst = fmaxl(worst, off / size);
-    judged++;
-  }
-  printf("# %d forces, %.2Lg epsilon off\n", judged, worst / EPSILON);
-  CHECK(judged > samples(5000));
-  CHECK(worst <= 1e4L * EPSILON);
-}
-
-/* A step over a time in which nothing changes has the accelerations of the
- * paper, and external force and torque act by its mass matrix. */
-TEST(the_scheme_tends_to_the_equations_of_motion) {
-  for (int i = 0; i < 1000; i++) {
-    case_t c = random_case(TF_TYRE_JUMP, 0.1);
-    const real *x = c.scheme.x;
-    c.s.params.dt = TF_R(1e-9);
-    const scheme_step_t scheme = scheme_step(&c.s.params, &c.s.u, x);
-    paper_t p = scheme.p;
-    p.omega0 = wide(c.s.u.omega0);
-    p.r0 = wide(c.s.u.r0);
-    const real F = wide(uniform(-1, 1)), M = wide(uniform(-1, 1));
-    const real J = p.m * (p.beta * p.beta + x[0] * x[0]);
-    const real Q_r = wide(c.s.u.force), Q_phi = wide(c.s.u.torque);
-    real end[3], rate[3];
-    paper_rhs_time(&p, x, F, M, rate);
-    rate[1] += Q_r / p.m + p.d * (p.d * Q_r + Q_phi) / J;
-    rate[2] += (p.d * Q_r + Q_phi) / J;
-    scheme_end(&scheme, F, M, end);
-    const real size = 1 + fabsl(rate[0]) + fabsl(rate[1]) + fabsl(rate[2]);
-    for (int n = 0; n < 3; n++)
-      CHECK_NEAR((end[n] - x[n]) / scheme.dt, rate[n], 1e-7L * size * size);
-  }
 }
 
 /* The compensated step solves (6) with the parameters as they were given and

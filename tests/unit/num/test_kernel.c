@@ -4,8 +4,8 @@
  * and at the points where such code breaks: borders of the range reduction,
  * subnormal arguments, the numbers next to multiples of pi/2. */
 #include "common.h"
+#include "friction/tyre_law.h"
 #include "model/kinematics.h"
-#include "model/tyre_law.h"
 #include "same_state.h"
 
 /* Claimed bounds [ULP]. For cot_psi over kappa in [1e-9, 1e6] the
@@ -33,7 +33,7 @@ static real ulps(tf_real_t got, real want) {
 static tf_tyre_t tyre_with(tf_real_t kappa) {
   tf_params_t params = tf_scenes[0]->params;
   params.kappa = kappa;
-  return prepared(&params).tyre;
+  return prepared(&params).contact.tyre;
 }
 
 /* tan(a atan(G/H)), a = (2/pi) atan(6 kappa). Above 1 it is the cotangent of

@@ -1,5 +1,5 @@
 /* The scenes that come with the project: their texts, the start of `chaos` and
- * the inputs of `driven` over time. Their motions: law/test_reference.c. */
+ * inputs over time. Their motions: law/test_reference.c. */
 #include "scene_named.h"
 #include "sim.h"
 
@@ -34,26 +34,6 @@ TEST(chaos_starts_as_the_contract_says) {
   CHECK_NEAR(wide(run.report.slip.h), 1e-10L, 4 * EPSILON);
   const tf_params_t *p = &scene->params;
   CHECK(p->law == TF_TYRE_JUMP && p->rule == TF_RULE_PERSIST);
-}
-
-TEST(driven_profile_is_followed) {
-  const tf_scene_t *scene = scene_named("driven");
-  const tf_machine_t k = prepared(&scene->params);
-  const int knots = scene->knots;
-  const tf_knot_t *knot = scene->profile;
-  CHECK(knots == 5);
-  for (int i = 0; i < knots; i++) {
-    const tf_input_t at = tf_scene_input(
-        scene, &k, (uint64_t)(wide(knot[i].t) / wide(k.dt) + 0.5L));
-    CHECK_NEAR(wide(at.omega0), wide(knot[i].omega0), 4 * EPSILON);
-    CHECK(at.r0 == scene->params.r0 && at.force == 0 && at.torque == 0);
-    CHECK(i == 0 || knot[i - 1].t < knot[i].t);
-  }
-  const uint64_t behind[] = {200000, 1u << 24, UINT64_MAX};
-  for (int i = 0; i < 3; i++) {
-    const tf_input_t at = tf_scene_input(scene, &k, behind[i]);
-    CHECK(at.omega0 == knot[knots - 1].omega0 && at.alpha == 0);
-  }
 }
 
 /* A step goes on where the one before has come to, but for jumps at its start;
@@ -108,6 +88,7 @@ TEST(a_profile_may_jump) {
     for (uint64_t tick = 20000; tick < 20005; tick++) {
       const tf_input_t u = tf_scene_input(&scene, &k, tick);
       CHECK(u.omega0 == knots[scene.knots - 1].omega0 && u.alpha == 0);
+      CHECK(tf_scene_input(&scene, &k, UINT64_MAX - tick).omega0 == u.omega0);
     }
 }
 

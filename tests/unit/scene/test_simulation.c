@@ -5,11 +5,18 @@
 #include "tap.h"
 #include "twofold.h"
 
+/* Whatever was in its memory before. */
+static tf_simulation_t opened(const tf_scene_t *scene) {
+  tf_simulation_t simulation;
+  memset(&simulation, 0xff, sizeof simulation);
+  CHECK(tf_simulation_open(&simulation, scene, &scene->params, 0) == TF_OK);
+  return simulation;
+}
+
 TEST(simulation_is_the_run_of_the_command_line) {
   for (int i = 0; i < TF_SCENES; i++) {
     const tf_scene_t *scene = tf_scenes[i];
-    tf_simulation_t simulation;
-    CHECK(tf_simulation_open(&simulation, scene, &scene->params, 0) == TF_OK);
+    tf_simulation_t simulation = opened(scene);
     tf_state_t state;
     tf_report_t report;
     CHECK(tf_scene_start(scene, &simulation.machine, 0, &state, &report) ==
@@ -41,8 +48,7 @@ TEST(simulation_is_the_run_of_the_command_line) {
  * does meanwhile, then the safe ones until they are set again. */
 TEST(inputs_expire_after_their_steps) {
   const tf_scene_t *scene = scene_named("driven");
-  tf_simulation_t simulation;
-  CHECK(tf_simulation_open(&simulation, scene, &scene->params, 0) == TF_OK);
+  tf_simulation_t simulation = opened(scene);
   CHECK(simulation.deadman == 0 && simulation.expired == 0);
   const tf_input_t push = {TF_R(-0.5), TF_R(0.125), 1, 2, 0};
   const tf_input_t safe = tf_input_default(&simulation.machine);
@@ -78,9 +84,7 @@ TEST(inputs_expire_after_their_steps) {
 /* A tick without a step is one of those for which inputs hold, but not while
  * the simulation stands. */
 TEST(ticks_without_a_step_count) {
-  tf_simulation_t simulation;
-  CHECK(tf_simulation_open(&simulation, tf_scenes[0], &tf_scenes[0]->params,
-                           0) == TF_OK);
+  tf_simulation_t simulation = opened(tf_scenes[0]);
   for (uint32_t left = 0; left < 5; left++)
     for (uint32_t ticks = 0; ticks < 7; ticks++) {
       simulation.left = left;
@@ -97,8 +101,7 @@ TEST(ticks_without_a_step_count) {
  * or never: the turntable stays where it has come to. */
 TEST(alpha_acts_on_its_first_step_only) {
   const tf_scene_t *scene = scene_named("driven");
-  tf_simulation_t simulation;
-  CHECK(tf_simulation_open(&simulation, scene, &scene->params, 0) == TF_OK);
+  tf_simulation_t simulation = opened(scene);
   const tf_real_t dt = simulation.machine.dt;
   simulation.deadman = 12;
   tf_input_t sent = tf_input_default(&simulation.machine);
@@ -148,10 +151,7 @@ TEST(tally_keeps_its_first_reservation) {
 
 /* A simulation counts from its opening, whatever it ran before. */
 TEST(simulation_opens_with_an_empty_tally) {
-  tf_simulation_t simulation;
-  memset(&simulation, 0xff, sizeof simulation);
-  const tf_scene_t *scene = tf_scenes[0];
-  CHECK(tf_simulation_open(&simulation, scene, &scene->params, 0) == TF_OK);
+  const tf_simulation_t simulation = opened(tf_scenes[0]);
   const tf_tally_t *t = &simulation.tally;
   CHECK(t->degraded + t->fell_back + t->coarse + t->refused + t->stalled == 0);
 }

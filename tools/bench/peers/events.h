@@ -1,4 +1,3 @@
-/// @file
 /// What a good engineer would write by hand: Runge-Kutta at a fixed step, every
 /// switch located, libm's tangents.
 ///
@@ -7,12 +6,12 @@
 /// costs a step or two and leaves the order as it is. On the way into h = g = 0
 /// the steps shrink with the time that is left, because the field depends on
 /// the angle there, which changes ever faster.
-#ifndef TWOFOLD_PEERS_EVENTS_H
-#define TWOFOLD_PEERS_EVENTS_H
+#pragma once
 
 #include "runge_kutta.h"
 
-enum { MOST = 100000 }; // steps, after which a run is given up
+// Steps after which a run is given up: with switches, and without.
+enum { MOST = 100000, MOST_SMOOTH = 600000 };
 
 typedef struct {
   real_t dt;    // longest step [s]
@@ -24,20 +23,8 @@ typedef struct {
 typedef struct {
   point_t y, dy; // state and its rates
   contact_t contact;
-  long steps;
-  int switches;
   int lost; // the rule for h = g = 0 found no way on
 } motion_t;
-
-// A switch is met where its function falls through zero.
-typedef enum { AT_H, AT_G, AT_LAMBDA, NOWHERE } switch_t;
-
-static inline real_t margin(const model_t *k, contact_t c, switch_t at,
-                            point_t y) {
-  if (at == AT_H) return (real_t)c.side * y.h;
-  if (at == AT_G) return (real_t)c.roll * rolling(k, y);
-  return k->mu - fabs(stick_at(k, c.roll, y).lambda);
-}
 
 static inline real_t margin_rate(const model_t *k, contact_t c, switch_t at,
                                  point_t y, point_t dy) {
@@ -72,6 +59,7 @@ static inline real_t cubic_root(real_t e0, real_t e1, real_t s0, real_t s1) {
 
 // Which switch the step to `end` has passed.
 static inline switch_t passed(const model_t *k, contact_t c, point_t end) {
+  if (!JUMPS(k)) return NOWHERE;
   if (c.side && margin(k, c, AT_H, end) < 0) return AT_H;
   if (margin(k, c, AT_G, end) < 0) return AT_G;
   if (!c.side && margin(k, c, AT_LAMBDA, end) < 0) return AT_LAMBDA;
@@ -101,33 +89,6 @@ static inline real_t locate(const model_t *k, advance_t *advance,
     length += rest;
   }
   return length;
-}
-
-static inline void change(const model_t *k, switch_t at, motion_t *x) {
-  x->switches++;
-  if (at == AT_H) {
-    x->y.h = 0;
-    x->contact = after_h(k, x->contact, x->y);
-  } else if (at == AT_LAMBDA) {
-    x->contact.side = stick_at(k, x->contact.roll, x->y).lambda > 0 ? 1 : -1;
-  } else if (x->contact.side) { // a kink of F
-    x->y.z = -x->y.h * k->cos / x->y.r;
-    x->contact.roll = -x->contact.roll;
-  } else {
-    x->y.z = 0;
-    x->lost = !capture(k, (point_t){0, 0, 0, 1}, 0, &x->y, &x->contact);
-  }
-}
-
-// How fine a run is, from its step alone: the share shrinks as dt^(1/5), so
-// that the way into h = g = 0 keeps up with the order of the rest.
-static inline events_t events_by_step(real_t dt) {
-  return (events_t){dt, 0, pow(dt, (real_t)0.2) / 2, dt * dt / 10};
-}
-
-// The same from a tolerance, for dp5.
-static inline events_t events_by_tolerance(real_t tol) {
-  return (events_t){(real_t)0.25, tol, (real_t)0.5, sqrt(tol) / 10};
 }
 
 // By what the length of a step may change, after its error (order five).
@@ -164,16 +125,14 @@ static inline int events_step(const model_t *k, advance_t *advance,
     next = passed(k, x->contact, end);
   }
   x->y = end;
-  x->steps++;
   if (at != NOWHERE) {
-    change(k, at, x);
+    x->lost = !change(k, at, &x->contact, &x->y);
     rate = contact_rates(k, x->contact, x->y);
   }
   x->dy = rate;
   return 1;
 }
 
-// `advance` is a constant at every call, so that all of this is one loop.
 static inline motion_t events_run(const model_t *k, advance_t *advance,
                                   const problem_t *problem,
                                   const events_t *by) {
@@ -183,16 +142,16 @@ static inline motion_t events_run(const model_t *k, advance_t *advance,
   x.contact.side = problem_side(problem);
   x.contact.roll = rolling(k, x.y) < 0 ? -1 : 1;
   x.dy = contact_rates(k, x.contact, x.y);
-  for (long tries = 0; left > 0 && !x.lost && tries < MOST; tries++) {
+  const long most = JUMPS(k) ? MOST : MOST_SMOOTH;
+  for (long tries = 0; left > 0 && !x.lost && tries < most; tries++) {
     // What remains after rounding is not worth a step of its own.
     real_t t = left < dt * (real_t)1.000001 ? left : dt;
-    if (x.contact.side) {
+    if (JUMPS(k) && x.contact.side) {
       const real_t fall = time_to_fall(k, x.y, x.dy);
       if (fall > 0 && fall < by->near) {
         left -= fall;
         x.lost = !capture(k, x.dy, fall, &x.y, &x.contact);
         x.dy = contact_rates(k, x.contact, x.y);
-        x.switches++;
         continue;
       }
       if (fall > 0 && t > fall * by->share) t = fall * by->share;
@@ -202,5 +161,3 @@ static inline motion_t events_run(const model_t *k, advance_t *advance,
   x.lost |= !(left <= 0);
   return x;
 }
-
-#endif

@@ -1,4 +1,3 @@
-/// @file
 /// The machine as a piecewise smooth system, as every event-driven peer needs
 /// it: one smooth field a mode, and the rules by which a mode ends.
 ///
@@ -12,8 +11,7 @@
 /// a small radius the rest of the way is taken as a straight line, and the
 /// motion goes on in the attracting stick that leaves in its own direction.
 /// Without the rule they end on a branch that depends on the tolerance.
-#ifndef TWOFOLD_PEERS_MODEL_H
-#define TWOFOLD_PEERS_MODEL_H
+#pragma once
 
 #include <math.h>
 #include <tgmath.h>
@@ -26,12 +24,31 @@ typedef long double real_t;
 typedef tf_real_t real_t;
 #endif
 
+// Whether the law jumps. Peers that are timed know it when they are compiled.
+#ifdef PEER_JUMPS
+#define JUMPS(k) PEER_JUMPS
+#else
+#define JUMPS(k) ((k)->jumps)
+#endif
+
 typedef struct {
   real_t r; // [m]
   real_t h; // [m/s]
   real_t z; // [rad/s]
   real_t t; // [s], for the speed of the turntable
 } point_t;
+
+// As four numbers, as libraries have it.
+static inline point_t point_of(const double *y) {
+  return (point_t){(real_t)y[0], (real_t)y[1], (real_t)y[2], (real_t)y[3]};
+}
+
+static inline void point_to(point_t y, double *to) {
+  to[0] = (double)y.r;
+  to[1] = (double)y.h;
+  to[2] = (double)y.z;
+  to[3] = (double)y.t;
+}
 
 // side: sign of h, 0 in stick. roll: sign of g. Both are frozen over a step,
 // so that a step past a switch goes on in the same smooth field.
@@ -46,6 +63,10 @@ typedef struct {
   real_t quarter; // a pi / 2
   real_t force_0, force_T, moment_T;
   real_t epsilon2; // of the smoothed law
+  // Appendix B: k, delta, sigma, rho and a, of the string.
+  real_t stiffness, pressure, sigma, rho, half;
+  int jumps;  // or the law is one field, smooth or
+  int string; // string
 } model_t;
 
 static inline model_t model_of(const problem_t *problem) {
@@ -71,6 +92,14 @@ static inline model_t model_of(const problem_t *problem) {
   k.force_0 = 4 * mu / 3;
   k.force_T = mu / (18 * kappa);
   k.moment_T = mu / 6;
+  k.epsilon2 = (real_t)p->epsilon * (real_t)p->epsilon;
+  k.stiffness = (real_t)p->k;
+  k.pressure = (real_t)p->delta;
+  k.sigma = (real_t)p->sigma;
+  k.rho = (real_t)p->rho;
+  k.half = (real_t)p->a;
+  k.jumps = p->law == TF_TYRE_JUMP;
+  k.string = p->law == TF_TYRE_STRING;
   return k;
 }
 
@@ -123,13 +152,39 @@ static inline point_t slip_rates(const model_t *k, contact_t c, point_t y) {
 
 // The law with sign(h) smoothed to h / sqrt(h^2 + epsilon^2). The quotient is 0
 // at g = h = 0 and infinite nowhere where it matters.
-static inline point_t smooth_rates(const model_t *k, point_t y) {
+// cppcheck-suppress passedByValue  ; four reals, inlined
+static inline point_t smooth_rates(const model_t *k, contact_t c, point_t y) {
+  (void)c;
   const real_t share = y.h / sqrt(y.h * y.h + k->epsilon2);
   const real_t g = rolling(k, y);
   const real_t T =
       tan(k->a * atan(fabs(g) / (fabs(y.h) + (real_t)TF_REAL_MIN)));
   return rates(k, y, share * (k->force_0 - k->force_T * T),
                share * copysign(k->moment_T * T, g));
+}
+
+// The string at rest on the ground over a length l - sigma of the contact, and
+// sliding behind it; Appendix B as the integrals of its two pressures.
+static inline point_t string_rates(const model_t *k, point_t y) {
+  const real_t g = rolling(k, y), G = fabs(g), H = fabs(y.h), a = k->half;
+  const real_t reach = k->pressure * G, slope = k->stiffness * H;
+  const real_t longest = 2 * a + k->sigma;
+  if (!(H > 0)) return rates(k, y, 0, 0);
+  // The distance y = a + sigma - x at which it begins to slide.
+  const real_t end = reach >= slope * longest   ? longest
+                     : reach > slope * k->sigma ? reach / slope
+                                                : k->sigma;
+  const real_t kt = slope / G, x = a + k->sigma - end;
+  real_t F = k->rho * k->pressure * (x + a);
+  real_t M = k->rho * k->pressure * (a - x) * (a + x) / 2;
+  if (end > k->sigma) {
+    const real_t area = (end * end - k->sigma * k->sigma) / 2;
+    const real_t cubes = end * end * end - k->sigma * k->sigma * k->sigma;
+    F += kt * area;
+    M -= kt * ((a + k->sigma) * area - cubes / 3);
+  }
+  return rates(k, y, copysign(k->mu * F, y.h),
+               k->mu * M * (y.h * g < 0 ? -1 : 1));
 }
 
 // Stick: h' = h'_free - A lambda = 0 with M = roll kappa lambda.
@@ -151,22 +206,10 @@ static inline stick_t stick_at(const model_t *k, int roll, point_t y) {
   return s;
 }
 
-// A slip never enters an escaping stick (A < 0).
-// cppcheck-suppress passedByValue  ; three reals, inlined
-static inline int stick_attracts(const model_t *k, int roll, point_t y) {
-  const stick_t s = stick_at(k, roll, y);
-  return s.A > 0 && fabs(s.lambda) <= k->mu;
-}
-
 // cppcheck-suppress passedByValue  ; three reals, inlined
 static inline point_t contact_rates(const model_t *k, contact_t c, point_t y) {
+  if (!JUMPS(k)) return k->string ? string_rates(k, y) : smooth_rates(k, c, y);
   return c.side ? slip_rates(k, c, y) : stick_at(k, c.roll, y).rates;
-}
-
-// Where h is 0 and g is not: stick, or slip to the other side.
-// cppcheck-suppress passedByValue  ; three reals, inlined
-static inline contact_t after_h(const model_t *k, contact_t c, point_t y) {
-  return (contact_t){stick_attracts(k, c.roll, y) ? 0 : -c.side, c.roll};
 }
 
 // The time to h = g = 0 along a straight line; < 0 where it is left.
@@ -192,4 +235,33 @@ static inline int capture(const model_t *k, point_t dy, real_t fall, point_t *y,
   return 0;
 }
 
-#endif
+// A mode ends where its margin falls through 0: slip at h = 0, stick at
+// |lambda| = mu, both at g = 0, which in slip is a kink of F.
+typedef enum { AT_H, AT_G, AT_LAMBDA, NOWHERE } switch_t;
+
+static inline real_t margin(const model_t *k, contact_t c, switch_t at,
+                            point_t y) {
+  if (at == AT_H) return (real_t)c.side * y.h;
+  if (at == AT_G) return (real_t)c.roll * rolling(k, y);
+  return k->mu - fabs(stick_at(k, c.roll, y).lambda);
+}
+
+// Goes on from there: from h = 0 in stick, but never in an escaping one
+// (A < 0), or in slip to the other side. Returns 0 where nothing is possible.
+static inline int change(const model_t *k, switch_t at, contact_t *c,
+                         point_t *y) {
+  if (at == AT_H) {
+    y->h = 0;
+    const stick_t s = stick_at(k, c->roll, *y);
+    c->side = s.A > 0 && fabs(s.lambda) <= k->mu ? 0 : -c->side;
+  } else if (at == AT_LAMBDA) {
+    c->side = stick_at(k, c->roll, *y).lambda > 0 ? 1 : -1;
+  } else if (c->side) {
+    y->z = -y->h * k->cos / y->r;
+    c->roll = -c->roll;
+  } else {
+    y->z = 0;
+    return capture(k, (point_t){0, 0, 0, 1}, 0, y, c);
+  }
+  return 1;
+}

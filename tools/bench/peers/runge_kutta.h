@@ -1,8 +1,6 @@
-/// @file
 /// Steps of fixed length in one smooth field: classical Runge-Kutta of order
 /// four, and order five of Dormand and Prince (1980).
-#ifndef TWOFOLD_PEERS_RUNGE_KUTTA_H
-#define TWOFOLD_PEERS_RUNGE_KUTTA_H
+#pragma once
 
 #include "bench/harness.h"
 #include "model.h"
@@ -76,12 +74,6 @@ static inline step_t dp5(const model_t *k, contact_t c, point_t y, point_t dy,
 
 // The usual way to simulate this machine, for comparison: friction smoothed
 // over epsilon, libm's tangents, no branches.
-// cppcheck-suppress passedByValue  ; four reals, inlined
-static inline point_t smooth_field(const model_t *k, contact_t c, point_t y) {
-  (void)c;
-  return smooth_rates(k, y);
-}
-
 static inline void smooth_rk4(const problem_t *problem, const solver_t *solver,
                               double dt, answer_t *answer) {
   const long steps = harness_steps(problem, dt);
@@ -91,9 +83,6 @@ static inline void smooth_rk4(const problem_t *problem, const solver_t *solver,
   k.epsilon2 = (real_t)(solver->second * solver->second);
   point_t y = model_start(&k, problem);
   for (long i = 0; i < steps; i++)
-    y = rk4_of(smooth_field, &k, none, y, smooth_field(&k, none, y), t);
+    y = rk4_of(smooth_rates, &k, none, y, smooth_rates(&k, none, y), t);
   model_end(&k, y, answer->x);
-  answer->steps = steps;
 }
-
-#endif

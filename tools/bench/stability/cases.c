@@ -1,8 +1,7 @@
-// The sweeps, as data: which parameter or start is driven to its extreme.
+// The sweeps, as data: which parameter or start is driven to its extreme. SI.
 #include "cases.h"
 
 #include <math.h>
-#include <stddef.h>
 
 static void set_k2(case_t *c, tf_real_t y) { c->params.k2 = y; }
 
@@ -66,15 +65,20 @@ static void set_tiny_params(case_t *c, tf_real_t y) {
   c->params.c2 = unit;
 }
 
+// Nothing takes or gives energy.
+static void set_conservative(case_t *c, tf_real_t y) {
+  c->params.law = TF_TYRE_NONE;
+  c->params.c1 = 0;
+  c->params.c2 = 0;
+  c->params.k2 = y;
+}
+
 // The spring against the centrifugal force: a heavy disc keeps its speed, so
 // r grows as exp(sqrt(w^2 - k2/m) t) where the ratio is below 1.
 static void set_centrifugal(case_t *c, tf_real_t ratio) {
-  c->params.law = TF_TYRE_NONE;
+  set_conservative(c, ratio * 100);
   c->params.beta = 1000;
   c->params.d = 0;
-  c->params.c1 = 0;
-  c->params.c2 = 0;
-  c->params.k2 = ratio * 100;
   start(c, c->r, 0, 10);
 }
 
@@ -93,13 +97,6 @@ static void set_two_piece(case_t *c, tf_real_t y) {
   c->params.k = y;
 }
 
-// Nothing takes or gives energy.
-static void set_conservative(case_t *c, tf_real_t y) {
-  c->params.law = TF_TYRE_NONE;
-  c->params.c1 = 0;
-  c->params.c2 = 0;
-  c->params.k2 = y;
-}
 static void set_spinning(case_t *c, tf_real_t y) {
   set_conservative(c, 1);
   start(c, c->r, 0, y);
@@ -119,45 +116,31 @@ static void set_scene(case_t *c, tf_real_t index) {
 }
 
 const sweep_t sweeps[SWEEPS] = {
-    {"k2", "spring k2", "N/m", "", 16, -2, 1, true, set_k2},
-    {"k2_rest", "spring k2, from rest", "N/m", "starts unstretched, r0 = 0.18",
-     16, -2, 1, true, set_k2_rest},
-    {"c1", "disc damping c1", "N m s", "", 14, -3, 1, true, set_c1},
-    {"c2", "slider damping c2", "N s/m", "", 14, -3, 1, true, set_c2},
-    {"beta", "radius of gyration beta", "m", "", 13, -6, 2, false, set_beta},
-    {"m", "mass m", "kg", "", 19, -9, 1, false, set_m},
-    {"d", "offset d", "m", "", 14, -6, 1, true, set_d},
-    {"mu", "friction mu", "N", "", 14, -6, 1, true, set_mu},
-    {"kappa", "moment / force kappa", "m", "", 10, -6, 1, false, set_kappa},
-    {"gamma", "wheel angle gamma", "deg", "", 24, 0, 0, false, set_gamma},
-    {"omega0", "turntable speed omega0", "rad/s", "w = 1.037 omega0", 14, -2, 2,
-     true, set_omega0},
-    {"through", "speed through r = 0", "m/s", "beta = 1e-3, c2 = 0, r = 0.1",
-     15, -3, 2, false, set_through},
-    {"far_r", "start far out, r", "m", "v = 0", 14, 0, 2, true, set_far_r},
-    {"far_v", "start fast, v", "m/s", "", 13, 0, 2, false, set_far_v},
-    {"far_w", "start spinning, w", "rad/s", "v = 0", 13, 0, 2, false,
-     set_far_w},
-    {"far", "start far, r = v = w", "SI", "", 14, 0, 2, true, set_far},
-    {"tiny_state", "state / least normal", "1", "r0, omega0 as tiny", 24, -16,
-     1, true, set_tiny_state},
-    {"tiny_params", "parameters / least normal", "1", "mu = k2 = c1 = c2", 24,
-     -16, 1, true, set_tiny_params},
-    {"centrifugal", "k2 / (m w^2), free", "1",
-     "no contact, beta = 1000, d = 0, w = 10, no damping", 12, 0, 0, false,
-     set_centrifugal},
-    {"smooth", "smooth law, epsilon", "m/s", "law smooth", 15, -12, 1, false,
-     set_smooth},
-    {"string", "string law, k", "1/m^2", "law string", 15, -3, 1, false,
-     set_string},
-    {"two_piece", "two-piece law, k", "1/m^2", "law two-piece", 15, -3, 1,
-     false, set_two_piece},
-    {"conservative", "spring k2, free", "N/m", "no contact, no damping", 16, -2,
-     1, true, set_conservative},
-    {"spinning", "disc speed w, free", "rad/s",
-     "no contact, no damping, k2 = 1", 14, -2, 2, true, set_spinning},
-    {"scenes", "scene", "", "the project's scenes as they are", TF_SCENES, 0, 0,
-     false, set_scene}};
+    {"k2", 16, -2, 1, true, set_k2},
+    {"k2_rest", 16, -2, 1, true, set_k2_rest},
+    {"c1", 14, -3, 1, true, set_c1},
+    {"c2", 14, -3, 1, true, set_c2},
+    {"beta", 13, -6, 2, false, set_beta},
+    {"m", 19, -9, 1, false, set_m},
+    {"d", 14, -6, 1, true, set_d},
+    {"mu", 14, -6, 1, true, set_mu},
+    {"kappa", 10, -6, 1, false, set_kappa},
+    {"gamma", 24, 0, 0, false, set_gamma},
+    {"omega0", 14, -2, 2, true, set_omega0},
+    {"through", 15, -3, 2, false, set_through},
+    {"far_r", 14, 0, 2, true, set_far_r},
+    {"far_v", 13, 0, 2, false, set_far_v},
+    {"far_w", 13, 0, 2, false, set_far_w},
+    {"far", 14, 0, 2, true, set_far},
+    {"tiny_state", 24, -16, 1, true, set_tiny_state},
+    {"tiny_params", 24, -16, 1, true, set_tiny_params},
+    {"centrifugal", 12, 0, 0, false, set_centrifugal},
+    {"smooth", 15, -12, 1, false, set_smooth},
+    {"string", 15, -3, 1, false, set_string},
+    {"two_piece", 15, -3, 1, false, set_two_piece},
+    {"conservative", 16, -2, 1, true, set_conservative},
+    {"spinning", 14, -2, 2, true, set_spinning},
+    {"scenes", TF_SCENES, 0, 0, false, set_scene}};
 
 double sweep_value(const sweep_t *sweep, int i) {
   static const double ratio[] = {0,    1e-3, 0.5, 0.9, 0.99, 1,

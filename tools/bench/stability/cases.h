@@ -1,8 +1,6 @@
-/// @file
 /// What is swept: one parameter or start each, from the mild to the extreme,
 /// all else as in scene `chaos` unless the sweep says otherwise.
-#ifndef TWOFOLD_STABILITY_CASES_H
-#define TWOFOLD_STABILITY_CASES_H
+#pragma once
 
 #include "twofold.h"
 
@@ -19,9 +17,6 @@ typedef struct {
 /// sweep_value has them.
 typedef struct {
   const char *name;
-  const char *axis;  ///< what is varied
-  const char *unit;  ///< of the axis
-  const char *where; ///< what differs from scene chaos beside it
   int count;
   int low, per_decade;
   bool from_zero; ///< one more value, 0, before the others
@@ -36,5 +31,3 @@ double sweep_value(const sweep_t *sweep, int i);
 
 /// The case of value i of a sweep.
 void sweep_case(const sweep_t *sweep, int i, case_t *c);
-
-#endif

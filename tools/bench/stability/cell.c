@@ -22,6 +22,14 @@ const char *const cell_verdict_names[CELL_VERDICTS] = {
     "ok",   "degraded", "physics",       "too_long", "diverged",
     "told", "created",  "bad_parameter", "touched",  "non_finite"};
 
+const cell_scheme_t cell_schemes[CELL_SCHEMES] = {
+    {"moreau-0.5", tf_step, TF_R(0.5)},
+    {"moreau-1", tf_step, TF_R(1.0)},
+    {"located", tf_step_located, TF_R(0.5)},
+};
+
+double cell_dt(int i) { return pow(10, -6 + i / 2.0); }
+
 #define FACTOR 4
 
 static long double wide(tf_real_t x) { return (long double)x; }
@@ -88,9 +96,14 @@ static tf_input_t input_at(const case_t *c, const tf_machine_t *k, long n) {
   return tf_scene_input(c->scene, k, (uint64_t)n);
 }
 
-static tf_status_t begin(const case_t *c, const tf_machine_t *k,
-                         tf_state_t *x) {
+tf_status_t cell_begin(const case_t *c, tf_real_t theta, tf_real_t dt,
+                       tf_machine_t *k, tf_state_t *x) {
   tf_report_t report;
+  tf_params_t params = c->params;
+  params.theta = theta;
+  params.dt = dt;
+  const tf_status_t status = tf_prepare(k, &params, NULL);
+  if (status != TF_OK) return status;
   memset(x, 0, sizeof *x);
   x->r = c->r;
   x->v = c->v;
@@ -157,8 +170,8 @@ static void watch(cell_t *cell, watch_t *at, const tf_state_t *old,
   if (!all_finite(x, report)) worsen(cell, CELL_NON_FINITE);
   if (report->status == TF_DEGRADED) worsen(cell, CELL_DEGRADED);
   const long double E = energy(&at->q, x);
-  at->W += wide(k->dt) * fmaxl(power(&k->tyre, &at->q, old, omega0),
-                               power(&k->tyre, &at->q, x, omega0));
+  at->W += wide(k->dt) * fmaxl(power(&k->contact.tyre, &at->q, old, omega0),
+                               power(&k->contact.tyre, &at->q, x, omega0));
   const long double room = at->E0 + at->W + energy_of_rounding(&at->q, x);
   if (report->status >= TF_COARSE || report->status == TF_DEGRADED)
     at->told = fmaxl(at->told, fminl(at->told + E - at->E, E - room));
@@ -169,29 +182,24 @@ static void watch(cell_t *cell, watch_t *at, const tf_state_t *old,
 }
 
 static cell_verdict_t refusal(const case_t *c, step_t *step, tf_status_t status,
-                              const tf_params_t *params, const tf_state_t *x,
-                              long n) {
+                              tf_real_t theta, tf_real_t dt,
+                              const tf_state_t *x, long n) {
   if (status == TF_BAD_PARAMETER) return CELL_PARAMETER;
   if (status == TF_STEP_TOO_LONG) return CELL_TOO_LONG;
-  return leaves(c, step, params->theta, params->dt, x, n) ? CELL_PHYSICS
-                                                          : CELL_DIVERGED;
+  return leaves(c, step, theta, dt, x, n) ? CELL_PHYSICS : CELL_DIVERGED;
 }
 
 cell_t cell_run(const case_t *c, step_t *step, tf_real_t theta, tf_real_t dt) {
   cell_t cell;
   tf_machine_t k;
   tf_state_t x, old;
-  tf_params_t params = c->params;
   memset(&cell, 0, sizeof cell);
-  params.theta = theta;
-  params.dt = dt;
-  tf_status_t status = tf_prepare(&k, &params, NULL);
-  if (status == TF_OK) status = begin(c, &k, &x);
+  tf_status_t status = cell_begin(c, theta, dt, &k, &x);
   if (status != TF_OK) {
     cell.verdict = CELL_PARAMETER;
     return cell;
   }
-  watch_t at = {.k = &k, .q = {PARAMETERS_OF(long double, &params)}};
+  watch_t at = {.k = &k, .q = {PARAMETERS_OF(long double, &c->params)}};
   ref_prepare(&at.q);
   at.E0 = at.E = energy(&at.q, &x);
   for (long n = 0; n < CELL_STEPS; n++) {
@@ -203,7 +211,7 @@ cell_t cell_run(const case_t *c, step_t *step, tf_real_t theta, tf_real_t dt) {
     if (report.status != status) worsen(&cell, CELL_TOUCHED);
     if (status < TF_OK) {
       if (memcmp(&old, &x, sizeof x) != 0) worsen(&cell, CELL_TOUCHED);
-      worsen(&cell, refusal(c, step, status, &params, &old, n));
+      worsen(&cell, refusal(c, step, status, theta, dt, &old, n));
       return cell;
     }
     watch(&cell, &at, &old, &x, &report, u.omega0);

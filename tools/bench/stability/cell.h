@@ -1,13 +1,22 @@
-/// @file
 /// One cell of the map: one case, one scheme, one step size, and what is to be
 /// said about the run.
-#ifndef TWOFOLD_STABILITY_CELL_H
-#define TWOFOLD_STABILITY_CELL_H
+#pragma once
 
 #include "cases.h"
 
 typedef tf_status_t step_t(const tf_machine_t *, tf_state_t *,
                            const tf_input_t *, tf_report_t *);
+
+/// The schemes and steps of all cells: 1e-6 to 1e-1 s, two a decade.
+typedef struct {
+  const char *name;
+  step_t *step;
+  tf_real_t theta;
+} cell_scheme_t;
+#define CELL_SCHEMES 3
+extern const cell_scheme_t cell_schemes[CELL_SCHEMES];
+#define CELL_DTS 11
+double cell_dt(int i);
 
 /// Most steps of a cell. An instability grows by the step, so steps count and
 /// not seconds.
@@ -37,8 +46,10 @@ typedef struct {
   long double excess; ///< largest E / (E0 + W), see CELL_TOLD
 } cell_t;
 
+/// Begins a case, with theta and dt of its machine.
+tf_status_t cell_begin(const case_t *c, tf_real_t theta, tf_real_t dt,
+                       tf_machine_t *k, tf_state_t *x);
+
 /// Runs one cell.
 /// c: the case; step: the scheme; theta, dt: of its machine.
 cell_t cell_run(const case_t *c, step_t *step, tf_real_t theta, tf_real_t dt);
-
-#endif

@@ -3,25 +3,11 @@
 // what the machine was given.
 //
 //   stability [SWEEP...]   these sweeps, or all
-//   stability --list       sweep|axis|unit|what differs from scene chaos
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "bench/own.h"
 #include "cell.h"
-
-static const struct {
-  const char *name;
-  step_t *step;
-  tf_real_t theta;
-} schemes[] = {
-    {"moreau-0.5", tf_step, TF_R(0.5)},
-    {"moreau-1", tf_step, TF_R(1.0)},
-    {"located", tf_step_located, TF_R(0.5)},
-};
-
-#define STEP_SIZES 11 // 1e-6 to 1e-1 s, two a decade
 
 static void print_cell(const sweep_t *sweep, int i, const char *scheme,
                        double dt, const cell_t *cell) {
@@ -38,12 +24,13 @@ static void run_sweep(const sweep_t *sweep) {
   for (int i = 0; i < sweep->count; i++) {
     case_t c;
     sweep_case(sweep, i, &c);
-    for (size_t s = 0; s < sizeof schemes / sizeof *schemes; s++) {
-      for (int n = 0; n < STEP_SIZES; n++) {
-        const double dt = pow(10, -6 + n / 2.0);
+    for (int s = 0; s < CELL_SCHEMES; s++) {
+      const cell_scheme_t *scheme = &cell_schemes[s];
+      for (int n = 0; n < CELL_DTS; n++) {
+        const double dt = cell_dt(n);
         const cell_t cell =
-            cell_run(&c, schemes[s].step, schemes[s].theta, (tf_real_t)dt);
-        print_cell(sweep, i, schemes[s].name, dt, &cell);
+            cell_run(&c, scheme->step, scheme->theta, (tf_real_t)dt);
+        print_cell(sweep, i, scheme->name, dt, &cell);
       }
     }
   }
@@ -55,16 +42,8 @@ static bool wanted(const char *name, int argc, char **argv) {
   return argc == 1;
 }
 
-static int list(void) {
-  for (int i = 0; i < SWEEPS; i++)
-    printf("%s|%s|%s|%s\n", sweeps[i].name, sweeps[i].axis, sweeps[i].unit,
-           sweeps[i].where);
-  return 0;
-}
-
 int stability_main(int argc, char **argv) {
   int run = 0;
-  if (argc == 2 && strcmp(argv[1], "--list") == 0) return list();
   for (int i = 0; i < SWEEPS; i++) {
     if (!wanted(sweeps[i].name, argc, argv)) continue;
     run_sweep(&sweeps[i]);

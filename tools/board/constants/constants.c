@@ -48,31 +48,32 @@ void constants_of_machine(FILE *out, const tf_machine_t *k) {
   REAL(out, k, inertia);
   REAL(out, k, mu_sin_gamma);
   REAL(out, k, mu_d_sin_gamma);
-  REAL(out, k, stick_kappa);
-  REAL(out, k, kappa_mu);
-  REAL(out, k, inv_mu);
-  REAL(out, k, inv_kappa_mu);
+  REAL(out, k, contact.stick_kappa);
+  REAL(out, k, contact.kappa_mu);
+  REAL(out, k, contact.inv_mu);
+  REAL(out, k, contact.inv_kappa_mu);
   REAL(out, k, inv_mu_dt);
   REAL(out, k, tolerance);
-  REAL(out, k, tyre.mu);
-  REAL(out, k, tyre.kappa);
-  REAL(out, k, tyre.inv_18_kappa);
-  REAL(out, k, tyre.inv_6_kappa);
-  REAL(out, k, tyre.epsilon);
-  REAL(out, k, tyre.k);
-  REAL(out, k, tyre.delta);
-  REAL(out, k, tyre.sigma);
-  REAL(out, k, tyre.rho);
-  REAL(out, k, tyre.a);
-  list(out, "tyre.T_anchor", k->tyre.T_anchor, TF_TYRE_ANCHORS);
-  list(out, "tyre.T_series", k->tyre.T_series, TF_TYRE_TERMS);
-  fprintf(out, "    .tyre.law = (tf_tyre_law_t)%d,\n", (int)k->tyre.law);
+  REAL(out, k, contact.tyre.mu);
+  REAL(out, k, contact.tyre.kappa);
+  REAL(out, k, contact.tyre.inv_18_kappa);
+  REAL(out, k, contact.tyre.inv_6_kappa);
+  REAL(out, k, contact.tyre.epsilon);
+  REAL(out, k, contact.tyre.k);
+  REAL(out, k, contact.tyre.delta);
+  REAL(out, k, contact.tyre.sigma);
+  REAL(out, k, contact.tyre.rho);
+  REAL(out, k, contact.tyre.a);
+  list(out, "contact.tyre.T_anchor", k->contact.tyre.T_anchor, TF_TYRE_ANCHORS);
+  list(out, "contact.tyre.T_series", k->contact.tyre.T_series, TF_TYRE_TERMS);
+  fprintf(out, "    .contact.tyre.law = (tf_tyre_law_t)%d,\n",
+          (int)k->contact.tyre.law);
   fprintf(out, "    .segments = %d,\n", k->segments);
-  fprintf(out, "    .exit_threshold = %llull,\n",
-          (unsigned long long)k->exit_threshold);
-  fprintf(out, "    .rule = (tf_rule_t)%d,\n", (int)k->rule);
-  fprintf(out, "    .rest = (tf_rest_law_t)%d,\n    .with_angle = %d",
-          (int)k->rest, k->with_angle);
+  fprintf(out, "    .contact.exit_threshold = %llull,\n",
+          (unsigned long long)k->contact.exit_threshold);
+  fprintf(out, "    .contact.rule = (tf_rule_t)%d,\n", (int)k->contact.rule);
+  fprintf(out, "    .contact.rest = (tf_rest_law_t)%d,\n    .with_angle = %d",
+          (int)k->contact.rest, k->with_angle);
 }
 
 static void write_start(FILE *out, const tf_state_t *x,

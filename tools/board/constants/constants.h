@@ -1,7 +1,5 @@
-/// @file
 /// Scenes as C constants.
-#ifndef TWOFOLD_FIRMWARE_CONSTANTS_H
-#define TWOFOLD_FIRMWARE_CONSTANTS_H
+#pragma once
 
 #include <stdio.h>
 
@@ -20,5 +18,3 @@ void constants_of_machine(FILE *out, const tf_machine_t *machine);
 /// rate: in, steps a second as typed; NULL: those of the scene.
 /// Returns: 0; after a message 3 (refused) or 4 (not written).
 int constants_of_firmware(FILE *out, const tf_scene_t *scene, const char *rate);
-
-#endif

@@ -34,9 +34,7 @@ static hil_code_t take_session(hil_board_t *board, const uint8_t *at) {
     return hil_message(HIL_STOPPED, "%s: the board was started anew",
                        board->source.name);
   if ((at[4] & 16u) != 0 && board->key == NULL)
-    return hil_message(HIL_REFUSED,
-                       "the board wants its commands tagged"
-                       " (--key)");
+    return hil_message(HIL_REFUSED, "the board wants a tag (--key)");
   board->renews = false;
   board->session = session;
   board->sequence = (uint32_t)tf_wire_get(at + 17, 4);
@@ -75,9 +73,12 @@ static hil_code_t take_schema(hil_board_t *board, const tf_frame_t *frame) {
 }
 
 static void take_state(hil_board_t *board, const tf_frame_t *frame) {
-  if (!board->listens || board->count == board->room ||
-      frame->tick % board->every != 0)
-    return;
+  if (!board->listens) return;
+  for (uint64_t tick = frame->tick, rest; tick > 0; tick = rest) {
+    rest = board->stride % tick; // Euclid's
+    board->stride = tick;
+  }
+  if (board->count == board->room || frame->tick % board->every != 0) return;
   if (board->count > 0 && board->samples[board->count - 1].tick >= frame->tick)
     return; // the board is not running
   hil_sample_t *sample = &board->samples[board->count++];

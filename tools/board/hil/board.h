@@ -1,14 +1,12 @@
-/// @file
 /// The board at the other end of the line: the frames that it sends, the
 /// commands that it is sent, and its answers (board.c). Then the closed loop:
 /// its plan, how a board is driven in response to its states (drive.c), and
 /// what judges it (twin.c). The controller is control.h.
-#ifndef TWOFOLD_HIL_BOARD_H
-#define TWOFOLD_HIL_BOARD_H
+#pragma once
 
 #include "board/hil/control.h"
 #include "cli/host/source.h"
-#include "twofold.h"
+#include "cli/text/message.h"
 
 /// Exit codes.
 typedef enum {
@@ -20,11 +18,8 @@ typedef enum {
 } hil_code_t;
 
 /// Prints "hil: " and a message on standard error. Returns: the code.
-#if defined(__GNUC__)
-__attribute__((format(printf, 2, 3)))
-#endif
-hil_code_t
-hil_message(hil_code_t code, const char *format, ...);
+hil_code_t hil_message(hil_code_t code, const char *format, ...)
+    CLI_PRINTF(2, 3);
 
 /// A state as it was received, with the controller's response to it. Payloads
 /// are kept as bytes, because the bytes on the line are what is compared.
@@ -69,6 +64,7 @@ typedef struct {
   // The states of the run in order, one for each tick that is a multiple of
   // `every`.
   uint32_t every;
+  uint64_t stride; ///< divides the ticks of all states that came; 0: of none
   hil_sample_t *samples;
   size_t count, room;
   uint64_t *expired;    ///< ticks from which inputs that expired held no longer
@@ -140,5 +136,3 @@ hil_code_t hil_drive(hil_board_t *board, const hil_plan_t *plan,
 hil_code_t hil_twin_compare(hil_board_t *board, const hil_plan_t *plan,
                             const hil_control_t *control,
                             hil_verdict_t *verdict);
-
-#endif

@@ -1,9 +1,7 @@
-/// @file
 /// The controller of the demonstration: it computes the inputs of the board
 /// from a state. To try another controller, change this file. It uses only
 /// + - * and comparisons, which give the same bits on every host.
-#ifndef TWOFOLD_HIL_CONTROL_H
-#define TWOFOLD_HIL_CONTROL_H
+#pragma once
 
 #include "twofold.h"
 
@@ -27,5 +25,3 @@ static inline tf_input_t hil_control(const hil_control_t *control,
     input.torque = -control->brake * x->w;
   return input;
 }
-
-#endif

@@ -6,6 +6,7 @@
 #define PATIENCE 5.0  // longest time without a state [s]
 #define TRIES 8       // attempts to send an input to a board that is stopped
 #define OUTSTANDING 3 // inputs that may wait on the board; its queue has four
+#define JUDGED 8      // samples behind which some records came in a row
 
 static bool has_session(const hil_board_t *board) {
   return board->session != 0;
@@ -119,6 +120,15 @@ static hil_code_t respond_in_lockstep(hil_board_t *board,
                            : code;
 }
 
+// Only its ticks tell a board's EVERY. Lockstep meets a state at any tick.
+static hil_code_t check(const hil_board_t *board, const hil_plan_t *plan) {
+  if (board->stride == 0 || plan->every % board->stride == 0) return HIL_EQUAL;
+  return hil_message(HIL_REFUSED,
+                     "--every %" PRIu32 " is no multiple of %" PRIu64
+                     ", the steps between the states that come (EVERY)",
+                     plan->every, board->stride);
+}
+
 hil_code_t hil_drive(hil_board_t *board, const hil_plan_t *plan,
                      const hil_control_t *control) {
   hil_code_t code = HIL_EQUAL;
@@ -131,11 +141,13 @@ hil_code_t hil_drive(hil_board_t *board, const hil_plan_t *plan,
     if (code == HIL_EQUAL && last_tick(board) == 0 && !plan->in_lockstep)
       code = hil_board_order(board, TF_UP_START, NULL, 0);
     if (code == HIL_EQUAL) code = hil_board_await(board, has_new, PATIENCE);
+    if (code == HIL_EQUAL && (!board->has_new || board->count > JUDGED))
+      code = check(board, plan);
     if (code == HIL_EQUAL && !board->has_new)
       return stopped(board, "no state follows");
   }
-  if (code != HIL_EQUAL) return code;
-  code = hil_board_order(board, TF_UP_STOP, NULL, 0);
+  if (code == HIL_EQUAL) code = check(board, plan);
+  if (code == HIL_EQUAL) code = hil_board_order(board, TF_UP_STOP, NULL, 0);
   // Inputs that stay without an answer are counted in the report.
   if (code == HIL_EQUAL) code = hil_board_await(board, is_answered, 1);
   return code == HIL_EQUAL && plan->has_deadman ? give_back(board) : code;

@@ -10,8 +10,8 @@
 
 #include "board/hil/board.h"
 #include "cli/host/host.h"
+#include "cli/host/key.h"
 #include "cli/host/output.h"
-#include "cli/host/source.h"
 #include "cli/text/number.h"
 
 typedef struct {
@@ -28,21 +28,18 @@ static hil_code_t usage(void) {
       "hil DEVICE: drives the board at the other end of a serial line\n"
       "  --baud B        speed of the line; default: unchanged\n"
       "  --steps N       number of steps (2000)\n"
-      "  --every N       steps from input to input (10): a multiple of the\n"
-      "                  steps between two states of the board (its EVERY)\n"
+      "  --every N       steps from input to input (10): without --lockstep a\n"
+      "                  multiple of those from state to state (its EVERY)\n"
       "  --delay N       steps from a state to the effect of its input, at\n"
       "                  most twice --every (20)\n"
       "  --lockstep      no delay: the board waits for its input\n"
       "  --speed W       set point of the disc's speed [rad/s] (-0.9)\n"
       "  --gain G        of the turntable's speed (0.1)\n"
       "  --brake B       torque / speed above the set point [N m s] (0.2)\n"
-      "  --deadman N     ticks that an input holds, 0 without end; default: "
-      "as\n"
-      "                  the board has it\n"
-      "  --silent N      sends no input from step N on, as a controller that\n"
-      "                  failed\n"
-      "  --key FILE      32 hexadecimal digits, for a board that wants its\n"
-      "                  commands tagged\n"
+      "  --deadman N     ticks that an input holds, 0 without end (the "
+      "board's)\n"
+      "  --silent N      sends no input from step N on, as one that failed\n"
+      "  --key FILE      32 hexadecimal digits, for a board that wants tags\n"
       "  --csv FILE      states that were read, inputs that were sent\n"
       "Exit codes: 0 the loop has the bits of a pure host run, 1 it does not,\n"
       "2 usage, 3 the board cannot be driven, 4 the line failed.\n",
@@ -180,14 +177,13 @@ static void print_summary(const hil_board_t *board, const hil_plan_t *plan,
            board->heartbeat.degraded, board->heartbeat.coarse,
            board->heartbeat.stalled, board->heartbeat.fell_back);
   printf(
-      "\ncontrol   omega off its set point by %.3g rad/s (rms); end: r = %.9g "
-      "m, "
-      "omega = %.9g rad/s, %s\n",
+      "\ncontrol   omega off its set point by %.3g rad/s (rms); "
+      "end: r = %.9g m, omega = %.9g rad/s, %s\n",
       v->rms_error, (double)end->r, (double)end->w, tf_mode_name(end->mode));
   if (v->differ + v->wrong > 0)
     printf(
-        "host run  DIFFERS: %zu of %zu states, %zu of %zu inputs, first at "
-        "step %" PRIu64 "%s%s\n",
+        "host run  DIFFERS: %zu of %zu states, %zu of %zu inputs, "
+        "first at step %" PRIu64 "%s%s\n",
         v->differ, v->compared, v->wrong, v->inputs, v->first,
         v->unanswered > 0 ? "; an input without an answer may have acted" : "",
         board->decoder.lost > 0

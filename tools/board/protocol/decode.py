@@ -37,3 +37,23 @@ def runs(found):
     there are two, the frames are of two runs."""
     return {struct.unpack_from("<I", payload, 25 if kind == 1 else 64)[0]
             for kind, _, _, payload in found if kind in (1, 6)}
+
+
+def breaks(stream):
+    """The ticks of the heartbeats among bytes that have another chain than that
+    of the frames before them, none of which is missing: there are two runs."""
+    found, chain, follows = [], None, None
+    for piece in stream.split(b"\0")[:-1]:
+        if (frame := decode(piece)) is None:
+            continue
+        kind, number, tick, payload = frame
+        if number != follows:
+            chain = None if number else 0
+        if kind == 6:
+            told, = struct.unpack_from("<I", payload, 68)
+            found += [tick] if chain not in (None, told) else []
+            chain = told
+        if chain is not None:
+            chain = zlib.crc32(piece[-5:], chain)
+        follows = (number + 1) % 2**32
+    return found

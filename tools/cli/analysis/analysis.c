@@ -1,16 +1,22 @@
 // The commands that examine a machine without running it: singularities and
 // design, which write two-folds, regions and atlas, which write grids.
 
-#include "analysis.h"
-
 #include <inttypes.h>
 #include <math.h>
 #include <string.h>
 
 #include "../host/host.h"
-#include "../setup/setup.h"
+#include "../host/output.h"
+#include "../setup/args.h"
 #include "../text/buffer.h"
 #include "../text/message.h"
+
+// One of the commands, ready to compute and write.
+typedef struct {
+  const cli_args_t *args;
+  cli_setup_t setup; // machine and input at t = 0
+  cli_output_t output;
+} analysis_t;
 
 int cli_analysis_check(cli_args_t *args) {
   const bool grid = strcmp(args->command, "design") != 0;
@@ -24,9 +30,8 @@ int cli_analysis_check(cli_args_t *args) {
                            args->command, grid ? "A:B:N" : "W");
 }
 
-// Reports which settings have no effect because only `run` uses them, or
-// because the command computes their value itself.
-static void print_notes(const cli_analysis_t *a, bool finds_kappa) {
+// The first two are found, the others are of a run.
+static void print_notes(const analysis_t *a, bool finds_kappa) {
   static const char *const unused[] = {
       "kappa", "k2", "dt", "theta", "tolerance", "r", "v", "omega", "h", "phi"};
   cli_setup_notes(&a->setup, "", "");
@@ -42,8 +47,9 @@ static void print_notes(const cli_analysis_t *a, bool finds_kappa) {
   }
 }
 
-int cli_analysis_begin(cli_analysis_t *a, const cli_args_t *args,
-                       bool finds_kappa) {
+// Prepares the machine. finds_kappa: the command computes kappa, so a scene
+// without kappa is not refused.
+static int prepare(analysis_t *a, const cli_args_t *args, bool finds_kappa) {
   memset(a, 0, sizeof *a);
   a->args = args;
   int code = cli_setup_read(&a->setup, args->scene, &args->settings, NULL);
@@ -58,47 +64,38 @@ int cli_analysis_begin(cli_analysis_t *a, const cli_args_t *args,
   return code;
 }
 
-// Where a value came from: "--set NAME=VALUE" if it was set, otherwise "scene
-// NAME".
-typedef struct {
-  const char *option, *text;
-} origin_t;
-
-static origin_t origin_of(const cli_analysis_t *a, const char *name) {
+// Where a value came from: "--set NAME=VALUE" or "scene NAME".
+static cli_given_t origin_of(const analysis_t *a, const char *name) {
   const cli_setting_t *setting = cli_settings_find(&a->args->settings, name);
-  return setting != NULL ? (origin_t){setting->option, setting->text}
-                         : (origin_t){"scene", a->args->scene->name};
+  return setting != NULL ? (cli_given_t){setting->option, setting->text}
+                         : (cli_given_t){"scene", a->args->scene->name};
 }
 
-// Refuses a law without a jump at h = 0, or (with needs_moment) one without a
-// moment in stick.
-static int needs_jump(const cli_analysis_t *a, bool needs_moment) {
+static int needs_jump(const analysis_t *a, bool needs_moment) {
   const tf_tyre_law_t law = a->setup.params.law;
-  const origin_t origin = origin_of(a, "law");
+  const cli_given_t origin = origin_of(a, "law");
   if (needs_moment ? law == TF_TYRE_JUMP : tf_tyre_is_set_valued(law)) {
     return CLI_DONE;
   }
   return cli_message(CLI_REFUSED, "%s %s: %s needs law %s, not %s: %s",
-                     origin.option, origin.text, a->args->command,
+                     origin.name, origin.value, a->args->command,
                      needs_moment ? "jump" : "jump or coulomb",
                      tf_tyre_law_name(law),
                      tf_tyre_is_set_valued(law) ? "stick has no moment under it"
                                                 : "it does not jump at h = 0");
 }
 
-// Refuses what kappa and k2 cannot be designed for: a law without a moment in
-// stick, mu = 0, and a gamma whose sine or cosine nearly vanishes.
-static int check_design(const cli_analysis_t *a) {
+static int check_design(const analysis_t *a) {
   const tf_machine_t *k = &a->setup.machine;
-  const origin_t mu = origin_of(a, "mu");
-  const origin_t gamma = origin_of(a, "gamma");
+  const cli_given_t mu = origin_of(a, "mu");
+  const cli_given_t gamma = origin_of(a, "gamma");
   const int code = needs_jump(a, true);
   if (code != CLI_DONE) {
     return code;
   }
-  if (!(k->tyre.mu > 0)) {
-    return cli_message(CLI_REFUSED, "%s %s: %s needs mu > 0", mu.option,
-                       mu.text, a->args->command);
+  if (!(k->contact.tyre.mu > 0)) {
+    return cli_message(CLI_REFUSED, "%s %s: %s needs mu > 0", mu.name, mu.value,
+                       a->args->command);
   }
   if (fabs((double)k->sin_gamma) >= (double)TF_MIN_SINE &&
       fabs((double)k->cos_gamma) >= (double)TF_MIN_SINE) {
@@ -108,14 +105,11 @@ static int check_design(const cli_analysis_t *a) {
       CLI_REFUSED,
       "%s %s: %s needs |sin(gamma)| and |cos(gamma)| in [1e-06, 1], they are "
       "%g and %g",
-      gamma.option, gamma.text, a->args->command, (double)k->sin_gamma,
+      gamma.name, gamma.value, a->args->command, (double)k->sin_gamma,
       (double)k->cos_gamma);
 }
 
-// Begins an object of JSON: version, commit and number type of this program,
-// scene, hash of the parameters, and the units of what follows, as members of
-// an object.
-static void begin_json(const cli_analysis_t *a, const char *units,
+static void begin_json(const analysis_t *a, const char *units,
                        cli_buffer_t *text) {
   cli_add_form(text,
                "{\n  \"version\": \"%s\", \"commit\": \"%s\", "
@@ -126,13 +120,9 @@ static void begin_json(const cli_analysis_t *a, const char *units,
   cli_add_form(text, "\",\n  \"units\": {%s},\n", units);
 }
 
-// The commands that write two-folds as JSON. `singularities`: all of a machine,
-// or why there are none. `design`: kappa and k2 that put one at a given point,
-// or why there are none. JSON has no infinities; the core only returns
-// two-folds whose numbers are all finite.
-
-// The units of its members, for begin_json(). K, J1, J2 and the
-// eigenvalues are in the paper's time.
+// The commands that write two-folds as JSON, which has no infinities; the core
+// only returns two-folds whose numbers are all finite. K, J1, J2 and the
+// eigenvalues are in the paper's time, the other units are these.
 #define FOLD_UNITS                                                       \
   "\"r\": \"m\", \"v\": \"m/s\", \"omega\": \"rad/s\", \"g\": \"m/s\", " \
   "\"lambda\": \"N\", \"time_scale\": \"kg m^2\", \"physical\": \"m/s^3\""
@@ -158,7 +148,6 @@ static void add_direction(cli_buffer_t *text, const tf_direction_t *direction) {
   }
 }
 
-// Appends one two-fold as an object.
 static void add_two_fold(cli_buffer_t *text, const tf_two_fold_t *at) {
   static const char *const cases[] = {"null", "1", "2", "3"};
   const bool through_first = at->through.value > at->across.value;
@@ -192,7 +181,7 @@ static void add_two_fold(cli_buffer_t *text, const tf_two_fold_t *at) {
   cli_add(text, "}\n    }");
 }
 
-static int describe_all(const cli_analysis_t *a, cli_buffer_t *text) {
+static int describe_all(const analysis_t *a, cli_buffer_t *text) {
   tf_surface_point_t points[TF_TWO_FOLDS];
   tf_absence_t absence = TF_ABSENCE_NONE;
   int count = 0;
@@ -222,15 +211,13 @@ static int describe_all(const cli_analysis_t *a, cli_buffer_t *text) {
                            a->args->scene->name, tf_status_name(status));
 }
 
-// Computes and writes. describe: returns CLI_DONE, or another code after a
-// message.
 static int write_json(const cli_args_t *args, bool finds_kappa,
-                      int (*describe)(const cli_analysis_t *a,
+                      int (*describe)(const analysis_t *a,
                                       cli_buffer_t *text)) {
-  cli_analysis_t a;
+  analysis_t a;
   char room[ROOM];
   cli_buffer_t text = {room, 0, sizeof room, false};
-  int code = cli_analysis_begin(&a, args, finds_kappa);
+  int code = prepare(&a, args, finds_kappa);
   code = code == CLI_DONE ? describe(&a, &text) : code;
   if (code == CLI_DONE && text.truncated) {
     code = cli_message(CLI_STOPPED, "%s: out of room", args->command);
@@ -244,7 +231,7 @@ int cli_singularities(const cli_args_t *args) {
   return write_json(args, false, describe_all);
 }
 
-static int out_of_range(const cli_analysis_t *a, const char *name,
+static int out_of_range(const analysis_t *a, const char *name,
                         tf_real_t value) {
   const tf_parameter_range_t *range =
       &tf_parameter_ranges[cli_parameter_index(name)];
@@ -255,7 +242,7 @@ static int out_of_range(const cli_analysis_t *a, const char *name,
                      (double)range->low, (double)range->high, range->unit);
 }
 
-static int refuse(const cli_analysis_t *a, const tf_design_t *design) {
+static int refuse(const analysis_t *a, const tf_design_t *design) {
   switch ((tf_design_obstacle_t)design->obstacle) {
     case TF_DESIGN_R:
       return cli_message(CLI_REFUSED,
@@ -285,14 +272,15 @@ static int refuse(const cli_analysis_t *a, const tf_design_t *design) {
   return CLI_REFUSED;
 }
 
-static int describe_design(const cli_analysis_t *a, cli_buffer_t *text) {
+static int describe_design(const analysis_t *a, cli_buffer_t *text) {
   tf_design_t design;
   const int code = check_design(a);
   if (code != CLI_DONE) {
     return code;
   }
-  if (tf_design_two_fold(&a->setup.machine, &a->setup.input, a->args->r.from,
-                         a->args->omega.from, &design) != TF_OK) {
+  if (tf_design_two_fold(&a->setup.machine, &a->setup.input,
+                         (tf_real_t)a->args->r.from,
+                         (tf_real_t)a->args->omega.from, &design) != TF_OK) {
     return refuse(a, &design);
   }
   begin_json(a, DESIGN_UNITS, text);
@@ -311,35 +299,31 @@ int cli_design(const cli_args_t *args) {
   return write_json(args, true, describe_design);
 }
 
-// The commands that write a grid of (r, omega) as CSV, row by row; rows reach
-// the file whole. `regions`: the regions of the surface h = 0. `atlas`: the
-// conditions of the paper's figure 4, panel by panel, and their overlap, at
-// points at which a two-fold is to be.
+// The commands that write a grid of (r, omega) as CSV. `atlas` has the
+// conditions of the paper's figure 4, panel by panel, and their overlap.
 
 #define FLUSH_EVERY 0.2 // [s]
-// Room for one row.
 #define ROW_ROOM 768
 
-// Writes one row with its newline into out. length: out.
-// Returns: CLI_DONE, or another code after a message, which ends the grid.
-typedef int (*row_t)(const cli_analysis_t *a, tf_real_t r, tf_real_t omega,
-                     char out[ROW_ROOM], size_t *length);
+// Adds one row with its newline; a code other than CLI_DONE ends the grid.
+typedef int (*row_t)(const analysis_t *a, tf_real_t r, tf_real_t omega,
+                     cli_buffer_t *text);
 
-// The rows of one r, the one with number i.
-static int write_line(cli_analysis_t *a, uint64_t i, row_t row,
+static int write_line(analysis_t *a, uint64_t i, row_t row,
                       cli_progress_t *progress) {
-  const tf_real_t r = cli_range_at(&a->args->r, i);
-  char text[ROW_ROOM];
+  const tf_real_t r = (tf_real_t)cli_range_at(&a->args->r, i);
+  char row_text[ROW_ROOM];
   for (uint64_t j = 0; j < a->args->omega.count; j++) {
-    size_t length = 0;
+    cli_buffer_t text = {row_text, 0, ROW_ROOM, false};
     if (cli_stop_asked()) {
       return cli_message(CLI_STOPPED, "interrupted at r = %g m", (double)r);
     }
-    const int code = row(a, r, cli_range_at(&a->args->omega, j), text, &length);
+    const tf_real_t omega = (tf_real_t)cli_range_at(&a->args->omega, j);
+    const int code = row(a, r, omega, &text);
     if (code != CLI_DONE) {
       return code;
     }
-    if (!cli_output_lines(&a->output, text, length)) {
+    if (!cli_output_lines(&a->output, row_text, text.used)) {
       return CLI_STOPPED; // the message is that of cli_output_end
     }
     const double now = cli_now();
@@ -355,9 +339,8 @@ static int write_line(cli_analysis_t *a, uint64_t i, row_t row,
   return CLI_DONE;
 }
 
-// Writes header and rows, omega inner, r outer, and closes the output. units:
-// of the columns, for --provenance.
-static int write_grid(cli_analysis_t *a, const char *header, const char *units,
+// omega is the inner loop. units: of the columns, for --provenance.
+static int write_grid(analysis_t *a, const char *header, const char *units,
                       row_t row) {
   char lines[CLI_PROVENANCE_ROOM];
   int code = cli_output_begin(&a->output, "--out", a->args->out, false);
@@ -379,10 +362,9 @@ static int write_grid(cli_analysis_t *a, const char *header, const char *units,
   return cli_output_end(&a->output, code);
 }
 
-static int regions_row(const cli_analysis_t *a, tf_real_t r, tf_real_t omega,
-                       char out[ROW_ROOM], size_t *length) {
+static int regions_row(const analysis_t *a, tf_real_t r, tf_real_t omega,
+                       cli_buffer_t *text) {
   const cli_setup_t *setup = &a->setup;
-  cli_buffer_t text = {out, 0, ROW_ROOM, false};
   tf_surface_t at;
   tf_real_t v = 0;
   tf_status_t status = tf_speed_for_slip(&setup->machine, r, omega,
@@ -395,24 +377,23 @@ static int regions_row(const cli_analysis_t *a, tf_real_t r, tf_real_t omega,
         CLI_STOPPED, "stopped at r = %g m, omega = %g rad/s, v = %g m/s: %s",
         (double)r, (double)omega, (double)v, tf_status_name(status));
   }
-  cli_add_form(&text, "%g,%g,%s,", (double)r, (double)omega,
+  cli_add_form(text, "%g,%g,%s,", (double)r, (double)omega,
                tf_region_name(at.region));
   if (at.lambda_is_given) {
-    cli_add_real(&text, at.lambda);
+    cli_add_real(text, at.lambda);
   }
-  cli_add(&text, ",");
+  cli_add(text, ",");
   if (at.region != TF_REGION_CODIM2) {
-    cli_add_real(&text, at.delassus);
+    cli_add_real(text, at.delassus);
   }
-  cli_add(&text, "\n");
-  *length = text.used;
+  cli_add(text, "\n");
   return CLI_DONE;
 }
 
 // Where sin(gamma) = 0 the surface is w = omega0 (and r = 0). Then v does not
 // follow from h = 0, and (r, omega) does not determine a point of the surface.
-static int check_gamma(const cli_analysis_t *a) {
-  const origin_t origin = origin_of(a, "gamma");
+static int check_gamma(const analysis_t *a) {
+  const cli_given_t origin = origin_of(a, "gamma");
   const double sine = (double)a->setup.machine.sin_gamma;
   if (fabs(sine) >= (double)TF_MIN_SINE) {
     return CLI_DONE;
@@ -420,13 +401,13 @@ static int check_gamma(const cli_analysis_t *a) {
   return cli_message(CLI_REFUSED,
                      "%s %s: regions needs |sin(gamma)| in [%g, 1], it is "
                      "%g: no speed v follows from h = 0",
-                     origin.option, origin.text, (double)TF_MIN_SINE,
+                     origin.name, origin.value, (double)TF_MIN_SINE,
                      fabs(sine));
 }
 
 int cli_regions(const cli_args_t *args) {
-  cli_analysis_t a;
-  int code = cli_analysis_begin(&a, args, false);
+  analysis_t a;
+  int code = prepare(&a, args, false);
   code = code == CLI_DONE ? needs_jump(&a, false) : code;
   code = code == CLI_DONE ? check_gamma(&a) : code;
   return code == CLI_DONE
@@ -443,9 +424,8 @@ static const char atlas_header[] =
 #define VALUES 10
 #define CONDITIONS 7
 
-static int atlas_row(const cli_analysis_t *a, tf_real_t r, tf_real_t omega,
-                     char out[ROW_ROOM], size_t *length) {
-  cli_buffer_t text = {out, 0, ROW_ROOM, false};
+static int atlas_row(const analysis_t *a, tf_real_t r, tf_real_t omega,
+                     cli_buffer_t *text) {
   tf_design_t design;
   (void)tf_design_two_fold(&a->setup.machine, &a->setup.input, r, omega,
                            &design);
@@ -467,25 +447,24 @@ static int atlas_row(const cli_analysis_t *a, tf_real_t r, tf_real_t omega,
       design.k2 > 0,
   };
   bool all = exists;
-  cli_add_form(&text, "%g,%g", (double)r, (double)omega);
+  cli_add_form(text, "%g,%g", (double)r, (double)omega);
   for (int i = 0; i < VALUES; i++) {
-    cli_add(&text, ",");
+    cli_add(text, ",");
     if (exists && isfinite(values[i])) {
-      cli_add_real(&text, values[i]);
+      cli_add_real(text, values[i]);
     }
   }
   for (int i = 0; i < CONDITIONS; i++) {
-    cli_add(&text, !exists ? "," : holds[i] ? ",1" : ",0");
+    cli_add(text, !exists ? "," : holds[i] ? ",1" : ",0");
     all = all && holds[i];
   }
-  cli_add(&text, all ? ",1\n" : ",0\n");
-  *length = text.used;
+  cli_add(text, all ? ",1\n" : ",0\n");
   return CLI_DONE;
 }
 
 int cli_atlas(const cli_args_t *args) {
-  cli_analysis_t a;
-  int code = cli_analysis_begin(&a, args, true);
+  analysis_t a;
+  int code = prepare(&a, args, true);
   code = code == CLI_DONE ? check_design(&a) : code;
   return code == CLI_DONE
              ? write_grid(&a, atlas_header,

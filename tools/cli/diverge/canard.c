@@ -22,7 +22,8 @@
 #include "twofold/singularity.h"
 
 cli_field_t cli_field_at(const tf_machine_t *k, cli_point_t at) {
-  const cli_wide_t wide = {CLI_WIDE(k)};
+  const cli_wide_t wide = {CLI_WIDE(k),
+                           .stick_kappa = (double)k->contact.stick_kappa};
   return cli_wide_field_at(&wide, at);
 }
 
@@ -74,7 +75,7 @@ static cli_field_t on_surface(const cli_canard_t *canard, double r, double z) {
 static bool is_escaping(const cli_canard_t *canard, double r, double z) {
   const cli_field_t f = on_surface(canard, r, z);
   const double A = f.A[canard->s < 0];
-  return A < 0 && fabs(f.N) < -A * (double)canard->machine->tyre.mu &&
+  return A < 0 && fabs(f.N) < -A * (double)canard->machine->contact.tyre.mu &&
          canard->s * f.g > 0;
 }
 

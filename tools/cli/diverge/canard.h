@@ -1,12 +1,8 @@
-/// @file
 /// The core's equations of motion, in double whatever its number type is, for
 /// the steppers of `diverge`; the two-fold that stick passes through, from the
 /// sliding to the escaping region; and the motion that does so along the weak
 /// direction: a canard.
-#ifndef TWOFOLD_CLI_CANARD_H
-#define TWOFOLD_CLI_CANARD_H
-
-#include <stdbool.h>
+#pragma once
 
 #include "twofold.h"
 
@@ -28,7 +24,8 @@ typedef struct {
 } cli_field_t;
 cli_field_t cli_field_at(const tf_machine_t *machine, cli_point_t at);
 
-/// The members of tf_machine_t that it follows from, in double.
+/// The members of tf_machine_t that it follows from, in double; CLI_WIDE has
+/// all but stick_kappa, which belongs to the contact of a machine.
 typedef struct {
   double m, d, beta2, k2, c1, c2, r0, omega0, stick_kappa;
   double sin_gamma, cos_gamma, minus_sin_gamma;
@@ -37,7 +34,6 @@ typedef struct {
   .m = (double)(k)->m, .d = (double)(k)->d, .beta2 = (double)(k)->beta2,    \
   .k2 = (double)(k)->k2, .c1 = (double)(k)->c1, .c2 = (double)(k)->c2,      \
   .r0 = (double)(k)->r0, .omega0 = (double)(k)->omega0,                     \
-  .stick_kappa = (double)(k)->stick_kappa,                                  \
   .sin_gamma = (double)(k)->sin_gamma, .cos_gamma = (double)(k)->cos_gamma, \
   .minus_sin_gamma = (double)(k)->minus_sin_gamma
 cli_field_t cli_wide_field_at(const cli_wide_t *machine, cli_point_t at);
@@ -110,5 +106,3 @@ const char *cli_canard_failure(cli_canard_status_t status);
 /// Returns: whether it is still in the escaping region at t.
 bool cli_canard_after(const cli_canard_t *canard, double t, cli_point_t *at,
                       double *reached);
-
-#endif

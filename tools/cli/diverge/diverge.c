@@ -7,7 +7,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "../host/host.h"
 #include "../text/message.h"
@@ -21,8 +20,8 @@
 
 static const cli_stepper_t *const steppers[CLI_MECHANISMS] = {
     [CLI_BY_RANDOM] = &cli_random_stepper,
-    [CLI_BY_NOISE] = &cli_perturbed_stepper,
-    [CLI_BY_SMOOTHING] = &cli_perturbed_stepper,
+    [CLI_BY_NOISE] = &cli_noise_stepper,
+    [CLI_BY_SMOOTHING] = &cli_smoothing_stepper,
     [CLI_BY_HYSTERESIS] = &cli_lagged_stepper,
     [CLI_BY_DELAY] = &cli_lagged_stepper,
 };
@@ -101,7 +100,7 @@ static bool do_sample(work_t *work, uint64_t sample) {
   // Time within the band that counts as on the surface; random motions have
   // modes and need none.
   if (job->args->mechanism != CLI_BY_RANDOM) {
-    motion->tracker.dwell = 4 * (double)job->machine.dt / job->args->refinement;
+    motion->tracker.dwell = 4 * job->near;
   }
   // Without `pass` the sample starts before the two-fold and first arrives.
   bool from_it = job->at_two_fold && stepper->pass != NULL;

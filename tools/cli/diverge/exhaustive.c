@@ -14,7 +14,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <unistd.h>
 
 #include "../host/host.h"
 #include "../host/output.h"
@@ -99,7 +98,7 @@ static void follow(search_t *search, const node_t *from, uint64_t index,
   const cli_branch_t end = cli_random_branch(motion, mode, &next.set);
   static const char *const names[] = {"two-fold", "codim2", "escaping",
                                       "unfinished"};
-  const bool pinned = end == CLI_BRANCH_TIME && motion->state.mode == TF_PINNED;
+  const bool rests = end == CLI_BRANCH_TIME && motion->tracker.last.rests;
   uint64_t found = UINT64_MAX;
   next.state = motion->state;
   next.two_fold = end == CLI_BRANCH_TWO_FOLD;
@@ -114,16 +113,15 @@ static void follow(search_t *search, const node_t *from, uint64_t index,
   if (cycle->landed) {
     (void)snprintf(landing, sizeof landing, "%.12g", cycle->land_r);
   }
-  const int length =
-      snprintf(row, sizeof row,
-               "%" PRIu64 ",%" PRIu64
-               ",%s,%.12g,%.12g,%s,%.6g,%.12g,%.12g,%s,%s,%.9g,"
-               "%.12g,%s,%" PRIu64 "\n",
-               index, from->depth, from->two_fold ? "two-fold" : "codim2",
-               (double)from->state.r, (double)from->state.w, tf_mode_name(mode),
-               stick_time, (double)left.r, (double)left.w,
-               pinned ? "pinned" : names[end], to, motion->t,
-               (double)motion->state.r, landing, cycle->windings);
+  const int length = snprintf(
+      row, sizeof row,
+      "%" PRIu64 ",%" PRIu64
+      ",%s,%.12g,%.12g,%s,%.6g,%.12g,%.12g,%s,%s,%.9g,"
+      "%.12g,%s,%" PRIu64 "\n",
+      index, from->depth, from->two_fold ? "two-fold" : "codim2",
+      (double)from->state.r, (double)from->state.w, tf_mode_name(mode),
+      stick_time, (double)left.r, (double)left.w, rests ? "rest" : names[end],
+      to, motion->t, (double)motion->state.r, landing, cycle->windings);
   search->branches++;
   show_progress(search);
   (void)cli_output_lines(&search->output, row, (size_t)length);
@@ -168,9 +166,7 @@ static void visit_all(search_t *search) {
                   .set = job->setup.report.set,
                   .two_fold = job->at_two_fold};
   if (job->at_two_fold) {
-    first.state = cli_state_at(
-        &job->machine,
-        cli_point_on_surface(&job->machine, job->canard.r, job->canard.z));
+    first.state = cli_state_at_two_fold(job);
   }
   search->motion.job = search->motion.tracker.job = job;
   cli_motion_begin(&search->motion, &job->params);

@@ -6,7 +6,8 @@
 #include "canard.h"
 
 cli_field_t cli_wide_field_at(const cli_wide_t *given, cli_point_t at) {
-  const tf_machine_t k = {CLI_WIDE(given)};
+  const tf_machine_t k = {CLI_WIDE(given),
+                          .contact.stick_kappa = given->stick_kappa};
   const tf_input_t input = {.omega0 = k.omega0, .r0 = k.r0};
   const rates_t a = rates_at(&k, &input, at.r, at.p, at.z, k.omega0);
   const tf_slip_t slip = slip_from_pq(&k, at.p, at.r * at.z);

@@ -228,16 +228,6 @@ static uint32_t crc_of(const cli_files_t *files, const cli_checkpoint_t *at) {
                  counted_bytes(files));
 }
 
-static void put_bytes(cli_output_t *output, const void *from, size_t length) {
-  const char *bytes = from;
-  while (length > 0) {
-    const size_t next = length < CLI_OUTPUT_ROOM ? length : CLI_OUTPUT_ROOM;
-    (void)cli_output_lines(output, bytes, next);
-    bytes += next;
-    length -= next;
-  }
-}
-
 bool cli_checkpoint_put(const cli_files_t *files, cli_checkpoint_t *at) {
   static cli_output_t note;
   for (int i = 0; i < CLI_FILES; i++) {
@@ -251,9 +241,9 @@ bool cli_checkpoint_put(const cli_files_t *files, cli_checkpoint_t *at) {
   if (cli_output_begin(&note, "--resume", path, false) != CLI_DONE) {
     return false;
   }
-  put_bytes(&note, at, sizeof *at);
-  put_bytes(&note, files->counts.cell, counted_bytes(files));
-  put_bytes(&note, &crc, sizeof crc);
+  (void)cli_output_lines(&note, at, sizeof *at);
+  (void)cli_output_lines(&note, files->counts.cell, counted_bytes(files));
+  (void)cli_output_lines(&note, &crc, sizeof crc);
   return cli_output_end(&note, CLI_DONE) == CLI_DONE;
 }
 
@@ -283,8 +273,9 @@ static bool get(cli_files_t *files, cli_checkpoint_t *at) {
   return read;
 }
 
-// Sums the lines of a file up to so many bytes: those that a trailer counts,
-// and comments. last: out, the last line. Returns: the bytes that were read.
+// Sums the lines of a file up to so many bytes and closes it: those that a
+// trailer counts, and comments. last: out, the last line. Returns: the bytes
+// that were read.
 static uint64_t sum_lines(FILE *file, uint64_t end, cli_trailer_t *sum,
                           uint32_t *about, char last[LINE]) {
   uint64_t bytes = 0;
@@ -304,6 +295,7 @@ static uint64_t sum_lines(FILE *file, uint64_t end, cli_trailer_t *sum,
       cli_trailer_add(sum, last, length, strncmp(last, "sample,", 7) != 0);
     }
   }
+  (void)fclose(file);
   return bytes;
 }
 
@@ -322,10 +314,8 @@ static bool holds(const cli_files_t *files, int i,
   if (file == NULL) {
     return false;
   }
-  const uint64_t bytes = sum_lines(file, place->bytes, &sum, &about, line);
-  (void)fclose(file);
-  return bytes == place->bytes && sum.crc == place->crc &&
-         about == place->about;
+  return sum_lines(file, place->bytes, &sum, &about, line) == place->bytes &&
+         sum.crc == place->crc && about == place->about;
 }
 
 static cli_resume_t other(const char *path) {
@@ -353,7 +343,6 @@ static cli_resume_t look_at_rows(const char *path, const cli_checkpoint_t *at) {
     return path == NULL ? CLI_RESUME_WHOLE : CLI_RESUME_NEW;
   }
   (void)sum_lines(file, UINT64_MAX, &sum, &about, line);
-  (void)fclose(file);
   (void)cli_trailer_line(&sum, &at->shard, last);
   return strcmp(line, last) == 0 ? CLI_RESUME_WHOLE : other(path);
 }

@@ -1,20 +1,10 @@
-/// @file
 /// What `diverge` writes: the files --exits and --returns, and where they
 /// stand; and cycles counted in integers, which is what is left of them where
 /// their rows would be too many. Counts of shards add up to those of the whole,
 /// in any order.
-#ifndef TWOFOLD_CLI_FILES_H
-#define TWOFOLD_CLI_FILES_H
-
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
+#pragma once
 
 #include "../host/output.h"
-#include "../setup/args.h"
-#include "../text/buffer.h"
-#include "../text/trailer.h"
-#include "job.h"
 #include "motion.h"
 
 #define CLI_COUNT_CYCLES 65536 ///< a sample may have, at most
@@ -126,5 +116,3 @@ cli_resume_t cli_checkpoint_find(cli_files_t *files, cli_checkpoint_t *at);
 bool cli_checkpoint_put(const cli_files_t *files, cli_checkpoint_t *at);
 
 void cli_checkpoint_remove(const cli_files_t *files);
-
-#endif

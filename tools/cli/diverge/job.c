@@ -7,8 +7,9 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "../setup/setup.h"
 #include "../text/message.h"
+
+#define IN_SLIP 1e-3 // [s], longest step of random motions in slip
 
 // The units of size follow from what is perturbed: noise on h has the standard
 // deviation size sqrt(t), smoothing and hysteresis have a width in h, a delay
@@ -100,6 +101,10 @@ int cli_job_prepare(cli_job_t *job, const cli_args_t *args) {
   job->params.rule =
       args->codim2 == CLI_CODIM2_ATTRACTING ? TF_RULE_PERSIST : TF_RULE_RANDOM;
   job->params.rate = 0;
+  job->near = (double)job->params.dt / args->refinement;
+  if (args->mechanism == CLI_BY_RANDOM) {
+    job->near = fmin(job->near, IN_SLIP);
+  }
   (void)tf_prepare(&job->machine, &job->params, NULL);
   job->at_two_fold = true;
   for (int i = 0; i < CLI_STARTS; i++) {
@@ -114,8 +119,8 @@ int cli_job_prepare(cli_job_t *job, const cli_args_t *args) {
 void cli_job_describe(const cli_job_t *job, cli_buffer_t *text) {
   const cli_args_t *args = job->args;
   const tf_state_t *x = &job->setup.state;
-  const double numbers[] = {args->size, args->spread, args->patience,
-                            args->section, args->refinement};
+  const double numbers[] = {args->size,    args->spread,     args->patience,
+                            args->section, args->refinement, args->fine};
   const tf_real_t start[] = {x->r, x->v, x->w, x->phi};
   const uint64_t counts[] = {tf_params_hash(&job->setup.params),
                              (uint64_t)args->mechanism,
@@ -149,8 +154,10 @@ size_t cli_job_provenance(const cli_job_t *job, const char *units,
   if (args->exhaustive) {
     (void)snprintf(how, sizeof how, "all branches, grid %.9g s", args->grid);
   } else if (args->mechanism == CLI_BY_RANDOM) {
-    (void)snprintf(how, sizeof how, "by random, rate %.9g 1/s, dt %.9g s",
-                   (double)job->setup.params.rate, dt);
+    (void)snprintf(how, sizeof how,
+                   "by random, rate %.9g 1/s, dt %.9g s, in slip %.9g s, each "
+                   "wait drawn once",
+                   (double)job->setup.params.rate, dt, job->near);
   } else {
     (void)snprintf(how, sizeof how,
                    "by %s, size %.9g %s, spread %.9g, dt %.9g s", by->name,

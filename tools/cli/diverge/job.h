@@ -1,10 +1,7 @@
-/// @file
 /// What all samples of `diverge` share.
-#ifndef TWOFOLD_CLI_JOB_H
-#define TWOFOLD_CLI_JOB_H
+#pragma once
 
 #include "../setup/args.h"
-#include "../setup/setup.h"
 #include "../text/buffer.h"
 #include "canard.h"
 
@@ -42,6 +39,7 @@ typedef struct {
   cli_two_fold_t two_fold;
   cli_canard_t canard;  ///< through the two-fold
   bool at_two_fold;     ///< the samples start there
+  double near;          ///< step near the two-fold, of random ones in slip [s]
   tf_params_t params;   ///< of `machine`
   tf_machine_t machine; ///< its rule never leaves an escaping stick
 } cli_job_t;
@@ -60,5 +58,3 @@ void cli_job_describe(const cli_job_t *job, cli_buffer_t *text);
 /// the columns.
 size_t cli_job_provenance(const cli_job_t *job, const char *units,
                           char out[CLI_PROVENANCE_ROOM]);
-
-#endif

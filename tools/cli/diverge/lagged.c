@@ -22,8 +22,8 @@ static cli_point_t along(cli_point_t at, cli_point_t rate, double dt) {
 
 static cli_point_t rate_of(const tf_machine_t *k, cli_point_t at, int side) {
   const cli_field_t f = cli_field_at(k, at);
-  const tf_force_t by =
-      tf_tyre_force(&k->tyre, (tf_real_t)side, (tf_real_t)f.h, (tf_real_t)f.g);
+  const tf_force_t by = tf_tyre_force(&k->contact.tyre, (tf_real_t)side,
+                                      (tf_real_t)f.h, (tf_real_t)f.g);
   const double F = (double)by.F, M = (double)by.M;
   return (cli_point_t){f.rate.r, f.rate.p + F * f.p_F,
                        f.rate.z + (F * f.arm + M) / f.J};
@@ -92,7 +92,8 @@ static cli_instant_t start(cli_motion_t *motion) {
   cli_motion_begin(motion, &job->params);
   motion->band = job->args->mechanism == CLI_BY_DELAY
                      ? RATE_BOUND * motion->size *
-                           (double)job->machine.tyre.mu / (double)job->machine.m
+                           (double)job->machine.contact.tyre.mu /
+                           (double)job->machine.m
                      : motion->size * OVERSHOOT;
   motion->at = cli_point_of(&job->machine, &motion->state);
   motion->side = cli_draw_uniform(&motion->draws) < 0.5 ? -1 : 1;

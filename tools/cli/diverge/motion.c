@@ -5,6 +5,8 @@
 
 #include <math.h>
 
+#include "../../../src/model/kinematics.h"
+#include "../../../src/model/step_length.h"
 #define TWO_PI 6.283185307179586
 #define BEFORE 4e-3 // [m], distance of a start before the two-fold
 #define NEAR 0.011  // steps are short where r differs by less than this part
@@ -37,7 +39,7 @@ static double draw_normal(cli_draws_t *draws) {
 void cli_motion_begin(cli_motion_t *motion, const tf_params_t *params) {
   const cli_job_t *job = motion->job;
   tf_params_t near = *params;
-  near.dt = (tf_real_t)((double)params->dt / job->args->refinement);
+  near.dt = (tf_real_t)job->near;
   (void)tf_prepare(&motion->long_steps, params, NULL);
   (void)tf_prepare(&motion->short_steps, &near, NULL);
   motion->state = job->at_two_fold ? cli_before_two_fold(&job->machine,
@@ -48,12 +50,27 @@ void cli_motion_begin(cli_motion_t *motion, const tf_params_t *params) {
   motion->queued = 0;
 }
 
+tf_state_t cli_state_at_two_fold(const cli_job_t *job) {
+  const tf_machine_t *k = &job->machine;
+  tf_state_t state =
+      cli_state_at(k, cli_point_on_surface(k, job->canard.r, job->canard.z));
+  state.mode = (uint8_t)cli_stick_mode(job->canard.s);
+  return state;
+}
+
 double cli_step_length(const cli_motion_t *motion, cli_point_t at, double g) {
   const cli_two_fold_t *two_fold = &motion->job->two_fold;
   const bool short_steps = g * two_fold->g > 0 &&
                            fabs(at.r - two_fold->r) < NEAR * fabs(two_fold->r);
   return short_steps ? (double)motion->short_steps.dt
                      : (double)motion->long_steps.dt;
+}
+
+bool cli_step_of(cli_motion_t *motion, double dt) {
+  tf_machine_t k = motion->long_steps;
+  const tf_input_t input = tf_input_default(&k);
+  set_step_length(&k, (tf_real_t)dt);
+  return tf_step_located(&k, &motion->state, &input, &motion->report) >= 0;
 }
 
 cli_instant_t cli_instant_at(const cli_motion_t *motion, cli_point_t at) {
@@ -65,7 +82,7 @@ cli_instant_t cli_instant_at(const cli_motion_t *motion, cli_point_t at) {
                          .h = (double)slip.h,
                          .g = (double)slip.g,
                          .on = on,
-                         .pinned = on && rest};
+                         .rests = on && rest};
 }
 
 bool cli_refuse_cycle(cli_motion_t *motion) {
@@ -79,12 +96,16 @@ bool cli_refuse_cycle(cli_motion_t *motion) {
 // noise: the set-valued law, stepped by tf_step_located. After every step a
 //   normally distributed number of standard deviation size sqrt(dt) is added to
 //   h: the Euler-Maruyama method for the stochastic differential inclusion. In
-//   the sliding region the next step returns to the surface for any dt. What dt
-//   has to resolve is the time (size / (dA/dt mu))^(2/3) in which the noise is
-//   stronger than the weak attraction near the two-fold.
+//   the sliding region the next step returns to the surface for any dt. Near
+//   the two-fold dt has to resolve the time (size / (dA/dt mu))^(2/3) in which
+//   the noise is stronger than the weak attraction. At h = g = 0 the
+//   acceleration, of the order of mu/m, depends on the direction alone, so
+//   noise decides within (size / (mu/m))^2, and a longer step would decide by
+//   itself (--fine).
 // smoothing: the law SMOOTH of the width size, stepped by tf_step, no noise.
 
-#define SMOOTH_BAND 10 // smoothed stick stays within this many widths
+#define SEVERAL_STEPS 4 // whose rounding slip_rounding is
+#define SMOOTH_BAND 10  // smoothed stick stays within this many widths
 
 // Rate of change of A mu where stick passes through the two-fold.
 static double weakening(const cli_job_t *job) {
@@ -92,7 +113,7 @@ static double weakening(const cli_job_t *job) {
   const cli_two_fold_t *at = &job->two_fold;
   const double rise = cli_delassus(&job->machine, at->r + e, at->g) -
                       cli_delassus(&job->machine, at->r - e, at->g);
-  return fabs(rise / (2 * e) * at->v) * (double)job->machine.tyre.mu;
+  return fabs(rise / (2 * e) * at->v) * (double)job->machine.contact.tyre.mu;
 }
 
 static cli_instant_t instant(const cli_motion_t *motion) {
@@ -104,16 +125,22 @@ static cli_instant_t start(cli_motion_t *motion) {
   const cli_job_t *job = motion->job;
   tf_params_t params = job->params;
   tf_report_t report;
+  double resolved = 1; // [s], at the two-fold
   const tf_input_t input = tf_input_default(&job->machine);
   if (job->args->mechanism == CLI_BY_SMOOTHING) {
     params.law = TF_TYRE_SMOOTH;
     params.epsilon = (tf_real_t)motion->size;
     motion->band = SMOOTH_BAND * motion->size;
   } else {
-    const double resolved = pow(2 * motion->size / weakening(job), 2.0 / 3.0);
-    motion->band = 4 * motion->size * (isfinite(resolved) ? sqrt(resolved) : 1);
+    resolved = pow(2 * motion->size / weakening(job), 2.0 / 3.0);
+    resolved = isfinite(resolved) ? resolved : 1;
+    motion->band = 4 * motion->size * sqrt(resolved);
+    motion->length = (double)params.dt;
+    params.tolerance = 0; // as fine as the number type allows
   }
   cli_motion_begin(motion, &params);
+  set_step_length(&motion->short_steps,
+                  (tf_real_t)fmin(job->near, resolved / job->args->refinement));
   (void)tf_begin(&motion->long_steps, &motion->state, &input, &report);
   return instant(motion);
 }
@@ -128,26 +155,62 @@ static void add_noise(cli_motion_t *motion, double dt) {
   motion->state.mode = slip.h < 0 ? TF_SLIP_MINUS : TF_SLIP_PLUS;
 }
 
-static bool advance(cli_motion_t *motion) {
-  const cli_instant_t before = motion->tracker.last;
-  const double dt = cli_step_length(motion, before.at, before.g);
+static double square(double x) { return x * x; }
+
+// The shortest step under noise: a share of the time in which noise decides at
+// h = g = 0, but so long that the noise of a step is above the rounding of h.
+static double least_step(const cli_motion_t *motion) {
+  const tf_machine_t *k = &motion->long_steps;
+  const tf_state_t *x = &motion->state;
+  const double rounding =
+      (double)slip_rounding(k, x->r, x->v, x->w, k->omega0) / SEVERAL_STEPS;
+  const double decides =
+      motion->size * (double)k->m / (double)k->contact.tyre.mu;
+  return fmax(square(decides) / motion->job->args->fine,
+              square(rounding / motion->size));
+}
+
+// A step of the scene; next to h = g = 0 one in which neither noise nor the
+// motion crosses more than a share of the way there. A step that went further
+// is taken again before its noise is drawn, so the noise does not depend on it.
+static bool advance_by_noise(cli_motion_t *motion) {
+  const double share = 1 / motion->job->args->fine;
+  const tf_state_t from = motion->state;
+  const cli_instant_t at = instant(motion);
+  const double way = square(at.h) + square(at.g);
+  const double least = least_step(motion);
+  double dt = fmin(2 * motion->length, share * way / square(motion->size));
+  dt = fmin(fmax(dt, least), cli_step_length(motion, at.at, at.g));
+  cli_instant_t now = at;
+  for (bool near = false; !near; dt = near ? dt : fmax(dt / 2, least)) {
+    motion->state = from;
+    if (!cli_step_of(motion, dt)) {
+      return cli_refuse_cycle(motion);
+    }
+    now = instant(motion);
+    near = dt <= least ||
+           square(now.h - at.h) + square(now.g - at.g) <= share * way;
+  }
+  motion->length = dt;
+  now.t = motion->t += dt;
+  add_noise(motion, dt);
+  return cli_track(&motion->tracker, &now);
+}
+
+static bool advance_smoothed(cli_motion_t *motion) {
+  const cli_instant_t *last = &motion->tracker.last;
+  const double dt = cli_step_length(motion, last->at, last->g);
   const tf_machine_t *k = dt < (double)motion->long_steps.dt
                               ? &motion->short_steps
                               : &motion->long_steps;
   const tf_input_t input = tf_input_default(k);
-  const bool noisy = motion->job->args->mechanism == CLI_BY_NOISE;
-  const tf_status_t status =
-      noisy ? tf_step_located(k, &motion->state, &input, &motion->report)
-            : tf_step(k, &motion->state, &input, &motion->report);
-  if (status < 0) {
+  if (tf_step(k, &motion->state, &input, &motion->report) < 0) {
     return cli_refuse_cycle(motion);
   }
   motion->t += dt;
   const cli_instant_t now = instant(motion);
-  if (noisy) {
-    add_noise(motion, dt);
-  }
   return cli_track(&motion->tracker, &now);
 }
 
-const cli_stepper_t cli_perturbed_stepper = {start, advance, NULL};
+const cli_stepper_t cli_noise_stepper = {start, advance_by_noise, NULL};
+const cli_stepper_t cli_smoothing_stepper = {start, advance_smoothed, NULL};

@@ -1,13 +1,8 @@
-/// @file
 /// What is recorded of a motion, cycle by cycle: exit, windings, landing and
 /// return to the two-fold; the motion of one sample; and what the steppers have
 /// in common.
-#ifndef TWOFOLD_CLI_MOTION_H
-#define TWOFOLD_CLI_MOTION_H
+#pragma once
 
-#include <stdint.h>
-
-#include "canard.h"
 #include "job.h"
 
 /// An instant of a motion, as the tracker sees it.
@@ -16,7 +11,7 @@ typedef struct {
   cli_point_t at;
   double h, g;   ///< [m/s]
   bool on;       ///< on h = 0, or within the band that stands for it
-  bool pinned;   ///< at rest at h = g = 0, for a while or for good
+  bool rests;    ///< on the turntable, for a while or for good
   bool released; ///< stick ended with the escaping region, not by a draw
 } cli_instant_t;
 
@@ -25,7 +20,7 @@ typedef enum {
   CLI_CYCLE_OPEN,     ///< it goes on
   CLI_CYCLE_RETURNED, ///< at the two-fold again
   CLI_CYCLE_SMALL,    ///< landed several times without coming back
-  CLI_CYCLE_PINNED,   ///< at rest on the turntable
+  CLI_CYCLE_REST,     ///< at rest on the turntable
   CLI_CYCLE_TIMEOUT,  ///< none of these within the patience
   CLI_CYCLE_REFUSED   ///< a step was refused
 } cli_outcome_t;
@@ -80,7 +75,10 @@ typedef struct {
 
 double cli_draw_uniform(cli_draws_t *draws); ///< in (0, 1)
 
-/// |h| <= band and |g| <= CLI_REST_BANDS band count as at rest at h = g = 0.
+/// A wheel rests on the turntable where it is pinned, and in a stick that tends
+/// to g = 0 without an end, from |g| <= CLI_REST_SPEED [m/s] on; where h is 0
+/// within a band only, from |g| <= CLI_REST_BANDS band on.
+#define CLI_REST_SPEED 1e-9
 #define CLI_REST_BANDS 4
 
 /// Changes of side that a delay can hold at a time.
@@ -102,6 +100,7 @@ typedef struct {
   int side;       ///< on which friction acts then, +1 or -1
   double queue[CLI_QUEUED_SWITCHES]; ///< times when that side changes [s]
   int queued;
+  double length; ///< of the last step, under noise [s]
 } cli_motion_t;
 
 /// How a mechanism moves a sample.
@@ -121,15 +120,23 @@ void cli_motion_begin(cli_motion_t *motion, const tf_params_t *params);
 
 double cli_step_length(const cli_motion_t *motion, cli_point_t at, double g);
 
+/// Takes a step of a length by tf_step_located, on the machine of the long
+/// steps. Returns: whether it was taken.
+bool cli_step_of(cli_motion_t *motion, double dt);
+
+/// Where samples from the two-fold begin, in stick.
+tf_state_t cli_state_at_two_fold(const cli_job_t *job);
+
 /// The present instant of a motion at a point: on the surface where |h| is
 /// within its band.
 cli_instant_t cli_instant_at(const cli_motion_t *motion, cli_point_t at);
 
 bool cli_refuse_cycle(cli_motion_t *motion);
 
-/// --by random; --by noise and --by smoothing; --by hysteresis and --by delay.
+/// --by random; noise; smoothing; hysteresis and delay.
 extern const cli_stepper_t cli_random_stepper;
-extern const cli_stepper_t cli_perturbed_stepper;
+extern const cli_stepper_t cli_noise_stepper;
+extern const cli_stepper_t cli_smoothing_stepper;
 extern const cli_stepper_t cli_lagged_stepper;
 
 typedef enum {
@@ -148,5 +155,3 @@ cli_branch_t cli_random_branch(cli_motion_t *motion, unsigned mode,
 /// `diverge --exhaustive`: follows all branches instead of samples, and writes
 /// them.
 int cli_exhaustive(const cli_job_t *job);
-
-#endif

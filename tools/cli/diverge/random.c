@@ -13,6 +13,7 @@
 #include "../setup/setup.h"
 #include "motion.h"
 
+#define LOCATED 1e-3  // [s], to which the end of a stick is bisected
 #define SHORTEST 2e-9 // [s], to which the time of h = g = 0 is bisected
 #define OFF 1e-5      // [s], length of the first step away from it
 // |h| + |g| at h = g = 0 is below this many tolerances of a velocity.
@@ -23,7 +24,8 @@ static cli_instant_t instant(const cli_motion_t *motion) {
   const tf_machine_t *k = &motion->job->machine;
   cli_instant_t now = cli_instant_at(motion, cli_point_of(k, &motion->state));
   now.on = !tf_mode_is_slip(motion->state.mode);
-  now.pinned = motion->state.mode == TF_PINNED;
+  now.rests = motion->state.mode == TF_PINNED ||
+              (now.on && fabs(now.g) <= CLI_REST_SPEED);
   return now;
 }
 
@@ -78,29 +80,11 @@ static bool pass_two_fold(cli_motion_t *motion) {
 }
 
 static cli_instant_t start(cli_motion_t *motion) {
-  const cli_job_t *job = motion->job;
-  cli_motion_begin(motion, &job->params);
-  if (job->at_two_fold) {
-    motion->state = cli_state_at(
-        &job->machine,
-        cli_point_on_surface(&job->machine, job->canard.r, job->canard.z));
-    motion->state.mode = (uint8_t)cli_stick_mode(job->canard.s);
+  cli_motion_begin(motion, &motion->job->params);
+  if (motion->job->at_two_fold) {
+    motion->state = cli_state_at_two_fold(motion->job);
   }
   return instant(motion);
-}
-
-static tf_status_t step(cli_motion_t *motion, const tf_machine_t *machine) {
-  const tf_input_t input = tf_input_default(machine);
-  return tf_step_located(machine, &motion->state, &input, &motion->report);
-}
-
-// A step of another length.
-static bool step_of(cli_motion_t *motion, double dt) {
-  tf_machine_t machine;
-  tf_params_t params = motion->job->params;
-  params.dt = (tf_real_t)dt;
-  return tf_prepare(&machine, &params, NULL) == TF_OK &&
-         step(motion, &machine) >= 0;
 }
 
 // Every mode that may follow from where the motion is.
@@ -114,6 +98,43 @@ static unsigned futures_of(const cli_motion_t *motion) {
   return report.set;
 }
 
+// Whether a state is one of those that end by a draw: pinned, or an escaping
+// stick.
+static bool waits(const cli_job_t *job, const tf_state_t *state) {
+  const unsigned mode = state->mode;
+  return mode == TF_PINNED ||
+         (cli_is_stick(mode) && cli_delassus(&job->machine, (double)state->r,
+                                             cli_stick_sign(mode)) < 0);
+}
+
+// Whether a step ended a stay on h = 0, or something happened to a stick that
+// had one future.
+static bool changed(const cli_motion_t *motion, const tf_state_t *from) {
+  return !tf_mode_is_slip(from->mode) &&
+         (motion->state.mode != from->mode ||
+          (!waits(motion->job, from) && motion->report.choices > 1));
+}
+
+// Goes on to LOCATED before the first step that changed, or to SHORTEST before
+// the first with several futures; length: in/out, what is left of it.
+// Returns: the time that has passed; < 0 where a step was refused.
+static double come_near(cli_motion_t *motion, double *length, double end) {
+  double passed = 0;
+  while (*length > end) {
+    const tf_state_t before = motion->state;
+    *length /= 2;
+    if (!cli_step_of(motion, *length)) {
+      return -1;
+    }
+    if (end < LOCATED ? motion->report.choices > 1 : changed(motion, &before)) {
+      motion->state = before;
+    } else {
+      passed += *length;
+    }
+  }
+  return passed;
+}
+
 // Whether within the last step, which began at `from`, the motion was at
 // h = g = 0 with several consistent modes. If so it is put there; set gets the
 // modes.
@@ -121,30 +142,18 @@ static bool was_at_codim2(cli_motion_t *motion, const tf_state_t *from,
                           double length, unsigned *set) {
   const tf_machine_t *k = &motion->job->machine;
   const cli_motion_t after = *motion;
-  double passed = 0;
-  bool met = false;
+  const double whole = length;
   if (motion->report.choices < 2) {
     return false;
   }
   motion->state = *from;
-  while (length > SHORTEST) {
-    const tf_state_t before = motion->state;
-    length /= 2;
-    if (!step_of(motion, length)) {
-      break;
-    }
-    if (motion->report.choices > 1) {
-      met = true;
-      motion->state = before;
-    } else {
-      passed += length;
-    }
-  }
+  const double passed = come_near(motion, &length, SHORTEST);
   const cli_instant_t now = instant(motion);
   const double speed =
       fabs((double)motion->state.v) + fabs((double)motion->state.w);
-  // Short steps may miss h = g = 0 where the long one hit it.
-  if (!met || length > SHORTEST ||
+  // Short steps may miss h = g = 0 where the long one hit it: then all but the
+  // last has passed.
+  if (passed < 0 || passed + 1.5 * length > whole ||
       fabs(now.h) + fabs(now.g) >
           CODIM2_TOLERANCES * (double)k->tolerance * speed) {
     *motion = after;
@@ -164,7 +173,7 @@ static bool leave_codim2(cli_motion_t *motion, unsigned mode) {
   motion->state.mode = (uint8_t)mode;
   motion->wait = -1;
   if (mode != TF_PINNED) {
-    if (!step_of(motion, OFF)) {
+    if (!cli_step_of(motion, OFF)) {
       return cli_refuse_cycle(motion);
     }
     motion->t += OFF;
@@ -184,28 +193,6 @@ static bool at_codim2(cli_motion_t *motion, unsigned set) {
 static bool leave_pinned(cli_motion_t *motion) {
   const unsigned set = futures_of(motion) & ~TF_MODE_BIT(TF_PINNED);
   return leave_codim2(motion, set != 0 ? draw_mode(motion, set) : TF_PINNED);
-}
-
-static bool is_escaping_stick(const cli_motion_t *motion) {
-  const unsigned mode = motion->state.mode;
-  return cli_is_stick(mode) &&
-         cli_delassus(&motion->job->machine, (double)motion->state.r,
-                      cli_stick_sign(mode)) < 0;
-}
-
-// Ends the wait of an escaping stick or a pinned wheel within this step.
-static bool end_wait(cli_motion_t *motion) {
-  const unsigned mode = motion->state.mode;
-  if (motion->wait > SHORTEST && !step_of(motion, motion->wait)) {
-    return cli_refuse_cycle(motion);
-  }
-  motion->t += motion->wait;
-  motion->wait = -1;
-  const cli_instant_t now = instant(motion);
-  if (cli_track(&motion->tracker, &now) || motion->state.mode != mode) {
-    return motion->tracker.cycle.outcome != CLI_CYCLE_OPEN;
-  }
-  return mode == TF_PINNED ? leave_pinned(motion) : leave_stick(motion, false);
 }
 
 // Passes the state after a step to the tracker. Stick that passed the two-fold
@@ -232,33 +219,59 @@ static bool track(cli_motion_t *motion, const tf_state_t *from) {
   return true;
 }
 
+// When a step from a state came to rest: v falls to 0 at a constant rate in the
+// end, and at rest r stays. The tests hold it to 5e-5 s.
+static double time_to_rest(const cli_motion_t *motion, const tf_state_t *from,
+                           double length) {
+  const double way = (double)motion->state.r - (double)from->r;
+  const double time = 2 * way / (double)from->v;
+  return motion->state.mode == TF_PINNED && from->mode != TF_PINNED &&
+                 time >= 0 && time < length
+             ? time
+             : length;
+}
+
+// One step, to the end of a wait at most. A wait is drawn once, and begins and
+// ends at its own instant, so that its distribution does not depend on dt.
 static bool advance(cli_motion_t *motion) {
-  const cli_job_t *job = motion->job;
-  // Windings are counted by changes of the sign of h, which need short steps.
-  const tf_machine_t *k = tf_mode_is_slip(motion->state.mode)
-                              ? &motion->short_steps
-                              : &motion->long_steps;
-  const double dt = (double)k->dt;
-  const tf_state_t from = motion->state;
-  const bool waiting = from.mode == TF_PINNED || is_escaping_stick(motion);
+  tf_state_t from = motion->state;
+  const bool waiting = waits(motion->job, &from);
   unsigned set = 0;
-  if (waiting && motion->wait < 0) {
-    motion->wait = draw_time(motion);
+  // Windings are counted by changes of the sign of h, which need short steps.
+  double length = tf_mode_is_slip(from.mode) ? (double)motion->short_steps.dt
+                                             : (double)motion->long_steps.dt;
+  if (waiting) {
+    motion->wait = motion->wait < 0 ? draw_time(motion) : motion->wait;
+    length = fmin(length, motion->wait);
   }
-  if (waiting && motion->wait <= dt) {
-    return end_wait(motion);
-  }
-  if (step(motion, k) < 0) {
+  if (length > SHORTEST && !cli_step_of(motion, length)) {
     return cli_refuse_cycle(motion);
   }
-  if (waiting) {
-    motion->wait = motion->state.mode == from.mode ? motion->wait - dt : -1;
-  } else if (job->args->codim2 == CLI_CODIM2_EVEN &&
-             was_at_codim2(motion, &from, dt, &set)) {
+  if (length > LOCATED && changed(motion, &from)) {
+    motion->state = from;
+    const double passed = come_near(motion, &length, LOCATED);
+    motion->t += passed;
+    motion->wait -= waiting ? passed : 0;
+    if (passed > 0 && track(motion, &from)) {
+      return true;
+    }
+    from = motion->state;
+    if (passed < 0 || !cli_step_of(motion, length)) {
+      return cli_refuse_cycle(motion);
+    }
+  }
+  const bool stays = waiting && motion->state.mode == from.mode;
+  motion->wait = stays ? motion->wait - length : -1;
+  if (!waiting && motion->job->args->codim2 == CLI_CODIM2_EVEN &&
+      was_at_codim2(motion, &from, length, &set)) {
     return at_codim2(motion, set);
   }
-  motion->t += dt;
-  return track(motion, &from);
+  motion->t += time_to_rest(motion, &from, length);
+  if (track(motion, &from) || !stays || motion->wait > 0) {
+    return motion->tracker.cycle.outcome != CLI_CYCLE_OPEN;
+  }
+  return from.mode == TF_PINNED ? leave_pinned(motion)
+                                : leave_stick(motion, false);
 }
 
 cli_branch_t cli_random_branch(cli_motion_t *motion, unsigned mode,
@@ -274,13 +287,13 @@ cli_branch_t cli_random_branch(cli_motion_t *motion, unsigned mode,
     now.h = mode == TF_SLIP_PLUS ? 1e-300 : -1e-300;
     (void)cli_track(&motion->tracker, &now);
   }
-  if (!step_of(motion, OFF)) {
+  if (!cli_step_of(motion, OFF)) {
     return CLI_BRANCH_TIME;
   }
   motion->t += OFF;
-  while (motion->state.mode != TF_PINNED && !is_escaping_stick(motion)) {
+  while (!waits(motion->job, &motion->state)) {
     const tf_state_t from = motion->state;
-    if (step(motion, &motion->long_steps) < 0) {
+    if (!cli_step_of(motion, dt)) {
       return CLI_BRANCH_TIME;
     }
     if (was_at_codim2(motion, &from, dt, set)) {

@@ -16,7 +16,7 @@
 
 const char *cli_outcome_name(cli_outcome_t outcome) {
   static const char *const names[CLI_OUTCOMES] = {
-      "open", "returned", "small_cycle", "pinned", "timeout", "refused"};
+      "open", "returned", "small_cycle", "rest", "timeout", "refused"};
   return names[outcome];
 }
 
@@ -172,7 +172,7 @@ static void watch_landing(cli_tracker_t *tracker, const cli_instant_t *at) {
     return;
   }
   if (tracker->upper || at->g == 0 || two_fold_side(tracker, at->g) ||
-      at->pinned || at->t - tracker->on_since < tracker->dwell) {
+      at->rests || at->t - tracker->on_since < tracker->dwell) {
     return;
   }
   tracker->upper = true;
@@ -193,7 +193,7 @@ bool cli_track(cli_tracker_t *tracker, const cli_instant_t *at) {
     watch_landing(tracker, at);
     if (at->t - cycle->arrived > tracker->job->args->patience) {
       cycle->ended = at->t;
-      cycle->outcome = at->pinned                          ? CLI_CYCLE_PINNED
+      cycle->outcome = at->rests                           ? CLI_CYCLE_REST
                        : cycle->landings >= SMALL_LANDINGS ? CLI_CYCLE_SMALL
                                                            : CLI_CYCLE_TIMEOUT;
       ended = true;

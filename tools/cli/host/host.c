@@ -6,9 +6,7 @@
 // jobs, because it must be possible to stop a run that has no end of its own;
 // SIGHUP is not, for to ignore it is all that nohup does.
 
-#ifndef _POSIX_C_SOURCE
 #define _POSIX_C_SOURCE 200809L
-#endif
 
 #include "host.h"
 
@@ -22,6 +20,7 @@
 #include <string.h>
 #include <sys/ioctl.h>
 #include <sys/mman.h>
+#include <termios.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -29,8 +28,11 @@ static volatile sig_atomic_t stop_asked = 0;
 
 static const char *volatile restoring = NULL;
 
-// `write` is all that a handler may do with a terminal. Where it fails there is
-// no terminal to be put in order.
+static struct termios lines;          // how the terminal was
+static volatile sig_atomic_t in_keys; // it hands over keys
+
+// `write` and `tcsetattr` are all that a handler may do with a terminal. Where
+// that fails there is no terminal to be put in order.
 static void ask_for_stop(int number) {
   const int kept = errno;
   const char *bytes = restoring;
@@ -39,7 +41,38 @@ static void ask_for_stop(int number) {
   if (bytes != NULL && write(STDOUT_FILENO, bytes, strlen(bytes)) < 0) {
     restoring = NULL;
   }
+  cli_keys_end();
   errno = kept;
+}
+
+void cli_ask_for_stop(void) { (void)raise(SIGINT); }
+
+void cli_keys_begin(void) {
+  // A job in the background that sets the terminal of another one is stopped.
+  if (tcgetpgrp(STDIN_FILENO) != getpgrp() ||
+      tcgetattr(STDIN_FILENO, &lines) != 0) {
+    return;
+  }
+  struct termios keys = lines;
+  keys.c_lflag &= ~(tcflag_t)(ICANON | ECHO);
+  keys.c_cc[VMIN] = keys.c_cc[VTIME] = 0; // `read` does not wait
+  in_keys = 1;
+  (void)tcsetattr(STDIN_FILENO, TCSANOW, &keys);
+}
+
+void cli_keys_end(void) {
+  if (in_keys) {
+    in_keys = 0;
+    (void)tcsetattr(STDIN_FILENO, TCSANOW, &lines);
+  }
+}
+
+bool cli_key_pressed(char key) {
+  char pressed[64];
+  const ssize_t count = in_keys && tcgetpgrp(STDIN_FILENO) == getpgrp()
+                            ? read(STDIN_FILENO, pressed, sizeof pressed)
+                            : 0;
+  return count > 0 && memchr(pressed, key, (size_t)count) != NULL;
 }
 
 void cli_restore_on_stop(const char *bytes) { restoring = bytes; }

@@ -1,11 +1,8 @@
-/// @file
 /// What the program needs of POSIX: a monotonic clock, signals that ask for a
 /// stop, and standard descriptors that are safe to use. And the progress of
-/// long work, for a person who waits: on a terminal one line that is
-/// overwritten, in a log a line now and then. Nothing is shown for the first
-/// seconds.
-#ifndef TWOFOLD_CLI_HOST_H
-#define TWOFOLD_CLI_HOST_H
+/// long work: on a terminal one line that is overwritten, in a log a line now
+/// and then, none in the first seconds.
+#pragma once
 
 #include <stdbool.h>
 
@@ -35,11 +32,22 @@ void cli_guard_descriptors(void);
 /// of write, not a signal.
 void cli_catch_signals(void);
 
-/// From now on a signal that asks for a stop also writes these bytes to
-/// standard output, before anything else happens: what puts a terminal back in
-/// order must not wait, for a second signal kills. NULL: nothing.
-/// bytes: in, kept.
+/// From now on a signal that asks for a stop first writes these bytes, kept, to
+/// standard output: what puts a terminal back in order must not wait, for a
+/// second signal kills. NULL: nothing.
 void cli_restore_on_stop(const char *bytes);
+
+/// From now on a terminal at standard input hands over keys as they are
+/// pressed, until cli_keys_end or a signal that asks for a stop. Does nothing
+/// where standard input is no terminal, or that of another job.
+void cli_keys_begin(void);
+void cli_keys_end(void);
+
+/// Whether a key was pressed since the last call; what else was is dropped.
+bool cli_key_pressed(char key);
+
+/// As the signal that Ctrl-C sends.
+void cli_ask_for_stop(void);
 
 /// Size of the terminal at standard output, as it is now; 80 by 24 where it
 /// does not tell.
@@ -61,14 +69,10 @@ cli_progress_t cli_progress_start(double now, int output);
 
 bool cli_progress_due(const cli_progress_t *progress, double now);
 
-/// Prints a message if it is time, and the time left, as if the rest of the
-/// work went at the mean speed of what is done.
-/// share: in, of the work that is done, 0: none, and no time left is told.
-/// format: in, of the message, which says what is done.
+/// Prints what is done if it is time, and the time left at the mean speed so
+/// far. share: in, of the work that is done, 0: no time left is told.
 void cli_progress_say(cli_progress_t *progress, double now, double share,
                       const char *format, ...) CLI_PRINTF(4, 5);
 
 /// Removes the line from the screen.
 void cli_progress_clear(cli_progress_t *progress);
-
-#endif

@@ -1,8 +1,6 @@
-/// @file
 /// How late a loop in real time is: a histogram with bins of 1 us, as
 /// cyclictest of rt-tests prints one, of each step's beginning and end.
-#ifndef TWOFOLD_CLI_LATENESS_H
-#define TWOFOLD_CLI_LATENESS_H
+#pragma once
 
 #include <stdint.h>
 
@@ -20,5 +18,3 @@ void cli_lateness_note(cli_lateness_t *lateness, double began, double ended);
 
 /// Writes `us,began,ended`, a row for each bin in which something is.
 void cli_lateness_write(const cli_lateness_t *lateness, cli_output_t *output);
-
-#endif

@@ -4,18 +4,15 @@
 // the incomplete row is removed again from a regular file. stdio is not used,
 // because after a failed flush it does not tell how much has been written.
 //
-// A file under its final name is whole. `open` with O_TRUNC cannot promise
-// that: it destroys what was there, and a program that is killed leaves half of
-// the new rows under the name of all. So rows go to a file beside it, because
-// only within a file system does a rename happen at once.
+// `open` with O_TRUNC destroys what was there, and a program that is killed
+// leaves half of the new rows under the name of all. So rows go to a file
+// beside it: only within a file system does a rename happen at once.
 //
 // What is not a regular file has no rows to keep and no name to get, and is
 // written as it is. Nor has what a symbolic link of /proc names, as /dev/stdout
 // does: it belongs to whoever opened it, even where it is a regular file.
 
-#ifndef _DEFAULT_SOURCE
 #define _DEFAULT_SOURCE
-#endif
 
 #include "output.h"
 
@@ -295,7 +292,6 @@ bool cli_output_open(cli_output_t *output, const char *path, bool keep) {
   return output->error == 0;
 }
 
-// Removes the bytes after the last whole line of what was written.
 static void drop_incomplete_row(const cli_output_t *output, size_t written) {
   size_t whole = written;
   while (whole > 0 && output->buffer[whole - 1] != output->last) {
@@ -338,16 +334,18 @@ bool cli_output_flush(cli_output_t *output) {
   return output->error == 0;
 }
 
-bool cli_output_lines(cli_output_t *output, const char *lines, size_t length) {
-  if (length > CLI_OUTPUT_ROOM - output->used) {
-    (void)cli_output_flush(output);
+bool cli_output_lines(cli_output_t *output, const void *lines, size_t length) {
+  const char *from = lines;
+  for (size_t next; length > 0 && output->error == 0; length -= next) {
+    next = length < CLI_OUTPUT_ROOM ? length : CLI_OUTPUT_ROOM;
+    if (next > CLI_OUTPUT_ROOM - output->used && !cli_output_flush(output)) {
+      break;
+    }
+    memcpy(output->buffer + output->used, from, next);
+    output->used += next;
+    from += next;
   }
-  if (output->error != 0) {
-    return false;
-  }
-  memcpy(output->buffer + output->used, lines, length);
-  output->used += length;
-  return true;
+  return output->error == 0;
 }
 
 // Writes the lines of a part to its copy; of its trailers only the last, which

@@ -1,14 +1,10 @@
-/// @file
-/// Rows on their way to a file or to standard output, in whole lines. A file
-/// gets its name when it is whole; standard output, a pipe or a device is
-/// written as it comes.
-///
-/// The rows of FILE are written to FILE.part in the same folder, which is
-/// renamed to FILE once all of them are on disk. Whatever ends the program
-/// before that, FILE is what it was, or is not there. FILE.part is locked while
-/// it is written, so a second writer of FILE is refused.
-#ifndef TWOFOLD_CLI_OUTPUT_H
-#define TWOFOLD_CLI_OUTPUT_H
+/// Rows on their way to a file or to standard output, in whole lines. Those of
+/// FILE are written to FILE.part beside it, which is renamed to FILE once all
+/// of them are on disk: whatever ends the program before that, FILE is what it
+/// was, or is not there. FILE.part is locked while it is written, so a second
+/// writer of FILE is refused. Standard output, a pipe or a device is written as
+/// it comes.
+#pragma once
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -40,8 +36,7 @@ typedef struct {
 } cli_output_t;
 
 /// Opens a file for writing, or standard output where path is NULL or "-".
-/// keep: its part may hold the rows of a run that was stopped: they stay, until
-/// cli_output_go_on says how many bytes of them are kept.
+/// keep: rows in its part stay until cli_output_go_on says how many bytes.
 /// Returns: whether it is open; otherwise error is set.
 bool cli_output_open(cli_output_t *output, const char *path, bool keep);
 
@@ -55,15 +50,15 @@ int cli_output_begin(cli_output_t *output, const char *option, const char *path,
 void cli_output_go_on(cli_output_t *output, size_t kept);
 
 /// Refuses to go on with a file that is of something else; what: in, a sweep or
-/// a run. Returns: CLI_REFUSED after a message.
+/// a run.
 int cli_output_refuse_other(const char *path, const char *what);
 
 /// Closes it for a command that has ended with a code. Under CLI_DONE a file
 /// gets its name, otherwise a message says where its rows are.
-/// Returns: the code; CLI_STOPPED after a message if it was CLI_DONE.
+/// Returns: the code, or CLI_STOPPED in place of CLI_DONE.
 int cli_output_end(cli_output_t *output, int code);
 
-/// Begins a file, writes one text, at most CLI_OUTPUT_ROOM bytes, and ends it.
+/// Begins a file, writes one text, and ends it.
 int cli_output_write(cli_output_t *output, const char *option, const char *path,
                      const char *text, size_t length);
 
@@ -73,18 +68,15 @@ void cli_output_tell_part(const cli_output_t *output);
 /// The first failure in words; output->error must not be 0.
 const char *cli_output_reason(const cli_output_t *output);
 
-/// Appends one or more whole lines, at most CLI_OUTPUT_ROOM bytes.
+/// Appends one or more whole lines, or bytes.
 /// Returns: whether no failure has occurred so far; after the first failure
 /// nothing more is written.
-bool cli_output_lines(cli_output_t *output, const char *lines, size_t length);
+bool cli_output_lines(cli_output_t *output, const void *lines, size_t length);
 
-/// Hands everything to the operating system.
-/// Returns: as cli_output_lines.
+/// Hands everything to the operating system. Returns: likewise.
 bool cli_output_flush(cli_output_t *output);
 
 /// Flushes, syncs to disk and closes (standard output is left open). whole: all
 /// rows are there, so the file gets its name unless its output failed.
-/// Returns: as cli_output_lines.
+/// Returns: likewise.
 bool cli_output_close(cli_output_t *output, bool whole);
-
-#endif

@@ -2,17 +2,13 @@
 // that reports its end has been unplugged. Only POSIX is used. The speeds are
 // those that it names, and the usual faster ones where the system has them.
 
-#ifndef _DEFAULT_SOURCE
 #define _DEFAULT_SOURCE
-#endif
 
 #include "source.h"
 
-#include <ctype.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
-#include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <sys/types.h>
@@ -136,26 +132,4 @@ void cli_source_close(cli_source_t *source) {
     (void)close(source->descriptor);
   }
   source->descriptor = -1;
-}
-
-static int digit_of(int character) {
-  if (!isxdigit(character)) return -1;
-  return isdigit(character) ? character - '0' : tolower(character) - 'a' + 10;
-}
-
-const char *cli_read_key(const char *path, uint8_t key[TF_KEY_BYTES]) {
-  struct stat status;
-  FILE *file = fopen(path, "r");
-  bool good = file != NULL && fstat(fileno(file), &status) == 0;
-  const bool is_open = good && (status.st_mode & (S_IRWXG | S_IRWXO)) != 0;
-  for (size_t i = 0; good && i < TF_KEY_BYTES; i++) {
-    const int high = digit_of(fgetc(file)), low = digit_of(fgetc(file));
-    good = high >= 0 && low >= 0;
-    key[i] = (uint8_t)(high * 16 + low);
-  }
-  int rest = ' ';
-  while (good && isspace(rest)) rest = fgetc(file);
-  if (file != NULL) (void)fclose(file);
-  if (is_open) return "others may read it, or change it: chmod 600";
-  return good && rest == EOF ? NULL : "no 32 hexadecimal digits";
 }

@@ -1,11 +1,5 @@
-/// @file
 /// A source of frames: a file, a pipe, a terminal or a serial device.
-#ifndef TWOFOLD_CLI_SOURCE_H
-#define TWOFOLD_CLI_SOURCE_H
-
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
+#pragma once
 
 #include "twofold.h"
 
@@ -41,11 +35,3 @@ bool cli_source_write(cli_source_t *source, const uint8_t *bytes,
                       size_t length);
 
 void cli_source_close(cli_source_t *source);
-
-/// The key of a board that takes only tagged commands, from a file: an argument
-/// would stand in the list of processes.
-/// Reads 32 hexadecimal digits, with nothing behind them but white space.
-/// Returns: NULL; or what is wrong with the file.
-const char *cli_read_key(const char *path, uint8_t key[TF_KEY_BYTES]);
-
-#endif

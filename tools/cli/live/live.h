@@ -1,19 +1,10 @@
-/// @file
 /// A motion as it goes on, in a terminal: the planes (g, h) and (r, omega), and
 /// the modes over time. Every function takes NULL for "not asked for".
-#ifndef TWOFOLD_CLI_LIVE_H
-#define TWOFOLD_CLI_LIVE_H
+#pragma once
 
 #include <stdbool.h>
 
 typedef struct cli_live cli_live_t;
-
-/// An instant of the motion. t does not decrease, except where a new motion
-/// begins.
-typedef struct {
-  double t, r, v, omega, h, g;
-  unsigned mode, choices;
-} cli_live_point_t;
 
 /// Takes the terminal at standard output over; messages are shown in it from
 /// then on, and printed at the end. span: in, the time that is kept [s]: all of
@@ -21,7 +12,10 @@ typedef struct {
 /// Returns: NULL after a message where there is no such terminal.
 cli_live_t *cli_live_open(double span);
 
-void cli_live_note(cli_live_t *live, const cli_live_point_t *point);
+/// Shows an instant. at: in, t, r, v, omega, h, g; t does not decrease, except
+/// where a new motion begins.
+void cli_live_note(cli_live_t *live, const double at[6], unsigned mode,
+                   unsigned choices);
 bool cli_live_due(const cli_live_t *live, double now);
 
 /// Draws. title: in, the first line. now: in, cli_now().
@@ -29,5 +23,3 @@ void cli_live_draw(cli_live_t *live, const char *title, double now);
 
 /// Gives the terminal back, leaves the last picture in it.
 void cli_live_close(cli_live_t *live, const char *title);
-
-#endif

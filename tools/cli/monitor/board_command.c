@@ -22,20 +22,13 @@ static int refuse(const char *text, const char *why) {
   return cli_message(CLI_USAGE, "--send %s: %s", text, why);
 }
 
-// Whether the first `length` characters of the text are the name.
-static bool is_name(const char *name, const char *text, size_t length) {
-  return strlen(name) == length && strncmp(name, text, length) == 0;
-}
-
 static int read_set(cli_board_command_t *command, const char *rest) {
+  char name[CLI_NAME_ROOM];
   const size_t length = strcspn(rest, "=");
   const char *why = "";
   tf_real_t value = 0;
-  unsigned i = 0;
-  while (i < TF_PARAMETERS &&
-         !is_name(tf_parameter_ranges[i].name, rest, length)) {
-    i++;
-  }
+  (void)snprintf(name, sizeof name, "%.*s", (int)length, rest);
+  const size_t i = cli_parameter_index(name);
   if (i == TF_PARAMETERS || rest[length] != '=') {
     return refuse(command->text,
                   "expected set:NAME=VALUE with the name of a "
@@ -49,10 +42,12 @@ static int read_set(cli_board_command_t *command, const char *rest) {
 }
 
 static int read_select(cli_board_command_t *command, const char *rest) {
+  char name[CLI_NAME_ROOM];
   const size_t length = strcspn(rest, ":");
   uint64_t seed = 0;
   unsigned i = 0;
-  while (i < TF_RULES && !is_name(tf_rule_name(i), rest, length)) {
+  (void)snprintf(name, sizeof name, "%.*s", (int)length, rest);
+  while (i < TF_RULES && strcmp(tf_rule_name(i), name) != 0) {
     i++;
   }
   const bool seed_is_good =
@@ -75,9 +70,7 @@ static int read_input(cli_board_command_t *command, const char *rest) {
     const size_t length = strcspn(rest, ",");
     const char *why = "";
     tf_real_t value = 0;
-    (void)snprintf(number, sizeof number, "%.*s",
-                   (int)(length < sizeof number ? length : sizeof number - 1),
-                   rest);
+    (void)snprintf(number, sizeof number, "%.*s", (int)length, rest);
     command->number[command->numbers] = rest;
     const bool last = command->numbers == 3;
     if (length >= sizeof number || !cli_read_real(number, &value, &why) ||
@@ -134,13 +127,12 @@ int cli_board_commands_add(cli_board_commands_t *commands, const char *text) {
   for (size_t i = 0; i < sizeof forms / sizeof forms[0]; i++) {
     const size_t length = strlen(forms[i].name);
     command->type = forms[i].type;
-    if (forms[i].read != NULL && strncmp(text, forms[i].name, length) == 0) {
-      return forms[i].read(command, text + length);
+    const bool has_data = forms[i].read != NULL;
+    if (strncmp(text, forms[i].name, length) == 0 &&
+        (has_data || text[length] == '\0')) {
+      return has_data ? forms[i].read(command, text + length) : CLI_DONE;
     }
-    if (forms[i].read == NULL && strcmp(text, forms[i].name) == 0) {
-      return CLI_DONE;
-    }
-    if (forms[i].read == NULL) {
+    if (!has_data) {
       cli_closest_offer(&closest, forms[i].name);
     }
   }
@@ -161,16 +153,13 @@ int cli_read_send(void *to, const cli_given_t *given) {
 }
 
 static uint8_t *put_number(uint8_t *at, const char *text, bool is_float) {
-  if (is_float) {
-    const float value = strtof(text, NULL);
-    uint32_t bits = 0;
-    memcpy(&bits, &value, sizeof bits);
-    return tf_wire_put(at, bits, 4);
-  }
-  const double value = strtod(text, NULL);
-  uint64_t bits = 0;
-  memcpy(&bits, &value, sizeof bits);
-  return tf_wire_put(at, bits, 8);
+  const float narrow = strtof(text, NULL);
+  const double wide = strtod(text, NULL);
+  uint32_t four = 0;
+  uint64_t eight = 0;
+  memcpy(&four, &narrow, sizeof four);
+  memcpy(&eight, &wide, sizeof eight);
+  return is_float ? tf_wire_put(at, four, 4) : tf_wire_put(at, eight, 8);
 }
 
 static uint8_t *put_data(uint8_t *at, const cli_board_command_t *command,
@@ -256,30 +245,22 @@ bool cli_board_commands_late(const cli_board_commands_t *commands,
 }
 
 static const char *reason_of(int code) {
-  switch (code) {
-    case TF_ANSWER_UNKNOWN:
-      return "the board does not know it";
-    case TF_ANSWER_LENGTH:
-      return "its length is wrong";
-    case TF_ANSWER_EMPTY:
-      return "nothing was saved";
-    case TF_ANSWER_FAR:
-      return "dated too far ahead";
-    case TF_ANSWER_OLD:
-      return "its number is used up: another host commands this board";
-    case TF_ANSWER_FOREIGN:
-      return "the board was started anew";
-    case TF_ANSWER_TAG:
-      return "its tag is not that of the board's key (--key)";
-    case TF_ANSWER_LINE:
-      return "more than the line carries";
-    default:
-      return tf_status_name((tf_status_t)code);
-  }
+  static const char *const reasons[] = {
+      [-TF_ANSWER_UNKNOWN] = "the board does not know it",
+      [-TF_ANSWER_LENGTH] = "its length is wrong",
+      [-TF_ANSWER_EMPTY] = "nothing was saved",
+      [-TF_ANSWER_FAR] = "dated too far ahead",
+      [-TF_ANSWER_OLD] =
+          "its number is used up: another host commands this board",
+      [-TF_ANSWER_FOREIGN] = "the board was started anew",
+      [-TF_ANSWER_TAG] = "its tag is not that of the board's key (--key)",
+      [-TF_ANSWER_LINE] = "more than the line carries"};
+  return code <= TF_ANSWER_UNKNOWN && code >= TF_ANSWER_LINE
+             ? reasons[-code]
+             : tf_status_name((tf_status_t)code);
 }
 
-// Value and range of a parameter, or what records ask of the line, as an answer
-// has them.
+// As an answer has them: a parameter, or what records ask of the line.
 static void write_range(char *out, size_t room, const tf_frame_t *frame,
                         const cli_receiver_t *receiver) {
   const uint8_t *at = frame->payload + ANSWER_BYTES;
@@ -298,15 +279,14 @@ static void write_range(char *out, size_t room, const tf_frame_t *frame,
   if (frame->length != ANSWER_BYTES + 3 * R || index >= TF_PARAMETERS) {
     return;
   }
-  char value[CLI_REAL_ROOM], low[CLI_REAL_ROOM], high[CLI_REAL_ROOM];
-  (void)cli_write_number(value, cli_receiver_real(receiver, at),
-                         receiver->is_float);
-  (void)cli_write_number(low, cli_receiver_real(receiver, at + R),
-                         receiver->is_float);
-  (void)cli_write_number(high, cli_receiver_real(receiver, at + 2 * R),
-                         receiver->is_float);
+  char number[3][CLI_REAL_ROOM]; // in effect, smallest, largest
+  for (size_t i = 0; i < 3; i++) {
+    (void)cli_write_number(number[i], cli_receiver_real(receiver, at + i * R),
+                           receiver->is_float);
+  }
   (void)snprintf(out, room, "; %s = %s, in [%s, %s]",
-                 tf_parameter_ranges[index].name, value, low, high);
+                 tf_parameter_ranges[index].name, number[0], number[1],
+                 number[2]);
 }
 
 const cli_board_command_t *cli_board_commands_answer(
@@ -378,18 +358,13 @@ int cli_session_record_open(cli_session_record_t *record, const char *path) {
 
 void cli_session_record_frame(cli_session_record_t *record,
                               const tf_frame_t *frame) {
-  if (!record->is_open) {
-    return;
-  }
-  if (frame->type == TF_DOWN_SCHEMA && !record->has_schema) {
+  const uint8_t wanted =
+      record->has_schema ? TF_DOWN_EXPIRED : (uint8_t)TF_DOWN_SCHEMA;
+  if (record->is_open && frame->type == wanted) {
     put_row(record, frame->tick, frame->type, frame->payload, frame->length,
-            CLI_RECORD_SCHEMA);
+            record->has_schema ? "inputs expired" : CLI_RECORD_SCHEMA);
     record->has_schema = true;
-  }
-  if (frame->type == TF_DOWN_EXPIRED && record->has_schema) {
     record->has_state = false;
-    put_row(record, frame->tick, frame->type, frame->payload, frame->length,
-            "inputs expired");
   }
   if (frame->type != TF_DOWN_STATE || !record->has_schema) {
     return;

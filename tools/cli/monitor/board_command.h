@@ -1,14 +1,8 @@
-/// @file
-/// Commands to a board: those of --send as frames, one after the other, each
-/// after the answer to the one before. And what happened to a board, as a file
-/// that `run --replay` reads: its schema, the commands that took effect with
-/// the ticks at which they did, and the last state, to compare with.
-#ifndef TWOFOLD_CLI_BOARD_COMMAND_H
-#define TWOFOLD_CLI_BOARD_COMMAND_H
+/// Commands to a board: those of --send as frames, each after the answer to the
+/// one before. And what happened to it, as a file that `run --replay` reads.
+#pragma once
 
 #include "../host/output.h"
-#include "../setup/args.h"
-#include "../text/trailer.h"
 #include "receiver.h"
 
 #define CLI_BOARD_COMMANDS (CLI_SENDS + 1) ///< with the first, `describe`
@@ -78,7 +72,5 @@ void cli_session_record_command(cli_session_record_t *record,
                                 const cli_board_command_t *command,
                                 bool is_float, uint64_t tick);
 
-/// Returns: code; CLI_STOPPED after a message if it was CLI_DONE.
+/// Returns: as cli_output_end.
 int cli_session_record_close(cli_session_record_t *record, int code);
-
-#endif

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "../host/host.h"
+#include "../host/key.h"
 #include "../host/output.h"
 #include "../host/source.h"
 #include "../live/live.h"
@@ -34,20 +35,11 @@ typedef struct {
   cli_live_t *live; ///< the picture, or NULL
   bool begun;       ///< what stands before the rows is written
   bool at_end;      ///< of a file or a pipe
+  char where[160];  ///< frames of another run are
   uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
   uint8_t block[BLOCK];
 } monitor_t;
 
-static void note(cli_live_t *live, const cli_csv_t *row) {
-  const double *at = row->column;
-  const cli_live_point_t point = {at[0], at[1], at[2],     at[3],
-                                  at[4], at[5], row->mode, row->choices};
-  if (row->columns >= 6) {
-    cli_live_note(live, &point);
-  }
-}
-
-// The first line of the picture: the sender, its line and its counters.
 static void write_title(const monitor_t *monitor, char title[TITLE_ROOM]) {
   const tf_decoder_t *decoder = &monitor->seen.decoder;
   const cli_receiver_t *receiver = &monitor->seen.receiver;
@@ -83,7 +75,6 @@ static bool begin_rows(monitor_t *monitor) {
          cli_output_lines(&monitor->output, as->header, strlen(as->header));
 }
 
-// Decodes what was read. Returns: whether the rows could be written.
 static bool take_block(monitor_t *monitor, size_t length) {
   const uint8_t *at = monitor->block;
   size_t taken = 0;
@@ -94,9 +85,14 @@ static bool take_block(monitor_t *monitor, size_t length) {
   cli_seen_t *seen = &monitor->seen;
   seen->bytes += length;
   seen->is_device = monitor->source.is_device;
+  if (monitor->args->format == CLI_FORMAT_FRAMES && !monitor->at_end &&
+      !cli_output_lines(&monitor->output, at, length)) {
+    return false;
+  }
   while (tf_decoder_block(&seen->decoder, at, length, &taken, &frame)) {
     at += taken;
     length -= taken;
+    cli_receiver_chain(&seen->receiver, &frame);
     if (!cli_receiver_open(
             &seen->receiver, &frame,
             monitor->args->verify ? monitor->commands.key : NULL)) {
@@ -116,8 +112,10 @@ static bool take_block(monitor_t *monitor, size_t length) {
     if (!completes) {
       continue;
     }
-    note(monitor->live, &row);
-    if (as != NULL &&
+    if (row.columns >= 6) {
+      cli_live_note(monitor->live, row.column, row.mode, row.choices);
+    }
+    if (as != NULL && as->row != NULL &&
         !(begin_rows(monitor) &&
           cli_output_lines(&monitor->output, line, as->row(&row, line)))) {
       return false;
@@ -140,7 +138,6 @@ static int output_failed(const monitor_t *monitor) {
                      cli_output_reason(&monitor->output));
 }
 
-// The device was unplugged.
 // Returns: CLI_DONE once it is back or a signal has asked for a stop.
 static int wait_for_device(monitor_t *monitor) {
   cli_source_t *source = &monitor->source;
@@ -163,8 +160,6 @@ static int wait_for_device(monitor_t *monitor) {
   return CLI_DONE;
 }
 
-// Sends the next command if it is time. Returns: CLI_DONE, or CLI_STOPPED
-// without an answer.
 static int send_commands(monitor_t *monitor) {
   cli_board_commands_t *commands = &monitor->commands;
   uint8_t wire[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)];
@@ -229,7 +224,6 @@ static int follow_stream(monitor_t *monitor) {
   return CLI_DONE;
 }
 
-// Opens what is read, and the file that is written.
 static int open_both(monitor_t *monitor) {
   const cli_args_t *args = monitor->args;
   if (!cli_source_open(&monitor->source, args->source, args->baud,
@@ -239,35 +233,25 @@ static int open_both(monitor_t *monitor) {
                            ? "the device does not take this --baud"
                            : strerror(monitor->source.error));
   }
+  int code = CLI_DONE;
   if (monitor->as != NULL) {
-    const int code =
-        cli_output_begin(&monitor->output, "--out", args->out, false);
-    if (code != CLI_DONE) {
-      return code;
-    }
-    if (!args->provenance) {
-      (void)begin_rows(monitor);
-    }
+    code = cli_output_begin(&monitor->output, "--out", args->out, false);
   }
-  return args->record != NULL
+  if (args->format == CLI_FORMAT_FRAMES) {
+    monitor->output.last = '\0';
+  }
+  if (code == CLI_DONE && monitor->as != NULL && !args->provenance) {
+    (void)begin_rows(monitor);
+  }
+  return code == CLI_DONE && args->record != NULL
              ? cli_session_record_open(&monitor->record, args->record)
-             : CLI_DONE;
-}
-
-// What has an end of its own has to be read to its end; all else is read until
-// a signal says that it is enough.
-static int judge_stop(const monitor_t *monitor, int code) {
-  if (code == CLI_DONE && cli_stop_asked() && !monitor->args->follow &&
-      cli_is_regular(monitor->source.descriptor)) {
-    return cli_message(CLI_STOPPED, "%s: interrupted", monitor->source.name);
-  }
-  return code;
+             : code;
 }
 
 // What is wrong with the stream as a whole, NULL: nothing. Where all frames are
 // right, they may still be of more than one run, or of a part of one. With
 // --follow a board may be started again.
-static const char *fault_of(const monitor_t *monitor) {
+static const char *fault_of(monitor_t *monitor) {
   const cli_seen_t *seen = &monitor->seen;
   if (cli_seen_missing(seen) > 0) {
     return "frames were lost or broken, as is counted";
@@ -280,15 +264,19 @@ static const char *fault_of(const monitor_t *monitor) {
            "of more than one run";
   }
   if (seen->receiver.other_runs > 0 && !monitor->args->follow) {
-    return "a schema or heartbeat is of another run: these are rows of more "
-           "than one run";
+    (void)snprintf(monitor->where, sizeof monitor->where,
+                   "between steps %" PRIu64 " and %" PRIu64
+                   " frames are of another run: these are rows of more than "
+                   "one run",
+                   seen->receiver.between[0], seen->receiver.between[1]);
+    return monitor->where;
   }
   return monitor->at_end && seen->is_open
              ? "ends before its run: the heartbeat that ends it has not come"
              : NULL;
 }
 
-static int judge_stream(const monitor_t *monitor, int code) {
+static int judge_stream(monitor_t *monitor, int code) {
   const cli_seen_t *seen = &monitor->seen;
   const tf_tally_t flagged = cli_seen_flagged(seen);
   const char *fault = fault_of(monitor);
@@ -326,7 +314,13 @@ static int perform(monitor_t *monitor) {
   const bool shows = monitor->as == NULL && cli_is_terminal(STDOUT_FILENO);
   monitor->live =
       monitor->args->live || shows ? cli_live_open(LIVE_SPAN) : NULL;
-  code = judge_stop(monitor, follow_stream(monitor));
+  code = follow_stream(monitor);
+  // What has an end of its own has to be read to its end; all else is read
+  // until a signal says that it is enough.
+  if (code == CLI_DONE && cli_stop_asked() && !monitor->args->follow &&
+      cli_is_regular(monitor->source.descriptor)) {
+    code = cli_message(CLI_STOPPED, "%s: interrupted", monitor->source.name);
+  }
   write_title(monitor, title);
   cli_live_close(monitor->live, title);
   // A file of rows that are not all of one stream does not get its name, by
@@ -366,27 +360,28 @@ int cli_take_source(void *to, const char *word) {
 int cli_monitor_check(cli_args_t *args) {
   if (args->source == NULL) {
     return cli_message(CLI_USAGE,
-                       "monitor: which file or device? (- is "
-                       "standard input)");
+                       "monitor: which file or device? (- is standard input)");
   }
-  if (args->csv && args->as != CLI_NOT_GIVEN && args->as != CLI_FORMAT_CSV) {
-    return cli_message(CLI_USAGE, "--csv: one form at a time (--as was given)");
+  if (args->csv && args->format != CLI_NOT_GIVEN &&
+      args->format != CLI_FORMAT_CSV) {
+    return cli_message(CLI_USAGE,
+                       "--csv: one format at a time (--format was given)");
   }
-  args->as = args->csv ? (unsigned)CLI_FORMAT_CSV : args->as;
-  if (args->live && args->as != CLI_NOT_GIVEN && args->out == NULL) {
-    return cli_message(CLI_USAGE, "--live --as: rows go to --out FILE only");
+  args->format = args->csv ? (unsigned)CLI_FORMAT_CSV : args->format;
+  if (args->live && args->format != CLI_NOT_GIVEN && args->out == NULL) {
+    return cli_message(CLI_USAGE,
+                       "--live --format: rows go to --out FILE only");
   }
-  if (args->out != NULL && args->as == CLI_NOT_GIVEN) {
-    return cli_message(CLI_USAGE, "--out %s: only with --as", args->out);
+  if (args->out != NULL && args->format == CLI_NOT_GIVEN) {
+    return cli_message(CLI_USAGE, "--out %s: only with --format", args->out);
   }
-  if (args->provenance && args->as != CLI_FORMAT_CSV) {
-    return cli_message(CLI_USAGE, "--provenance: only with --as csv");
+  if (args->provenance && args->format != CLI_FORMAT_CSV) {
+    return cli_message(CLI_USAGE, "--provenance: only with --format csv");
   }
   return CLI_DONE;
 }
 
-// The commands that are to be sent. The schema has to be known before any
-// other one.
+// The schema has to be known before any command.
 static int take_commands(cli_board_commands_t *commands,
                          const cli_args_t *args) {
   if (args->sends > 0) {
@@ -406,7 +401,8 @@ static int take_commands(cli_board_commands_t *commands,
 int cli_monitor(const cli_args_t *args) {
   static monitor_t monitor;
   monitor.args = args;
-  monitor.as = args->as != CLI_NOT_GIVEN ? &cli_streams[args->as] : NULL;
+  monitor.as =
+      args->format != CLI_NOT_GIVEN ? &cli_streams[args->format] : NULL;
   const int code = take_commands(&monitor.commands, args);
   if (code != CLI_DONE) {
     return code;

@@ -49,7 +49,6 @@ static void note_row(cli_seen_t *seen, const cli_csv_t *row) {
   }
 }
 
-// Of each count the larger one.
 static tf_tally_t most(const tf_tally_t *a, const tf_tally_t *b) {
   tf_tally_t tally = *a;
   tally.degraded = a->degraded > b->degraded ? a->degraded : b->degraded;
@@ -171,7 +170,7 @@ void cli_seen_print(const cli_seen_t *seen) {
 
 static void put_sender(const cli_receiver_t *receiver) {
   if (!receiver->has_schema) {
-    cli_put_null("sender");
+    cli_put_double("sender", (double)NAN);
     return;
   }
   cli_put_text("sender", receiver->build);
@@ -203,7 +202,7 @@ static void put_line(const cli_seen_t *seen) {
 static void put_board(const cli_receiver_t *receiver) {
   const tf_heartbeat_t *beat = &receiver->heartbeat;
   if (!receiver->has_heartbeat) {
-    cli_put_null("board");
+    cli_put_double("board", (double)NAN);
     return;
   }
   cli_say("\"board\": {");
@@ -220,7 +219,7 @@ static void put_board(const cli_receiver_t *receiver) {
 
 static void put_last(const cli_receiver_t *receiver) {
   if (!receiver->has_schema || receiver->rows == 0) {
-    cli_put_null("last");
+    cli_put_double("last", (double)NAN);
     return;
   }
   cli_say("\"last\": {");

@@ -1,8 +1,5 @@
-/// @file
-/// What `monitor` says of a stream at its end, and of the rows before them; and
-/// what of it is missing or is not a number, which makes the exit code.
-#ifndef TWOFOLD_CLI_MONITOR_SUMMARY_H
-#define TWOFOLD_CLI_MONITOR_SUMMARY_H
+/// What `monitor` says of a stream at its end, and what makes its exit code.
+#pragma once
 
 #include "receiver.h"
 
@@ -59,10 +56,7 @@ void cli_seen_put(const cli_seen_t *seen, int code);
 
 #define CLI_RECEIVED_ROOM 1024
 
-/// Four lines that begin with #, as cli_provenance() writes them: this program;
-/// scene, hash of the parameters and number type of the sender; its step and
-/// its build; units.
+/// Four lines that begin with #, as cli_provenance() writes them, of the
+/// sender.
 size_t cli_received_provenance(const cli_receiver_t *receiver,
                                char out[CLI_RECEIVED_ROOM]);
-
-#endif

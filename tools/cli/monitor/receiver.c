@@ -47,20 +47,54 @@ static const uint8_t *text_at(const uint8_t *at, const uint8_t *end,
   return at < end ? at + 1 : end;
 }
 
+static void note_other(cli_receiver_t *receiver, uint64_t tick) {
+  if (receiver->other_runs++ == 0) {
+    receiver->between[0] = receiver->vouched;
+    receiver->between[1] = tick;
+  }
+}
+
 // Of a run all schemas and heartbeats have one hash.
-static void note_run(cli_receiver_t *receiver, uint32_t run) {
-  receiver->other_runs += receiver->knows_run && receiver->run != run;
+static void note_run(cli_receiver_t *receiver, uint64_t tick, uint32_t run) {
+  if (receiver->breaks || (receiver->knows_run && receiver->run != run)) {
+    note_other(receiver, tick);
+  }
   receiver->knows_run = true;
   receiver->run = run;
 }
 
+// The chain is known from number 0 on, or from a heartbeat, up to a frame that
+// is missing, which the decoder counts.
+void cli_receiver_chain(cli_receiver_t *receiver, const tf_frame_t *frame) {
+  receiver->knows_chain &= frame->sequence == receiver->next;
+  receiver->next = frame->sequence + 1u;
+  receiver->breaks = false;
+  if (!receiver->knows_chain && frame->sequence == 0) {
+    receiver->knows_chain = true;
+    receiver->chain = 0;
+    receiver->vouched = frame->tick;
+  }
+  if (frame->type == TF_DOWN_HEARTBEAT && frame->length >= TF_HEARTBEAT_BYTES) {
+    const uint32_t told =
+        (uint32_t)tf_wire_get(frame->payload + TF_HEARTBEAT_BYTES - 4, 4);
+    receiver->breaks = receiver->knows_chain && told != receiver->chain;
+    receiver->knows_chain = true;
+    receiver->chain = told;
+  }
+  receiver->chain =
+      tf_frame_chain(receiver->chain, frame->payload + frame->length);
+}
+
 // A session is that of one start, and the next one follows its last number; of
 // a board with a key it may be any other.
-static void note_session(cli_receiver_t *receiver, uint32_t session) {
+static void note_session(cli_receiver_t *receiver, uint64_t tick,
+                         uint32_t session) {
   const uint32_t before = receiver->session;
   const uint32_t follows = before == UINT32_MAX ? 1 : before + 1u;
-  receiver->other_runs += !receiver->is_tagged && before != 0 &&
-                          session != before && session != follows;
+  if (!receiver->is_tagged && before != 0 && session != before &&
+      session != follows) {
+    note_other(receiver, tick);
+  }
   receiver->session = session;
 }
 
@@ -97,8 +131,8 @@ static bool take_schema(cli_receiver_t *receiver, const tf_frame_t *frame) {
   receiver->hash = (uint32_t)tf_wire_get(at + 9, 4);
   receiver->ends = (at[4] & 32u) != 0;
   receiver->is_tagged = (at[4] & 64u) != 0;
-  note_run(receiver, (uint32_t)tf_wire_get(at + 25, 4));
-  note_session(receiver, (uint32_t)tf_wire_get(at + 13, 4));
+  note_run(receiver, frame->tick, (uint32_t)tf_wire_get(at + 25, 4));
+  note_session(receiver, frame->tick, (uint32_t)tf_wire_get(at + 13, 4));
   receiver->sequence = (uint32_t)tf_wire_get(at + 17, 4);
   receiver->schemas++;
   at = reals_at(receiver, at + SCHEMA_DT, &receiver->dt, 1);
@@ -113,21 +147,21 @@ static bool take_schema(cli_receiver_t *receiver, const tf_frame_t *frame) {
   return true;
 }
 
-static double time_of(const cli_receiver_t *receiver) {
+static bool fill_row(cli_receiver_t *receiver, size_t columns, uint8_t mode,
+                     uint8_t choices, cli_csv_t *row) {
+  receiver->mode = mode;
+  receiver->choices = choices;
+  receiver->rows++;
   const double t = receiver->base + (double)receiver->tick * receiver->dt;
-  return receiver->is_float ? (double)(float)t : t;
-}
-
-static void fill_row(const cli_receiver_t *receiver, size_t columns,
-                     cli_csv_t *row) {
-  *row =
-      (cli_csv_t){{time_of(receiver), receiver->state[0], receiver->state[1],
-                   receiver->state[2], receiver->report[0], receiver->report[1],
-                   receiver->report[2], receiver->report[3]},
-                  columns,
-                  receiver->is_float,
-                  receiver->mode,
-                  receiver->choices};
+  *row = (cli_csv_t){
+      {receiver->is_float ? (double)(float)t : t, receiver->state[0],
+       receiver->state[1], receiver->state[2], receiver->report[0],
+       receiver->report[1], receiver->report[2], receiver->report[3]},
+      columns,
+      receiver->is_float,
+      mode,
+      choices};
+  return true;
 }
 
 static void take_state(cli_receiver_t *receiver, const tf_frame_t *frame) {
@@ -147,13 +181,9 @@ static bool take_report(cli_receiver_t *receiver, const tf_frame_t *frame,
     receiver->has_state = false;
     return false;
   }
-  receiver->mode = at[0];
-  receiver->choices = at[2];
   receiver->status = (tf_status_t)(at[3] < 128 ? at[3] : (int)at[3] - 256);
   receiver->has_state = false;
-  receiver->rows++;
-  fill_row(receiver, CLI_CSV_COLUMNS, row);
-  return true;
+  return fill_row(receiver, CLI_CSV_COLUMNS, at[0], at[2], row);
 }
 
 static bool take_compact(cli_receiver_t *receiver, const tf_frame_t *frame,
@@ -164,40 +194,29 @@ static bool take_compact(cli_receiver_t *receiver, const tf_frame_t *frame,
     return false;
   }
   receiver->tick = frame->tick;
-  receiver->mode = at[0];
-  receiver->choices = at[1];
-  receiver->rows++;
-  fill_row(receiver, 4, row);
-  return true;
+  return fill_row(receiver, 4, at[0], at[1], row);
 }
 
 // Bytes of a payload of fixed length; 0 where the length depends on the data.
 static unsigned length_of(const cli_receiver_t *receiver, uint8_t type) {
-  const unsigned R = real_bytes(receiver);
-  switch (type) {
-    case TF_DOWN_STATE:
-      return 4 * R + 5;
-    case TF_DOWN_REPORT:
-      return 6 * R + 5;
-    case TF_DOWN_COMPACT:
-      return 3 * R + 2;
-    case TF_DOWN_HEARTBEAT:
-      return TF_HEARTBEAT_BYTES;
-    case TF_DOWN_EXPIRED:
-      return TF_EXPIRED_BYTES;
-    default:
-      return 0;
-  }
-}
-
-static bool is_row(uint8_t type) {
-  return type == TF_DOWN_STATE || type == TF_DOWN_REPORT ||
-         type == TF_DOWN_COMPACT;
+  static const struct {
+    unsigned reals, bytes;
+  } parts[] = {[TF_DOWN_STATE] = {4, 5},
+               [TF_DOWN_REPORT] = {6, 5},
+               [TF_DOWN_COMPACT] = {3, 2},
+               [TF_DOWN_HEARTBEAT] = {0, TF_HEARTBEAT_BYTES},
+               [TF_DOWN_EXPIRED] = {0, TF_EXPIRED_BYTES}};
+  return type < sizeof parts / sizeof parts[0]
+             ? parts[type].reals * real_bytes(receiver) + parts[type].bytes
+             : 0;
 }
 
 bool cli_receiver_take(cli_receiver_t *receiver, const tf_frame_t *frame,
                        cli_csv_t *row) {
-  if (is_row(frame->type) && !receiver->has_schema) {
+  const bool is_row = frame->type == TF_DOWN_STATE ||
+                      frame->type == TF_DOWN_REPORT ||
+                      frame->type == TF_DOWN_COMPACT;
+  if (is_row && !receiver->has_schema) {
     // A report belongs to the state before it, which counts for both.
     receiver->incomplete += frame->type != TF_DOWN_REPORT || !receiver->early;
     receiver->early = frame->type == TF_DOWN_STATE;
@@ -221,7 +240,8 @@ bool cli_receiver_take(cli_receiver_t *receiver, const tf_frame_t *frame,
       return take_compact(receiver, frame, row);
     case TF_DOWN_HEARTBEAT:
       tf_read_heartbeat(frame->payload, &receiver->heartbeat);
-      note_run(receiver, receiver->heartbeat.run);
+      note_run(receiver, frame->tick, receiver->heartbeat.run);
+      receiver->vouched = frame->tick;
       receiver->has_heartbeat = true;
       return false;
     case TF_DOWN_ANSWER:

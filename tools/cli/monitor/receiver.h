@@ -1,12 +1,9 @@
-/// @file
 /// What a stream of frames has reported so far, and the rows that it makes. The
 /// numbers are floats or doubles as the sender computes: a program built for
 /// double reads a board that computes in float.
-#ifndef TWOFOLD_CLI_RECEIVER_H
-#define TWOFOLD_CLI_RECEIVER_H
+#pragma once
 
 #include "../run/row.h"
-#include "twofold.h"
 
 #define CLI_RECEIVED_TEXT 64
 
@@ -23,7 +20,13 @@ typedef struct {
   uint64_t schemas;  ///< that have come
   bool knows_run;
   uint32_t run;        ///< hash of the run, of the last schema or heartbeat
-  uint64_t other_runs; ///< schemas and heartbeats of another than that before
+  uint64_t other_runs; ///< schemas and heartbeats that do not fit those before
+  uint32_t next;       ///< number of the frame behind the last one
+  bool knows_chain;    ///< no frame is missing since a heartbeat or number 0
+  bool breaks;         ///< the last frame is a heartbeat of another chain
+  uint32_t chain;      ///< of the frames up to the last one
+  uint64_t vouched;    ///< tick of the last heartbeat, or of number 0
+  uint64_t between[2]; ///< ticks that the first of other_runs is between
   char scene[CLI_RECEIVED_TEXT], build[CLI_RECEIVED_TEXT];
 
   uint64_t tick;    ///< of the state
@@ -50,11 +53,13 @@ typedef struct {
 bool cli_receiver_open(cli_receiver_t *receiver, tf_frame_t *frame,
                        const uint8_t *key);
 
+/// Takes note of a frame as it came, in its decoder's buffer, before its tag is
+/// taken off.
+void cli_receiver_chain(cli_receiver_t *receiver, const tf_frame_t *frame);
+
 /// row: out, written if the frame completes a row.
 /// Returns: whether it does.
 bool cli_receiver_take(cli_receiver_t *receiver, const tf_frame_t *frame,
                        cli_csv_t *row);
 
 double cli_receiver_real(const cli_receiver_t *receiver, const uint8_t *at);
-
-#endif

@@ -15,7 +15,6 @@
 #include "events.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "../setup/setup.h"
 #include "../text/buffer.h"
@@ -49,8 +48,7 @@ static bool is_two_fold(const tf_report_t *before, const tf_report_t *after) {
          !changes_sign(before->slip.g, after->slip.g);
 }
 
-// Room for one more event, or NULL beyond the limit. If there is no memory left
-// the list ends there, so that it has no gap.
+// If there is no memory left the list ends there, so that it has no gap.
 static cli_event_t *new_event(cli_events_t *events) {
   if (events->used >= events->limit) {
     return NULL;
@@ -65,15 +63,6 @@ static cli_event_t *new_event(cli_events_t *events) {
   return &events->list[events->used++];
 }
 
-// Whether stick begins in the sliding region, where the Delassus scalar is
-// positive.
-static bool is_attracting_stick(const tf_report_t *before,
-                                const tf_report_t *after) {
-  return before->mode != after->mode && cli_is_stick(after->mode) &&
-         after->delassus > 0;
-}
-
-// The kinds of all events between two consecutive reports, as a bit set.
 static unsigned kinds_between(const tf_report_t *before,
                               const tf_report_t *after) {
   unsigned kinds = 0;
@@ -110,7 +99,8 @@ void cli_events_observe(cli_events_t *events, const tf_report_t *before,
   if (kinds >> CLI_TWO_FOLD & 1u) {
     events->away = true;
     events->windings = 0;
-  } else if (events->away && is_attracting_stick(before, after)) {
+  } else if (events->away && before->mode != after->mode &&
+             cli_is_stick(after->mode) && after->delassus > 0) {
     events->away = false;
     kinds |= 1u << CLI_RETURNED;
   }
@@ -142,13 +132,6 @@ void cli_events_observe(cli_events_t *events, const tf_report_t *before,
       !tf_mode_is_slip(after->mode) || !tf_mode_is_slip(before->mode);
   event->lambda =
       (double)(tf_mode_is_slip(after->mode) ? before->force.F : after->force.F);
-}
-
-void cli_events_free(cli_events_t *events) {
-  free(events->list);
-  events->list = NULL;
-  events->used = 0;
-  events->room = 0;
 }
 
 // One rule for the summary of `run` and for the outcome of `sweep`.

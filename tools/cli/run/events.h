@@ -1,12 +1,6 @@
-/// @file
 /// Events of a run: changes of the contact's mode, and passages through the
 /// singularities of the model.
-#ifndef TWOFOLD_CLI_EVENTS_H
-#define TWOFOLD_CLI_EVENTS_H
-
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
+#pragma once
 
 #include "twofold.h"
 
@@ -36,8 +30,7 @@ typedef struct {
 
 /// All events of a run: the first `limit` steps in detail, the others counted.
 /// The windings around the two-fold, from slip to slip, are listed one by one
-/// only if limit is UINT64_MAX. Otherwise a line between two events says how
-/// many there were, so that every change of mode is either listed or counted.
+/// only if limit is UINT64_MAX; else a line between two events counts them.
 typedef struct {
   uint64_t limit;
   uint64_t steps;    ///< with at least one event
@@ -56,9 +49,6 @@ void cli_events_observe(cli_events_t *events, const tf_report_t *before,
                         const tf_report_t *after, const tf_state_t *state,
                         double t);
 
-/// Frees the list.
-void cli_events_free(cli_events_t *events);
-
 /// How often a motion has several consistent modes, and since when: at its
 /// start, which is no step, and in its steps.
 typedef struct {
@@ -74,5 +64,3 @@ void cli_ambiguity_begin(cli_ambiguity_t *ambiguity, const tf_report_t *start);
 /// Sees a step. t: its end [s].
 void cli_ambiguity_see(cli_ambiguity_t *ambiguity, const tf_report_t *report,
                        double t);
-
-#endif

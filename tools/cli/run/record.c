@@ -4,7 +4,6 @@
 
 #include <inttypes.h>
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "../setup/setup.h"
@@ -14,15 +13,13 @@
 void cli_run_show(const cli_run_t *run) {
   const tf_state_t *state = &run->system.state;
   const tf_report_t *report = &run->report;
-  const cli_live_point_t point = {cli_run_time(run, run->done),
-                                  (double)state->r,
-                                  (double)state->v,
-                                  (double)state->w,
-                                  (double)report->slip.h,
-                                  (double)report->slip.g,
-                                  report->mode,
-                                  report->choices};
-  cli_live_note(run->live, &point);
+  const double at[] = {cli_run_time(run, run->done),
+                       (double)state->r,
+                       (double)state->v,
+                       (double)state->w,
+                       (double)report->slip.h,
+                       (double)report->slip.g};
+  cli_live_note(run->live, at, report->mode, report->choices);
 }
 
 cli_setup_t cli_run_setup(const cli_run_t *run) {
@@ -74,10 +71,8 @@ void cli_run_observe(cli_run_t *run, const tf_report_t *after) {
   cli_run_show(run);
 }
 
-// What a run leaves to another one, and how that takes it up. Inputs of a table
-// are no part of it: the table is there to be given again. Those that a board
-// got by a command are nowhere else, so they are, with what is left of their
-// time.
+// What a run leaves to another one. Inputs of a table are no part of it: the
+// table is there to be given again. Those by a command are nowhere else.
 
 bool cli_run_save(cli_run_t *run, const char *path) {
   char text[CLI_STATE_BYTES];
@@ -85,13 +80,12 @@ bool cli_run_save(cli_run_t *run, const char *path) {
     return true;
   }
   const cli_setup_t setup = cli_run_setup(run);
-  const tf_simulation_t *simulation = &run->replay.simulation;
   const cli_stand_t stand = {run->system.state,
                              run->system.compensation,
                              run->report,
                              cli_inputs_hash(&run->drive.table),
-                             {simulation->source, simulation->deadman,
-                              simulation->left, simulation->input}};
+                             run->replay.simulation,
+                             0};
   const size_t length = cli_state_print(&stand, &setup, run->scheme, text);
   if (run->output.error != 0) {
     (void)cli_message(CLI_STOPPED,
@@ -132,11 +126,9 @@ static void take_inputs(cli_run_t *run, const cli_args_t *args,
     return;
   }
   tf_simulation_t *simulation = &run->replay.simulation;
+  *simulation = stand->held;
   simulation->machine = run->system.machine.machine;
-  simulation->source = simulation->stepped = stand->held.source;
-  simulation->deadman = stand->held.deadman;
-  simulation->left = stand->held.left;
-  simulation->input = stand->held.input;
+  simulation->stepped = simulation->source;
 }
 
 int cli_run_check_start(const cli_args_t *args, const cli_setup_t *setup,

@@ -1,15 +1,12 @@
-/// @file
 /// A run in progress: what it was asked to do, where it stands, and what it has
 /// counted so far. The loop writes it, progress line and summary read it.
-#ifndef TWOFOLD_CLI_RECORD_H
-#define TWOFOLD_CLI_RECORD_H
+#pragma once
 
 #include "../host/lateness.h"
 #include "../live/live.h"
-#include "../setup/args.h"
 #include "events.h"
+#include "glance.h"
 #include "row.h"
-#include "twofold.h"
 
 // What a board did, from a record of `monitor --record`: each command takes
 // effect after the step at which it did there, by the functions that the board
@@ -24,6 +21,7 @@ typedef struct {
 
 typedef struct {
   const char *name; ///< of the file
+  uint32_t hash;    ///< CRC-32 of its rows
   cli_replay_row_t schema;
   cli_replay_row_t *rows; ///< from the heap
   size_t count, room;
@@ -36,18 +34,14 @@ typedef struct {
   const char *failed; ///< why the replay is not the simulation, or NULL
 } cli_replay_t;
 
-/// Reads a record.
-/// replay: in/out, empty; to be freed by cli_replay_free, whatever is returned.
-/// path: in, kept, for messages. scheme: in/out, NULL: that of the board.
-/// Returns: CLI_DONE; after a message CLI_USAGE, CLI_REFUSED (cut off or
-/// changed) or CLI_STOPPED.
+/// Reads a record. replay: in/out, empty; its rows are the caller's to free,
+/// whatever is returned. path: in, kept. scheme: in/out, NULL: the board's.
 int cli_replay_read(cli_replay_t *replay, const char *path,
                     const cli_scheme_t **scheme);
 
-/// Begins it at the start of a setup, which takes the seed of the board.
+/// Begins it at the start of a setup, which takes the seed of the board, and
+/// has to be of its machine, scheme and number type.
 /// steps: out, how many the record has.
-/// Returns: CLI_DONE; after a message CLI_REFUSED (another machine, scheme or
-/// number type).
 int cli_replay_begin(cli_replay_t *replay, cli_setup_t *setup,
                      const cli_scheme_t *scheme, uint64_t *steps);
 
@@ -60,32 +54,21 @@ bool cli_replay_next(cli_replay_t *replay, cli_system_t *system,
                      const tf_scene_t *scene, tf_report_t *report,
                      tf_input_t *input);
 
-void cli_replay_free(cli_replay_t *replay);
-
-// Where a run stands, as a file from which another run goes on bit for bit: the
-// state, the compensation, the last report, and what they belong to.
-
 /// Room for the text of a file.
 #define CLI_STATE_BYTES 8192
 
-/// Inputs that a board got by a command, which hold on or have expired; the
-/// members are those of tf_simulation_t. Under TF_INPUT_SCENE there are none.
-typedef struct {
-  tf_input_source_t source;
-  uint32_t deadman, left;
-  tf_input_t input;
-} cli_held_t;
-
+/// Where a run stands, and from which another run goes on bit for bit.
 typedef struct {
   tf_state_t state;
   tf_compensation_t compensation;
-  tf_report_t report; ///< of the last step, or of the start
-  uint32_t inputs;    ///< cli_inputs_hash of what drove it
-  cli_held_t held;
+  tf_report_t report;   ///< of the last step, or of the start
+  uint32_t inputs;      ///< cli_inputs_hash of what drove it
+  tf_simulation_t held; ///< its inputs by a command, and how long they hold;
+                        ///< none under TF_INPUT_SCENE
+  uint32_t hash;        ///< CRC-32 of the text that it was read from
 } cli_stand_t;
 
-/// Writes it as text.
-/// setup: in, whose machine and scene it belongs to.
+/// Writes it as text. setup: in, whose machine and scene it belongs to.
 size_t cli_state_print(const cli_stand_t *stand, const cli_setup_t *setup,
                        const cli_scheme_t *scheme, char out[CLI_STATE_BYTES]);
 
@@ -94,14 +77,11 @@ size_t cli_state_print(const cli_stand_t *stand, const cli_setup_t *setup,
 /// text: in/out, size bytes and a zero behind them; it is cut into lines.
 /// setup: in, its parameters, which need not be prepared.
 /// scheme: in/out, NULL: that of the text.
-/// Returns: CLI_DONE; after a message that says what differs CLI_REFUSED, or
-/// CLI_USAGE where the text is none of this kind.
 int cli_state_parse(cli_stand_t *stand, const char *path, char *text,
                     size_t size, const cli_setup_t *setup,
                     const cli_scheme_t **scheme);
 
-/// Reads it from a file.
-/// Returns: as cli_state_parse; CLI_USAGE as well where it cannot be read.
+/// Reads it from a file, likewise.
 int cli_state_read(cli_stand_t *stand, const char *path,
                    const cli_setup_t *setup, const cli_scheme_t **scheme);
 
@@ -131,8 +111,8 @@ typedef struct {
   uint64_t first;           ///< steps taken before this run, by another one
   uint64_t done;            ///< steps taken, by both
   uint64_t written;         ///< step of the last row
-  uint32_t sequence;        ///< of the next frame
-  uint32_t hash;            ///< by which frames name the run
+  cli_frames_t frames;      ///< where the rows are that
+  cli_glance_t glance;      ///< where they are for a person who looks
   cli_system_t system;
   tf_report_t report; ///< of the last step that was taken
   tf_status_t status; ///< of the last step that was tried
@@ -161,41 +141,31 @@ cli_setup_t cli_run_setup(const cli_run_t *run);
 
 /// What commands of a replay have changed, as the options, each behind a space,
 /// by which another run is of the same machine.
-/// Returns: the length, 0: nothing.
 size_t cli_run_changes(const cli_run_t *run, char out[CLI_CHANGES_ROOM]);
 
 /// Time after the given number of steps, rounded once [s].
 double cli_run_time(const cli_run_t *run, uint64_t steps);
 
-/// Shows the state in the picture, if there is one.
 void cli_run_show(const cli_run_t *run);
 
-/// Counts a finished step, and makes its report the last one.
-/// after: in, the report of the step; run->done counts the step already.
+/// Takes note of a finished step, which run->done counts already.
 void cli_run_observe(cli_run_t *run, const tf_report_t *after);
 
 /// Prints it on standard error; json: as one line, after the reason of an early
 /// end. code: in, the exit code.
 void cli_summary(const cli_run_t *run, bool json, int code);
 
-// A run that goes on where another one stands: --save and --from.
-
-/// Saves where a run stands in the open file of --save, with the parameters,
-/// the rule and the inputs that commands of a replay have left in effect. The
-/// rows up to it are on disk before: their output is closed, and where it
-/// failed, no state is saved.
-/// path: in, of --save, NULL: it is not asked for.
+/// Saves where a run stands in the open file of --save, with what commands of a
+/// replay have left in effect. The output of its rows is closed before; where
+/// it failed, no state is saved. path: in, NULL: it is not asked for.
 /// Returns: whether that is written, or not asked for.
 bool cli_run_save(cli_run_t *run, const char *path);
 
-/// Checks that a command line does not give the start or the seed, which a file
-/// does.
-/// option, path: in, of the file. seed: in, that of the file.
+/// Refuses a start or a seed on the command line beside those of a file.
+/// option, path, seed: in, of the file.
 int cli_run_check_start(const cli_args_t *args, const cli_setup_t *setup,
                         const char *option, const char *path, uint32_t seed);
 
-/// Puts a run where the file of --from says that another one stands.
-/// run: in/out, at its start. setup: in/out, takes the seed.
+/// Puts a run, which is at its start, where the file of --from says that
+/// another one stands; the setup takes the seed.
 int cli_run_go_on(cli_run_t *run, const cli_args_t *args, cli_setup_t *setup);
-
-#endif

@@ -59,17 +59,6 @@ static bool read_row(char *line, cli_replay_row_t *row, const char **command) {
   return read_hex(field[2], strlen(field[2]), row);
 }
 
-static bool add(cli_replay_t *replay, const cli_replay_row_t *row) {
-  cli_replay_row_t *rows =
-      cli_grow(replay->rows, replay->count, &replay->room, sizeof *rows);
-  if (rows == NULL) {
-    return false;
-  }
-  replay->rows = rows;
-  replay->rows[replay->count++] = *row;
-  return true;
-}
-
 typedef struct {
   cli_replay_t *replay;
   cli_trailer_t sum; // of header and rows so far
@@ -107,9 +96,14 @@ static int take_row(reader_t *reader, char *line) {
     replay->schema = row;
     return row.length >= SCHEMA_LEAST ? CLI_DONE : no_record(reader);
   }
-  return add(replay, &row)
-             ? CLI_DONE
-             : cli_message(CLI_STOPPED, "%s: out of memory", replay->name);
+  cli_replay_row_t *rows =
+      cli_grow(replay->rows, replay->count, &replay->room, sizeof *rows);
+  if (rows == NULL) {
+    return cli_message(CLI_STOPPED, "%s: out of memory", replay->name);
+  }
+  replay->rows = rows;
+  replay->rows[replay->count++] = row;
+  return CLI_DONE;
 }
 
 // The last line has to be that of the rows before it, and the last one.
@@ -158,6 +152,7 @@ static int parse(cli_replay_t *replay, FILE *file) {
   if (code == CLI_DONE && !reader.has_schema) {
     return no_record(&reader);
   }
+  replay->hash = reader.sum.crc;
   return code == CLI_DONE && !reader.is_whole ? cut_off(&reader) : code;
 }
 
@@ -213,7 +208,6 @@ static int count_steps(const cli_replay_t *replay, uint64_t *steps) {
   return CLI_DONE;
 }
 
-// Whether the record was made of this machine.
 static int compare(const cli_replay_t *replay, const cli_setup_t *setup,
                    const cli_scheme_t *scheme) {
   const uint8_t *schema = replay->schema.data;
@@ -266,8 +260,7 @@ int cli_replay_begin(cli_replay_t *replay, cli_setup_t *setup,
   return CLI_DONE;
 }
 
-// Gives a command to the link and takes its answer. Returns: whether it took
-// effect.
+// Returns: whether the command took effect.
 static bool perform(cli_replay_t *replay, const cli_replay_row_t *row) {
   uint8_t wire[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)];
   uint32_t down = 0;
@@ -352,10 +345,4 @@ bool cli_replay_next(cli_replay_t *replay, cli_system_t *system,
   }
   *input = tf_simulation_input(simulation, scene);
   return true;
-}
-
-void cli_replay_free(cli_replay_t *replay) {
-  free(replay->rows);
-  replay->rows = NULL;
-  replay->count = replay->room = 0;
 }

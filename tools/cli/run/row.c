@@ -1,7 +1,8 @@
 // The formats of a row. Scripts rely on the columns of the CSV, so no column is
 // ever appended. The plotter format is the one that the serial plotter of the
 // Arduino IDE draws: label:value pairs on one line, without a time, because the
-// plotter counts rows, and without the friction, as on a slow line.
+// plotter counts rows, and without the friction, as on a slow line. JSON, an
+// object a line with its seconds in "timestamp", is for PlotJuggler over UDP.
 
 #include "row.h"
 
@@ -85,12 +86,16 @@ static size_t json(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
   return text.used;
 }
 
-const cli_stream_t cli_streams[] = {
-    {CLI_CSV_HEADER, csv}, {"", plotter}, {"", teleplot}, {"", json}};
+const cli_stream_t cli_streams[CLI_FORMATS] = {
+    [CLI_FORMAT_CSV] = {CLI_CSV_HEADER, csv},
+    [CLI_FORMAT_FRAMES] = {"", NULL},
+    [CLI_FORMAT_JSON] = {"", json},
+    [CLI_FORMAT_PLOTTER] = {"", plotter},
+    [CLI_FORMAT_TELEPLOT] = {"", teleplot}};
 
-size_t cli_row(cli_format_t format, tf_real_t t, const tf_state_t *state,
-               const tf_report_t *report, char out[CLI_ROW_ROOM]) {
-  const cli_csv_t row = {
+cli_csv_t cli_row(tf_real_t t, const tf_state_t *state,
+                  const tf_report_t *report) {
+  return (cli_csv_t){
       {(double)t, (double)state->r, (double)state->v, (double)state->w,
        (double)report->slip.h, (double)report->slip.g, (double)report->force.F,
        (double)report->force.M},
@@ -98,7 +103,6 @@ size_t cli_row(cli_format_t format, tf_real_t t, const tf_state_t *state,
       sizeof(tf_real_t) == sizeof(float),
       report->mode,
       report->choices};
-  return cli_streams[format].row(&row, out);
 }
 
 // A run as frames, made by the functions that a board calls, so that whatever
@@ -120,34 +124,48 @@ uint32_t cli_frames_run(const cli_setup_t *setup, const cli_scheme_t *scheme,
   return tf_run_hash(before, &schema, first);
 }
 
-size_t cli_frames_header(const cli_setup_t *setup, const cli_scheme_t *scheme,
-                         uint64_t tick, uint32_t run, uint32_t *sequence,
-                         uint8_t out[CLI_FRAMES_ROOM]) {
-  tf_schema_t schema = schema_of(setup, scheme);
-  schema.run = run;
-  size_t at = tf_send_schema(out, sequence, tick, &schema);
-  at +=
-      tf_send_layout(out + at, sequence, tick, TF_DOWN_STATE, tf_layout_state);
-  at += tf_send_layout(out + at, sequence, tick, TF_DOWN_REPORT,
-                       tf_layout_report);
-  return at + tf_send_layout(out + at, sequence, tick, TF_DOWN_HEARTBEAT,
-                             tf_layout_heartbeat);
+// Returns: the size of a frame, after which the next one stands.
+static size_t chain(cli_frames_t *frames, const uint8_t *frame, size_t size) {
+  const uint8_t *crc = frame + size - 1 - TF_FRAME_CRC;
+  frames->chain = tf_frame_chain(frames->chain, crc);
+  return size;
 }
 
-size_t cli_frames_row(uint32_t *sequence, const tf_state_t *state,
+static size_t layout(cli_frames_t *frames, uint64_t tick, tf_type_t type,
+                     const char *text, uint8_t *out) {
+  return chain(frames, out,
+               tf_send_layout(out, &frames->sequence, tick, type, text));
+}
+
+size_t cli_frames_header(const cli_setup_t *setup, const cli_scheme_t *scheme,
+                         uint64_t tick, cli_frames_t *frames,
+                         uint8_t out[CLI_FRAMES_ROOM]) {
+  tf_schema_t schema = schema_of(setup, scheme);
+  schema.run = frames->run;
+  size_t at =
+      chain(frames, out, tf_send_schema(out, &frames->sequence, tick, &schema));
+  at += layout(frames, tick, TF_DOWN_STATE, tf_layout_state, out + at);
+  at += layout(frames, tick, TF_DOWN_REPORT, tf_layout_report, out + at);
+  return at +
+         layout(frames, tick, TF_DOWN_HEARTBEAT, tf_layout_heartbeat, out + at);
+}
+
+size_t cli_frames_row(cli_frames_t *frames, const tf_state_t *state,
                       const tf_report_t *report, tf_input_source_t source,
                       uint8_t out[CLI_FRAMES_ROOM]) {
-  const size_t at = tf_send_state(out, sequence, state);
-  return at + tf_send_report(out + at, sequence, state->tick, report,
-                             (uint8_t)source);
+  const size_t at =
+      chain(frames, out, tf_send_state(out, &frames->sequence, state));
+  return at + chain(frames, out + at,
+                    tf_send_report(out + at, &frames->sequence, state->tick,
+                                   report, (uint8_t)source));
 }
 
 static uint32_t at_most_32_bits(uint64_t count) {
   return count < UINT32_MAX ? (uint32_t)count : UINT32_MAX;
 }
 
-size_t cli_frames_end(uint32_t *sequence, uint64_t tick, uint64_t steps,
-                      uint64_t late, uint32_t run, const tf_tally_t *tally,
+size_t cli_frames_end(cli_frames_t *frames, uint64_t tick, uint64_t steps,
+                      uint64_t late, const tf_tally_t *tally,
                       uint8_t out[CLI_FRAMES_ROOM]) {
   const tf_heartbeat_t beat = {.steps = (uint32_t)steps,
                                .refused = at_most_32_bits(tally->refused),
@@ -156,6 +174,7 @@ size_t cli_frames_end(uint32_t *sequence, uint64_t tick, uint64_t steps,
                                .fell_back = at_most_32_bits(tally->fell_back),
                                .coarse = at_most_32_bits(tally->coarse),
                                .stalled = at_most_32_bits(tally->stalled),
-                               .run = run};
-  return tf_send_heartbeat(out, sequence, tick, &beat);
+                               .run = frames->run,
+                               .chain = frames->chain};
+  return tf_send_heartbeat(out, &frames->sequence, tick, &beat);
 }

@@ -1,12 +1,11 @@
-// The command `run`: a scene over an interval of time, row by row. The loop
-// steps in short batches; between them it reads the clock, flushes the rows at
-// least every FLUSH_EVERY, and updates the progress line. Whatever ends it, the
+// The command `run`. The loop steps in short batches; between them it reads the
+// clock, flushes the rows and updates the progress line. Whatever ends it, the
 // last step that was taken becomes the last row.
 
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
+#include <stdlib.h>
 #include <unistd.h>
 
 #include "../host/host.h"
@@ -25,46 +24,47 @@
 #define LIVE_EVERY 0.02 // [s], FLUSH_EVERY of a run in real time
 
 static void write_row(cli_run_t *run) {
+  run->written = run->done;
   if (run->rowless) {
-    run->written = run->done;
     return;
   }
   char row[CLI_ROW_ROOM];
   uint8_t frames[CLI_FRAMES_ROOM];
   const char *bytes = row;
   size_t length = 0;
+  bool good = true;
   const double started = cli_now();
   if (run->args->format == CLI_FORMAT_FRAMES) {
     bytes = (const char *)frames;
-    length = cli_frames_row(&run->sequence, &run->system.state, &run->report,
+    length = cli_frames_row(&run->frames, &run->system.state, &run->report,
                             run->drive.table.count > 0
                                 ? TF_INPUT_SET
                                 : run->replay.simulation.stepped,
                             frames);
   } else {
     const tf_real_t t = (tf_real_t)cli_run_time(run, run->system.state.tick);
-    length = cli_row((cli_format_t)run->args->format, t, &run->system.state,
-                     &run->report, row);
+    const cli_csv_t numbers = cli_row(t, &run->system.state, &run->report);
+    if (run->glance.on) {
+      good = cli_glance_row(&run->glance, &numbers, &run->output);
+    } else {
+      length = cli_streams[run->args->format].row(&numbers, row);
+    }
   }
-  if (!cli_output_lines(&run->output, bytes, length)) {
+  if (!good || !cli_output_lines(&run->output, bytes, length)) {
     run->end = CLI_NOT_WRITTEN;
   }
-  run->written = run->done;
   run->output_seconds += cli_now() - started;
 }
 
-// Says by which schema and layouts frames are read.
 static void write_schema(cli_run_t *run) {
   uint8_t frames[CLI_FRAMES_ROOM];
   const cli_setup_t setup = cli_run_setup(run);
-  const size_t length =
-      cli_frames_header(&setup, run->scheme, run->system.state.tick, run->hash,
-                        &run->sequence, frames);
+  const size_t length = cli_frames_header(
+      &setup, run->scheme, run->system.state.tick, &run->frames, frames);
   (void)cli_output_lines(&run->output, (const char *)frames, length);
 }
 
-// Inputs of the next step, of a command or a record. Returns: whether there is
-// one.
+// Returns: whether there is a next step.
 static bool next_input(cli_run_t *run, tf_input_t *input) {
   tf_simulation_t *simulation = &run->replay.simulation;
   const tf_scene_t *scene = run->setup->scene;
@@ -142,7 +142,6 @@ static void check_time(cli_run_t *run) {
   }
 }
 
-// Takes a batch of steps and writes their rows.
 static void take_batch(cli_run_t *run) {
   const uint64_t left = run->steps - run->done;
   const uint64_t most = run->args->real_time ? 1 : BATCH;
@@ -180,8 +179,8 @@ static void show_progress(cli_progress_t *progress, double now,
 static void step_through(cli_run_t *run) {
   const double started = cli_now();
   const double flush_every = run->args->real_time ? LIVE_EVERY : FLUSH_EVERY;
-  cli_progress_t progress =
-      cli_progress_start(started, run->output.to.descriptor);
+  cli_progress_t progress = cli_progress_start(
+      started, run->glance.on ? -1 : run->output.to.descriptor);
   progress.silent = progress.silent || run->live != NULL;
   run->start = started - cli_run_time(run, run->first);
   cli_run_show(run);
@@ -209,7 +208,6 @@ static void step_through(cli_run_t *run) {
   }
 }
 
-// What the rows are of. Returns: bytes of the lines.
 static size_t provenance_of(const cli_run_t *run, const char *units,
                             char lines[CLI_PROVENANCE_ROOM]) {
   char how[CLI_ROW_ROOM];
@@ -221,9 +219,16 @@ static size_t provenance_of(const cli_run_t *run, const char *units,
     cli_add_form(&text, ", %s inputs ", table->linear ? "linear" : "held");
     cli_add_hash(&text, cli_inputs_hash(table));
   }
-  cli_add(&text, run->replays ? ", replayed from a record that begins so" : "");
-  if (run->first > 0) {
-    cli_add_form(&text, ", from step %" PRIu64, run->first);
+  if (run->args->accuracy > 0) {
+    cli_add_form(&text, ", accuracy %g", run->args->accuracy);
+  }
+  if (run->replays) {
+    cli_add(&text, ", replayed from a record that begins so, ");
+    cli_add_hash(&text, run->replay.hash);
+  }
+  if (run->args->from != NULL) {
+    cli_add_form(&text, ", from step %" PRIu64 " of a state ", run->first);
+    cli_add_hash(&text, run->from.hash);
   }
   return cli_provenance(run->setup, how, units, lines);
 }
@@ -240,14 +245,20 @@ static void write_header(cli_run_t *run) {
   if (run->rowless) {
     return;
   }
+  if (run->glance.on) {
+    (void)cli_glance_begin(&run->output);
+    return;
+  }
   write_provenance(run, CLI_CSV_UNITS, &run->output);
   if (run->args->format == CLI_FORMAT_FRAMES) {
     char lines[CLI_PROVENANCE_ROOM];
+    char every[CLI_REAL_ROOM]; // in place of the units
     const cli_setup_t setup = cli_run_setup(run);
+    (void)snprintf(every, sizeof every, "%" PRIu64, run->args->every);
     run->output.last = '\0';
-    run->hash =
+    run->frames.run =
         cli_frames_run(&setup, run->scheme, &run->system.state,
-                       cli_crc(0, lines, provenance_of(run, "", lines)));
+                       cli_crc(0, lines, provenance_of(run, every, lines)));
     write_schema(run);
   } else if (run->args->format == CLI_FORMAT_CSV) {
     (void)cli_output_lines(&run->output, CLI_CSV_HEADER,
@@ -266,15 +277,14 @@ static void write_end(cli_run_t *run) {
   uint8_t frame[CLI_FRAMES_ROOM];
   tf_tally_t tally = run->tally;
   tally.refused += run->end == CLI_STEP_REFUSED;
-  const size_t length = cli_frames_end(&run->sequence, run->system.state.tick,
-                                       run->done - run->first, run->late,
-                                       run->hash, &tally, frame);
+  const size_t length =
+      cli_frames_end(&run->frames, run->system.state.tick,
+                     run->done - run->first, run->late, &tally, frame);
   if (!cli_output_lines(&run->output, (const char *)frame, length)) {
     run->end = CLI_NOT_WRITTEN;
   }
 }
 
-// Writes the histogram of a run that has ended with a code.
 static int end_lateness(cli_run_t *run, int code) {
   write_provenance(run, "us us, began and ended 1 (steps)", &run->late_rows);
   cli_lateness_write(run->lateness, &run->late_rows);
@@ -282,7 +292,6 @@ static int end_lateness(cli_run_t *run, int code) {
   return written == CLI_DONE ? code : written;
 }
 
-// Opens the files beside the rows.
 static int open_files(cli_run_t *run, const cli_args_t *args) {
   int code = CLI_DONE;
   if (args->save != NULL) {
@@ -297,7 +306,6 @@ static int open_files(cli_run_t *run, const cli_args_t *args) {
   return code;
 }
 
-// Opens what is written, runs, closes it and prints the summary.
 static int perform(cli_run_t *run, const cli_args_t *args) {
   int code = cli_output_begin(&run->output, "--out", args->out, false);
   if (code != CLI_DONE) {
@@ -310,6 +318,11 @@ static int perform(cli_run_t *run, const cli_args_t *args) {
   run->live = args->live ? cli_live_open(cli_run_time(run, run->steps)) : NULL;
   run->rowless =
       run->live != NULL && run->output.to.descriptor == STDOUT_FILENO;
+  // A person who named neither a file nor a form of the rows; those of a run in
+  // real time are looked at as they come.
+  run->glance.on = args->out == NULL && args->glance && !args->provenance &&
+                   !args->real_time && !run->rowless &&
+                   cli_is_terminal(STDOUT_FILENO);
   const char *why = args->priority ? cli_take_priority() : NULL;
   if (why != NULL) {
     cli_say("twofold: --priority: not given: %s\n", why);
@@ -317,6 +330,9 @@ static int perform(cli_run_t *run, const cli_args_t *args) {
   write_header(run);
   step_through(run);
   write_end(run);
+  if (run->glance.on && !cli_glance_end(&run->glance, &run->output)) {
+    run->end = CLI_NOT_WRITTEN;
+  }
   cli_live_close(run->live, run->setup->scene->name);
   if (!cli_output_close(&run->output, run->end == CLI_ENDED)) {
     run->end = CLI_NOT_WRITTEN;
@@ -378,15 +394,11 @@ static int prepare_replay(cli_run_t *run, const cli_args_t *args,
   return code;
 }
 
-// Prepares a run as it was asked for and performs it.
 static int prepare_and_perform(cli_run_t *run, cli_setup_t *setup,
                                const cli_args_t *args) {
   int code = prepare(args, setup, run);
-  if (code != CLI_DONE) {
-    return code;
-  }
   run->replays = args->replay != NULL;
-  if (run->replays) {
+  if (code == CLI_DONE && run->replays) {
     code = prepare_replay(run, args, setup);
   }
   if (code != CLI_DONE) {
@@ -410,24 +422,25 @@ static int prepare_and_perform(cli_run_t *run, cli_setup_t *setup,
   return perform(run, args);
 }
 
-// A record has its own inputs, start and end.
-static int check_replay(const cli_args_t *args) {
+int cli_run_check(cli_args_t *args) {
   const char *other = args->drive.inputs != NULL ? "--inputs"
                       : args->from != NULL       ? "--from"
                       : args->t_end.text != NULL ? "--t-end"
                                                  : NULL;
-  return other == NULL ? CLI_DONE
-                       : cli_message(CLI_USAGE,
-                                     "--replay %s: not with %s: a record has "
-                                     "its own inputs, start and end",
-                                     args->replay, other);
-}
-
-int cli_run_check(cli_args_t *args) {
+  args->glance = args->format == CLI_NOT_GIVEN;
+  if (args->glance) {
+    args->format = CLI_FORMAT_CSV;
+  }
   if (args->provenance && args->format != CLI_FORMAT_CSV) {
     return cli_message(CLI_USAGE, "--provenance: only with --format csv");
   }
-  return args->replay != NULL ? check_replay(args) : CLI_DONE;
+  if (args->replay != NULL && other != NULL) {
+    return cli_message(CLI_USAGE,
+                       "--replay %s: not with %s: a record has its own inputs, "
+                       "start and end",
+                       args->replay, other);
+  }
+  return CLI_DONE;
 }
 
 int cli_run(const cli_args_t *args) {
@@ -435,7 +448,7 @@ int cli_run(const cli_args_t *args) {
   cli_setup_t setup;
   const int code = prepare_and_perform(&run, &setup, args);
   cli_drive_free(&run.drive);
-  cli_replay_free(&run.replay);
-  cli_events_free(&run.events);
+  free(run.replay.rows);
+  free(run.events.list);
   return code;
 }

@@ -13,8 +13,8 @@
 //   scene                    then the scene, as `twofold scene` prints it
 //   crc32 0123abcd           of all bytes before
 //
-// The scene is there as a whole and not as a hash, so that what differs can be
-// reported by name. Its start is not compared: the state is in its place.
+// The scene is there as a whole, not as a hash: what differs is reported by
+// name. Its start is not compared: the state is in its place.
 
 #include <errno.h>
 #include <inttypes.h>
@@ -79,7 +79,6 @@ size_t cli_state_print(const cli_stand_t *stand, const cli_setup_t *setup,
                        const cli_scheme_t *scheme, char out[CLI_STATE_BYTES]) {
   cli_buffer_t text = {out, 0, CLI_STATE_BYTES, false};
   cli_stand_t copy = *stand;
-  char number[CLI_REAL_ROOM];
   const uint64_t whole[WHOLES] = {stand->state.tick,
                                   stand->state.seed,
                                   stand->state.mode,
@@ -90,27 +89,25 @@ size_t cli_state_print(const cli_stand_t *stand, const cli_setup_t *setup,
                                   stand->held.deadman,
                                   stand->held.left};
   const size_t held = stand->held.source != TF_INPUT_SCENE;
-  cli_add_form(&text, "%s %s\n", "twofold-state", VERSION);
-  cli_add_form(&text, "%s %s\n", "number", CLI_NUMBER_TYPE);
-  cli_add_form(&text, "%s %s\n", "scheme", scheme->name);
-  (void)snprintf(number, sizeof number, "%08" PRIx32, stand->inputs);
-  cli_add_form(&text, "%s %s\n", "inputs", number);
+  cli_add_form(&text, "twofold-state %s\nnumber %s\nscheme %s\ninputs ",
+               VERSION, CLI_NUMBER_TYPE, scheme->name);
+  cli_add_hash(&text, stand->inputs);
+  cli_add(&text, "\n");
   if (held != 0) {
-    cli_add_form(&text, "%s %s\n", "source", sources[stand->held.source]);
+    cli_add_form(&text, "source %s\n", sources[stand->held.source]);
   }
   for (size_t i = 0; i < WHOLES - HELD_WHOLES + held * HELD_WHOLES; i++) {
-    (void)snprintf(number, sizeof number, "%" PRIu64, whole[i]);
-    cli_add_form(&text, "%s %s\n", wholes[i].name, number);
+    cli_add_form(&text, "%s %" PRIu64 "\n", wholes[i].name, whole[i]);
   }
   for (size_t i = 0; i < REALS - HELD_REALS + held * HELD_REALS; i++) {
-    (void)cli_write_real(number, *real_of(&copy, i));
-    cli_add_form(&text, "%s %s\n", reals[i].name, number);
+    cli_add_form(&text, "%s %g\n", reals[i].name, (double)*real_of(&copy, i));
   }
   cli_add(&text, "scene\n");
   cli_scene_print(setup->scene, &setup->params, &text);
-  (void)snprintf(number, sizeof number, "%08" PRIx32,
-                 cli_crc(0, out, text.used));
-  cli_add_form(&text, "%s %s\n", "crc32", number);
+  const uint32_t crc = cli_crc(0, out, text.used);
+  cli_add(&text, "crc32 ");
+  cli_add_hash(&text, crc);
+  cli_add(&text, "\n");
   return text.used;
 }
 
@@ -203,11 +200,10 @@ static int compare_scene(reader_t *reader, const cli_setup_t *setup) {
   if (code == CLI_DONE) {
     code = compare_params(reader, &file.scene.params, &setup->params);
   }
-  if (code == CLI_DONE && !same_profile(&file.scene, setup->scene)) {
-    code = differs(reader, "the profile of the turntable", "that of its scene",
-                   "another one");
-  }
-  return code;
+  return code != CLI_DONE || same_profile(&file.scene, setup->scene)
+             ? code
+             : differs(reader, "the profile of the turntable",
+                       "that of its scene", "another one");
 }
 
 // Whose inputs the next step has. Returns: whether that can be read.
@@ -275,14 +271,14 @@ static int check_stand(const reader_t *reader, cli_stand_t *stand) {
                            reader->path, reach, (double)TF_STATE_LIMIT);
 }
 
-// Cuts the last line off, the checksum. Returns: whether it is right.
-static bool is_whole(char *text, size_t size) {
+// Cuts the last line off, the checksum. crc: out. Returns: whether it is right.
+static bool is_whole(char *text, size_t size, uint32_t *crc) {
   char line[CRC_LINE + 1];
   if (size < CRC_LINE || memchr(text, 0, size) != NULL) {
     return false;
   }
-  (void)snprintf(line, sizeof line, "crc32 %08" PRIx32 "\n",
-                 cli_crc(0, text, size - CRC_LINE));
+  *crc = cli_crc(0, text, size - CRC_LINE);
+  (void)snprintf(line, sizeof line, "crc32 %08" PRIx32 "\n", *crc);
   const bool right = memcmp(text + size - CRC_LINE, line, CRC_LINE) == 0;
   text[size - CRC_LINE] = '\0';
   return right;
@@ -292,15 +288,15 @@ int cli_state_parse(cli_stand_t *stand, const char *path, char *text,
                     size_t size, const cli_setup_t *setup,
                     const cli_scheme_t **scheme) {
   reader_t reader = {path, text};
+  *stand = (cli_stand_t){.state = {.r = 0}};
   if (strncmp(text, "twofold-state ", 14) != 0 || strchr(text, '\n') == NULL) {
     return no_state(&reader, "no file of --save");
   }
-  if (!is_whole(text, size)) {
+  if (!is_whole(text, size, &stand->hash)) {
     return cli_message(CLI_REFUSED,
                        "--from %s: cut off or changed: its checksum is wrong",
                        path);
   }
-  *stand = (cli_stand_t){.state = {.r = 0}};
   const char *version = next_value(&reader, "twofold-state");
   if (strcmp(version, VERSION) != 0) {
     return differs(&reader, "its version (run up to it again, with --save)",

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "../setup/setup.h"
+#include "../text/buffer.h"
 #include "../text/message.h"
 #include "../text/number.h"
 #include "record.h"
@@ -111,85 +112,78 @@ static const char *ordinal_ending(uint64_t n) {
 
 #define EVENT_ROOM 96
 
-// The change of mode, then the singularity, if there is one.
-static void describe(const cli_event_t *event, char text[EVENT_ROOM]) {
-  const bool two_fold = ((event->kinds >> CLI_TWO_FOLD) & 1u) != 0;
-  const bool codim2 = ((event->kinds >> CLI_CODIMENSION_TWO) & 1u) != 0;
-  char modes[24] = "";
-  char singularity[64] = "";
+static void describe(const cli_event_t *event, char out[EVENT_ROOM]) {
+  cli_buffer_t text = {out, 0, EVENT_ROOM, false};
+  out[0] = '\0';
   if (event->from != event->to) {
-    (void)snprintf(modes, sizeof modes, "%s to %s", tf_mode_name(event->from),
-                   tf_mode_name(event->to));
+    cli_add_form(&text, "%s to %s", tf_mode_name(event->from),
+                 tf_mode_name(event->to));
   }
-  if (two_fold && event->arrival == 1) {
-    (void)snprintf(singularity, sizeof singularity, "two-fold reached");
-  } else if (two_fold) {
+  const char *comma = text.used > 0 ? ", " : "";
+  if (((event->kinds >> CLI_TWO_FOLD) & 1u) != 0) {
     const uint64_t n = event->arrival - 1;
-    (void)snprintf(singularity, sizeof singularity,
-                   "returned to the two-fold (%" PRIu64 "%s time)", n,
-                   ordinal_ending(n));
-  } else if ((event->kinds >> CLI_RETURNED) & 1u) {
-    (void)snprintf(singularity, sizeof singularity,
-                   "returned after %" PRIu64 " changes of slip",
-                   event->windings);
-  } else if (codim2) {
-    (void)snprintf(singularity, sizeof singularity, "codimension two");
+    if (n == 0) {
+      cli_add_form(&text, "%stwo-fold reached", comma);
+    } else {
+      cli_add_form(&text, "%sreturned to the two-fold (%" PRIu64 "%s time)",
+                   comma, n, ordinal_ending(n));
+    }
+  } else if (((event->kinds >> CLI_RETURNED) & 1u) != 0) {
+    cli_add_form(&text, "%sreturned after %" PRIu64 " changes of slip", comma,
+                 event->windings);
+  } else if (((event->kinds >> CLI_CODIMENSION_TWO) & 1u) != 0) {
+    cli_add_form(&text, "%scodimension two", comma);
   }
-  (void)snprintf(text, EVENT_ROOM, "%s%s%s", modes,
-                 modes[0] != '\0' && singularity[0] != '\0' ? ", " : "",
-                 singularity);
 }
 
-static void print_merged(uint64_t merged, FILE *file) {
+static void print_merged(uint64_t merged) {
   if (merged > 0) {
-    (void)fprintf(file, "  ... %" PRIu64 " x slip to slip (--events all)\n",
-                  merged);
+    cli_say("  ... %" PRIu64 " x slip to slip (--events all)\n", merged);
   }
 }
 
-static void print_list(const cli_events_t *events, FILE *file) {
+static void print_list(const cli_events_t *events) {
   uint64_t covered = events->covered;
   if (events->used > 0) {
-    (void)fprintf(file, "  %-11s%11s%15s%12s%12s  %s\n", "t [s]", "r [m]",
-                  "omega [rad/s]", "g [m/s]", "lambda [N]", "event");
+    cli_say("  %-11s%11s%15s%12s%12s  %s\n", "t [s]", "r [m]", "omega [rad/s]",
+            "g [m/s]", "lambda [N]", "event");
   }
   for (size_t i = 0; i < events->used; i++) {
     const cli_event_t *event = &events->list[i];
     char text[EVENT_ROOM];
     char lambda[16] = "-";
-    print_merged(event->merged, file);
+    print_merged(event->merged);
     describe(event, text);
     if (event->has_lambda) {
       (void)snprintf(lambda, sizeof lambda, "%.5g", event->lambda);
     }
-    (void)fprintf(file, "  %-11.7g%11.5g%15.5g%12.5g%12s  %s\n", event->t,
-                  event->r, event->omega, event->g, lambda, text);
+    cli_say("  %-11.7g%11.5g%15.5g%12.5g%12s  %s\n", event->t, event->r,
+            event->omega, event->g, lambda, text);
   }
   if (events->used < events->limit) {
-    print_merged(events->merged, file);
+    print_merged(events->merged);
     covered += events->merged;
   }
   if (events->steps > covered) {
-    (void)fprintf(file, "  ... %" PRIu64 " more events (--events all)\n",
-                  events->steps - covered);
+    cli_say("  ... %" PRIu64 " more events (--events all)\n",
+            events->steps - covered);
   }
 }
 
-static void print_events(const cli_events_t *events, FILE *file) {
+static void print_events(const cli_events_t *events) {
   static const char *const names[CLI_EVENT_KINDS] = {
       "slip to stick",   "stick to slip",    "slip to slip", "pinned to stick",
       "codimension two", "two-fold reached", "returned"};
   const char *separator = "";
-  (void)fputs("events     ", file);
+  cli_say("events     ");
   for (size_t i = 0; i < CLI_EVENT_KINDS; i++) {
     if (events->counts[i] > 0) {
-      (void)fprintf(file, "%s%s %" PRIu64, separator, names[i],
-                    events->counts[i]);
+      cli_say("%s%s %" PRIu64, separator, names[i], events->counts[i]);
       separator = ", ";
     }
   }
-  (void)fprintf(file, "%s\n", events->steps > 0 ? "" : "none");
-  print_list(events, file);
+  cli_say("%s\n", events->steps > 0 ? "" : "none");
+  print_list(events);
 }
 
 static void print_ambiguity(const cli_run_t *run) {
@@ -241,14 +235,6 @@ static void print_cost(const cli_run_t *run) {
       "of output)\n",
       1e9 / rate, rate, rate * (double)run->setup->machine.dt,
       run->output_seconds);
-}
-
-static void print_real_time(const cli_run_t *run) {
-  if (run->args->real_time) {
-    cli_say("real time  %" PRIu64 " of %" PRIu64
-            " steps late, by %.3g s at most\n",
-            run->late, run->done - run->first, run->latest);
-  }
 }
 
 // The reason of an early end is a message like any other.
@@ -316,7 +302,6 @@ static void put_replay(const cli_run_t *run) {
   cli_say("\"changes\": \"%s\"}, ", changes + strspn(changes, " "));
 }
 
-// Inputs that a board got by a command, as they stand at the end.
 static void put_held(const tf_simulation_t *simulation) {
   const tf_input_t *input = &simulation->input;
   if (simulation->source == TF_INPUT_SCENE) {
@@ -371,11 +356,9 @@ static void put_quality(const cli_run_t *run) {
   const tf_tally_t *tally = &run->tally;
   cli_put_count("ambiguous", run->ambiguity.steps);
   cli_put_double("ambiguous_since", run->ambiguity.since);
-  if (run->ambiguity.start > 0) {
-    cli_put_count("choices_at_start", run->ambiguity.start);
-  } else {
-    cli_put_null("choices_at_start");
-  }
+  cli_put_double("choices_at_start", run->ambiguity.start > 0
+                                         ? (double)run->ambiguity.start
+                                         : (double)NAN);
   cli_tally_put(tally);
   cli_put_double("reserved_since", cli_tally_reserved(tally) > 0
                                        ? cli_run_time(run, tally->first)
@@ -457,12 +440,16 @@ void cli_summary(const cli_run_t *run, bool json, int code) {
   if (!json) {
     print_request(run);
     print_drive(run);
-    print_events(&run->events, stderr);
+    print_events(&run->events);
     print_ambiguity(run);
     print_quality(run);
     print_final(run);
     print_cost(run);
-    print_real_time(run);
+    if (run->args->real_time) {
+      cli_say("real time  %" PRIu64 " of %" PRIu64
+              " steps late, by %.3g s at most\n",
+              run->late, run->done - run->first, run->latest);
+    }
   }
   print_end(run);
   cli_output_tell_part(&run->output);

@@ -1,18 +1,10 @@
-/// @file
 /// What a command line gives: a member for each option, whichever commands take
 /// it. The table of options fills it and has the usual values; what was not
 /// given is 0 otherwise. And the commands, which get it.
-#ifndef TWOFOLD_CLI_ARGS_H
-#define TWOFOLD_CLI_ARGS_H
+#pragma once
 
-#include <stdbool.h>
-#include <stdint.h>
-
-#include "../text/number.h"
 #include "../text/trailer.h"
 #include "inputs.h"
-#include "setup.h"
-#include "twofold.h"
 
 #define CLI_AXES 8     ///< of a sweep, at most
 #define CLI_COLUMNS 32 ///< columns of a sweep, at most
@@ -71,6 +63,7 @@ typedef struct {
   double patience;          ///< longest cycle [s]
   double section;           ///< where the phase is read, past the two-fold [m]
   double refinement;        ///< dt / step near the two-fold
+  double fine;              ///< steps for the noise to reach h = g = 0
   double grid;              ///< of --exhaustive: time between two exits [s]
   uint64_t samples, cycles; ///< cycles: of each sample, at most
   uint64_t depth, nodes;    ///< bounds of --exhaustive
@@ -78,9 +71,8 @@ typedef struct {
 
   // Words and switches of all of them.
   unsigned scheme;     ///< index of cli_schemes, or CLI_NOT_GIVEN
-  unsigned format;     ///< cli_format_t
+  unsigned format;     ///< cli_format_t; of monitor CLI_NOT_GIVEN: no rows
   unsigned summary;    ///< 1: for programs
-  unsigned as;         ///< index of cli_streams, CLI_NOT_GIVEN: a live view
   unsigned mechanism;  ///< cli_mechanism_t
   unsigned codim2;     ///< cli_codim2_choice_t
   bool provenance;     ///< the rows begin with comments: what they are of
@@ -88,7 +80,8 @@ typedef struct {
   bool real_time, priority, live;
   bool follow;
   bool verify;
-  bool csv; ///< as csv
+  bool csv;    ///< as csv
+  bool glance; ///< nobody asked for a format
   bool exhaustive;
 } cli_args_t;
 
@@ -151,24 +144,17 @@ typedef struct {
 /// The first is the default.
 extern const cli_scheme_t cli_schemes[CLI_SCHEMES];
 
-/// Float loses a motion in the rounding of its state at shorter steps [s].
-#define CLI_SHORT_STEP TF_R(1e-3)
-
 /// The scheme that is asked for. Where none is, that of the state or the record
 /// that a run goes on from (there; NULL: none); else moreau, and in float at
 /// short steps compensated. What is not moreau, or not usual, a note says.
 const cli_scheme_t *cli_scheme_for(const cli_args_t *args, tf_real_t dt,
                                    const cli_scheme_t *there);
 
-/// Checks that a scheme accepts a law.
 int cli_check_law(const cli_scheme_t *scheme, tf_tyre_law_t law);
 
-/// The number of steps of a run: the integer nearest to t_end / dt.
-/// t_end is that of --t-end or of the scene. steps: out.
-int cli_count_steps(const cli_args_t *args, tf_real_t dt, uint64_t *steps);
-
-/// The time of the end, as above.
+/// When a run ends, by --t-end or the scene; and the number of its steps.
 tf_real_t cli_end_of(const cli_args_t *args);
+int cli_count_steps(const cli_args_t *args, tf_real_t dt, uint64_t *steps);
 
 /// Takes a step of a setup's machine under what drives it, from system->state.
 /// A scheme that splits steps takes one for each part; the report then has the
@@ -178,11 +164,7 @@ tf_status_t cli_drive_take(cli_drive_t *drive, const cli_scheme_t *scheme,
                            const cli_setup_t *setup, cli_system_t *system,
                            tf_input_t *input, tf_report_t *report);
 
-/// Puts a system into the initial state of a setup. Under the compensated
-/// scheme the speed that follows from a given slip speed h is computed with its
-/// compensation.
+/// Puts a system into the initial state of a setup, compensated or not.
 /// report: in/out, of tf_begin.
 void cli_system_begin(cli_system_t *system, const cli_scheme_t *scheme,
                       const cli_setup_t *setup, tf_report_t *report);
-
-#endif

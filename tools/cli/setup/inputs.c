@@ -3,9 +3,7 @@
 
 #include "inputs.h"
 
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "../text/buffer.h"
 #include "../text/message.h"
@@ -123,7 +121,6 @@ static void set(const cli_inputs_t *inputs, const tf_real_t value[CLI_INPUTS],
   }
 }
 
-// Notes between which values the inputs of steps have been.
 static void note(cli_inputs_t *inputs, const tf_real_t value[CLI_INPUTS]) {
   for (size_t i = 0; i < CLI_INPUTS; i++) {
     tf_real_t *low = &inputs->low[i], *high = &inputs->high[i];
@@ -202,9 +199,6 @@ void cli_inputs_free(cli_inputs_t *inputs) {
   inputs->count = inputs->room = 0;
 }
 
-// The profile of a scene and a table of one's own are the same kind of thing;
-// the latter is applied over the former, column by column.
-
 tf_input_t cli_drive_begin(cli_drive_t *drive, const tf_machine_t *machine,
                            uint64_t tick) {
   const cli_span_t span = cli_span_of(tick, machine->dt);
@@ -216,8 +210,9 @@ tf_input_t cli_drive_begin(cli_drive_t *drive, const tf_machine_t *machine,
 
 void cli_drive_notes(const cli_drive_t *drive, const cli_setup_t *setup) {
   for (size_t i = 0; i < CLI_INPUTS; i++) {
+    const size_t parameter = cli_parameter_index(cli_input_columns[i].name);
     const cli_setting_t *setting =
-        cli_setup_setting(setup, cli_input_columns[i].name);
+        parameter < TF_PARAMETERS ? setup->set_param[parameter] : NULL;
     if (drive->table.given[i] && setting != NULL) {
       (void)cli_message(CLI_DONE, "note: %s %s has no effect: %s gives %s",
                         setting->option, setting->text, drive->table.name,

@@ -1,4 +1,3 @@
-/// @file
 /// Inputs over time: a table with a row for each time and a column for each
 /// input that it gives; those that it does not give stay as they are.
 ///
@@ -11,16 +10,11 @@
 ///   part: within a step it acts on omega0 at the start of that step.
 ///
 /// Before the first row and after the last one inputs are those of that row.
-#ifndef TWOFOLD_CLI_INPUTS_H
-#define TWOFOLD_CLI_INPUTS_H
+#pragma once
 
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 
 #include "setup.h"
-#include "twofold.h"
 
 /// The columns of a table.
 enum {
@@ -51,8 +45,7 @@ typedef struct {
   tf_real_t low[CLI_INPUTS], high[CLI_INPUTS];
 } cli_inputs_t;
 
-/// Appends a row; its time must not be earlier than that of the row before.
-/// Returns: whether there was memory for it.
+/// Appends a row, not earlier than the one before, if there is memory for it.
 bool cli_inputs_add(cli_inputs_t *inputs, const cli_input_row_t *row);
 
 /// The turntable's profile of a scene as a table; a scene without one makes a
@@ -62,8 +55,6 @@ int cli_inputs_of_scene(cli_inputs_t *inputs, const tf_scene_t *scene);
 /// Reads a table from an open file: CSV with the header `t,...`; lines that
 /// begin with # are comments.
 /// inputs: in/out; linear is set by the caller. name: in, kept, for messages.
-/// Returns: CLI_DONE; after a message with line, column and reason CLI_USAGE
-/// or CLI_REFUSED (out of range); CLI_STOPPED (out of memory).
 int cli_inputs_parse(cli_inputs_t *inputs, const char *name, FILE *file);
 
 /// CRC-32 of all that a table gives: columns, what holds between rows, rows. 0
@@ -84,16 +75,13 @@ cli_span_t cli_span_of(uint64_t tick, tf_real_t dt);
 void cli_inputs_over(cli_inputs_t *inputs, const cli_span_t *span,
                      tf_input_t *input);
 
-/// Frees the rows.
 void cli_inputs_free(cli_inputs_t *inputs);
 
-// What drives a machine: the profile of its scene, and over it a table that the
-// command line gives.
-
+/// What drives a machine: the profile of its scene, without rows where the
+/// table has its column, and over it the table of --inputs, without rows if
+/// there is none.
 typedef struct {
-  cli_inputs_t profile; ///< of the scene; without rows where the table has
-                        ///< its column
-  cli_inputs_t table;   ///< of --inputs; without rows if there is none
+  cli_inputs_t profile, table;
 } cli_drive_t;
 
 /// The options --inputs, NULL: not given, and --between, 1: linear.
@@ -102,10 +90,7 @@ typedef struct {
   unsigned between;
 } cli_drive_args_t;
 
-/// Reads what drives a scene.
 /// drive: out; to be freed by cli_drive_free, whatever is returned.
-/// Returns: CLI_DONE; after a message as cli_inputs_parse, and CLI_USAGE where
-/// --between is not given.
 int cli_drive_read(cli_drive_t *drive, const tf_scene_t *scene,
                    const cli_drive_args_t *args);
 
@@ -125,5 +110,3 @@ tf_input_t cli_drive_over(cli_drive_t *drive, const tf_machine_t *machine,
 tf_real_t cli_drive_next(const cli_drive_t *drive, const cli_span_t *span);
 
 void cli_drive_free(cli_drive_t *drive);
-
-#endif

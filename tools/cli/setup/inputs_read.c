@@ -2,6 +2,7 @@
 // opened for writing, so a table of any length costs memory and never stops a
 // run in its middle.
 
+#include <ctype.h>
 #include <errno.h>
 #include <inttypes.h>
 #include <stdio.h>
@@ -21,17 +22,19 @@
 typedef struct {
   cli_inputs_t *inputs;
   const char *name;
-  uint64_t line;
-  size_t fields;               // of every row; 0 before the header
-  size_t kind[FIELDS];         // CLI_INPUT_..., or CLI_INPUTS for t
-  cli_trailer_t sum;           // of header and rows
-  char said[CLI_TRAILER_ROOM]; // by a comment, of the length
+  unsigned long long line;
+  size_t fields;       // of every row; 0 before the header
+  size_t kind[FIELDS]; // CLI_INPUT_..., or CLI_INPUTS for t
+  cli_trailer_t sum;   // of header and rows
+  bool is_declared;    // a comment says how many rows there are
+  uint64_t declared;
+  char trailer[CLI_TRAILER_ROOM]; // the comment that is one, or empty
 } reader_t;
 
 static int refuse(const reader_t *reader, int code, size_t field,
                   const char *text, const char *why) {
   return cli_message(code, "%s:%llu: column %zu: '%s' %s", reader->name,
-                     (unsigned long long)reader->line, field + 1, text, why);
+                     reader->line, field + 1, text, why);
 }
 
 // Cuts the next field off a line. Returns: it, without blanks around it and
@@ -63,8 +66,7 @@ static int read_header(reader_t *reader, char *line) {
       return cli_message(CLI_USAGE,
                          "%s:%llu: unknown column '%s'%s; columns are t, "
                          "omega0, r0, force, torque",
-                         reader->name, (unsigned long long)reader->line, name,
-                         closest.hint);
+                         reader->name, reader->line, name, closest.hint);
     }
     if (is_t != (reader->fields == 0)) {
       return refuse(reader, CLI_USAGE, reader->fields, name,
@@ -85,7 +87,6 @@ static int read_header(reader_t *reader, char *line) {
   return CLI_DONE;
 }
 
-// The smallest and the largest value of a column, the last one being t.
 static void range_of(size_t kind, double *low, double *high) {
   const size_t i = kind < CLI_INPUTS
                        ? cli_parameter_index(cli_input_columns[kind].name)
@@ -110,7 +111,7 @@ static int read_field(const reader_t *reader, size_t field, const char *text,
   }
   return cli_message(
       CLI_REFUSED, "%s:%llu: column %zu: %s = %s must lie in [%g, %g] %s",
-      reader->name, (unsigned long long)reader->line, field + 1,
+      reader->name, reader->line, field + 1,
       kind < CLI_INPUTS ? cli_input_columns[kind].name : "t", text, low, high,
       kind < CLI_INPUTS ? cli_input_columns[kind].unit : "s");
 }
@@ -129,9 +130,8 @@ static int read_row(reader_t *reader, char *line) {
   }
   if (line != NULL || field < reader->fields) {
     return cli_message(CLI_USAGE,
-                       "%s:%llu: %s than the %zu columns of the "
-                       "header",
-                       reader->name, (unsigned long long)reader->line,
+                       "%s:%llu: %s than the %zu columns of the header",
+                       reader->name, reader->line,
                        line != NULL ? "more" : "fewer", reader->fields);
   }
   const cli_input_row_t *rows = inputs->rows;
@@ -147,48 +147,85 @@ static int read_row(reader_t *reader, char *line) {
   return cli_inputs_add(inputs, &row)
              ? CLI_DONE
              : cli_message(CLI_STOPPED, "%s:%llu: out of memory", reader->name,
-                           (unsigned long long)reader->line);
+                           reader->line);
 }
 
-// A comment may say how long the table is: `# 120 rows` before its rows, or the
-// trailer of this program's files behind them.
-static void read_comment(reader_t *reader, const char *line) {
-  const size_t digits = line[1] == ' ' ? strspn(line + 2, "0123456789") : 0;
-  if ((digits > 0 && strcmp(line + 2 + digits, " rows") == 0) ||
-      strncmp(line, CLI_TRAILER_MARK, sizeof CLI_TRAILER_MARK - 1) == 0) {
-    (void)snprintf(reader->said, sizeof reader->said, "%.*s",
-                   CLI_TRAILER_ROOM - 1, line);
+// The words of a comment between blanks: digits, or letters in lower case.
+static void put_words(const char *line, char out[2 * LINE_ROOM]) {
+  int before = ' ';
+  *out++ = ' ';
+  for (; *line != '\0'; line++) {
+    const int byte = tolower((unsigned char)*line);
+    const int now = isalnum(byte) == 0 ? ' ' : isdigit(byte) ? '0' : 'a';
+    if (now != before && before != ' ') *out++ = ' ';
+    if (now != ' ') *out++ = (char)byte;
+    before = now;
   }
+  (void)strcpy(out, " ");
+}
+
+// A number beside the word row or rows declares the length of the table, alone
+// with it: what is not understood would let a table pass that was cut.
+static int read_length(reader_t *reader, const char *line) {
+  static const char *const names[] = {" row ", " rows ", " nrows "};
+  char words[2 * LINE_ROOM], number[24] = "", name[8], more;
+  uint64_t count = 0;
+  bool is_like = false;
+  put_words(line, words);
+  for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+    for (char *at = strstr(words, names[i]); at != NULL;
+         at = strstr(at + 1, names[i])) {
+      is_like = is_like || isdigit(at[strlen(names[i])]) != 0 ||
+                (at > words && isdigit(at[-1]) != 0);
+    }
+  }
+  if (!is_like) return CLI_DONE;
+  if ((sscanf(words, " %23[0-9] %7[a-z] %c", number, name, &more) != 2 &&
+       sscanf(words, " %7[a-z] %23[0-9] %c", name, number, &more) != 2) ||
+      !cli_read_whole(number, 0, UINT64_MAX, &count) ||
+      (reader->is_declared && count != reader->declared)) {
+    return cli_message(CLI_USAGE,
+                       "%s:%llu: '%s': the length of a table is '# N rows', "
+                       "once",
+                       reader->name, reader->line, line);
+  }
+  reader->is_declared = true;
+  reader->declared = count;
+  return CLI_DONE;
 }
 
 // open: the last line has no newline.
 static int check_length(const reader_t *reader, bool open) {
   char rows[CLI_TRAILER_ROOM], trailer[CLI_TRAILER_ROOM];
-  (void)snprintf(rows, sizeof rows, "# %" PRIu64 " rows", reader->sum.rows);
+  (void)snprintf(rows, sizeof rows, "# %" PRIu64 " rows", reader->declared);
   (void)cli_trailer_line(&reader->sum, &cli_whole_shard, trailer);
   const size_t length = (size_t)(strstr(trailer, ", run") - trailer);
-  if (reader->said[0] == '\0') {
-    return !open ? CLI_DONE
-                 : cli_message(CLI_DONE,
-                               "note: %s:%llu: the last line has no newline: "
-                               "it may be cut off",
-                               reader->name, (unsigned long long)reader->line);
+  const bool has_trailer = reader->trailer[0] != '\0';
+  if (!has_trailer && !reader->is_declared && open) {
+    return cli_note_open(reader->name);
   }
-  const bool right = strcmp(reader->said, rows) == 0 ||
-                     strncmp(reader->said, trailer, length) == 0;
-  return right && !open
-             ? CLI_DONE
-             : cli_message(CLI_REFUSED, "%s: cut off or changed: it says '%s'",
-                           reader->name, reader->said);
+  const bool sums =
+      !has_trailer || strncmp(reader->trailer, trailer, length) == 0;
+  const bool counts =
+      !reader->is_declared || reader->declared == reader->sum.rows;
+  if (sums && counts && !open) return CLI_DONE;
+  return cli_message(CLI_REFUSED, "%s: cut off or changed: it says '%s'",
+                     reader->name,
+                     sums && reader->is_declared ? rows : reader->trailer);
 }
 
 static int read_line(reader_t *reader, char *line) {
   if (reader->line == 1) {
     line += cli_utf8_mark(line, strlen(line));
   }
-  if (line[0] == '#') {
-    read_comment(reader, line);
+  // Behind the rows there may be the trailer of this program's files.
+  if (strncmp(line, CLI_TRAILER_MARK, sizeof CLI_TRAILER_MARK - 1) == 0) {
+    (void)snprintf(reader->trailer, sizeof reader->trailer, "%.*s",
+                   CLI_TRAILER_ROOM - 1, line);
     return CLI_DONE;
+  }
+  if (line[0] == '#') {
+    return read_length(reader, line);
   }
   if (line[strspn(line, " \t")] == '\0') {
     return CLI_DONE;
@@ -215,8 +252,7 @@ static int read_all(reader_t *reader, FILE *file) {
                : cli_message(CLI_USAGE,
                              "%s:%llu: a zero, or a line of more than %d "
                              "characters",
-                             reader->name, (unsigned long long)reader->line,
-                             LINE_ROOM - 1);
+                             reader->name, reader->line, LINE_ROOM - 1);
   }
   if (code == CLI_DONE && ferror(file) != 0) {
     return cli_message(CLI_USAGE, "%s: %s", reader->name, strerror(errno));

@@ -1,4 +1,4 @@
-// Laws and rules by their names, and parameters.
+// Laws and rules by their names, parameters and starts.
 
 #include <stdio.h>
 #include <string.h>
@@ -9,12 +9,19 @@
 
 #define NAME_ROOM 16 // longer than any name, with its terminating zero
 
+const cli_quantity_t cli_starts[CLI_STARTS] = {
+    {"r", "m"}, {"v", "m/s"}, {"omega", "rad/s"}, {"h", "m/s"}, {"phi", "rad"}};
+
 size_t cli_parameter_index(const char *name) {
-  size_t i = 0;
-  while (i < TF_PARAMETERS && strcmp(tf_parameter_ranges[i].name, name) != 0) {
-    i++;
-  }
-  return i;
+  cli_closest_t closest = cli_closest_to(name);
+  return cli_closest_find(&closest, tf_parameter_ranges, TF_PARAMETERS,
+                          sizeof tf_parameter_ranges[0]);
+}
+
+size_t cli_start_index(const char *name) {
+  cli_closest_t closest = cli_closest_to(name);
+  return cli_closest_find(&closest, cli_starts, CLI_STARTS,
+                          sizeof cli_starts[0]);
 }
 
 tf_real_t cli_parameter(const tf_params_t *params, size_t index) {
@@ -54,69 +61,57 @@ void cli_print_ranges(void) {
   }
 }
 
-// All names as "a, b and c".
-static void list_names(const char *name_of(unsigned), unsigned count,
-                       char *list, size_t room) {
-  size_t length = 0;
-  for (unsigned i = 0; i < count && length < room; i++) {
-    const char *before = i == 0 ? "" : i + 1 < count ? ", " : " and ";
-    length += (size_t)snprintf(list + length, room - length, "%s%s", before,
-                               name_of(i));
-  }
-}
+static const struct {
+  const char *name, *what, *all; // the last two in a message: one, and all
+  const char *(*name_of)(unsigned);
+  unsigned count;
+} kinds[] = {
+    {"law", "law", "laws are", tf_tyre_law_name, TF_TYRE_LAWS},
+    {"rest", "law of rest", "they are", tf_rest_law_name, TF_REST_LAWS},
+    {"rule", "rule", "rules are", tf_rule_name, TF_RULES}};
 
-// Finds the number that has a name. what: for the message, what it names, and
-// how a sentence about all of them begins.
-static int find_name(const char *name_of(unsigned), unsigned count,
-                     const char *option, const char *text, const char *name,
-                     const char *const what[2], unsigned *found) {
-  char list[256];
+static int find_name(size_t kind, const char *option, const char *text,
+                     const char *name, unsigned *found) {
+  char list[256] = ""; // as "a, b and c"
+  size_t length = 0;
   cli_closest_t closest = cli_closest_to(name);
-  for (unsigned i = 0; i < count; i++) {
-    if (strcmp(name_of(i), name) == 0) {
-      *found = i;
+  const unsigned count = kinds[kind].count;
+  for (*found = 0; *found < count; (*found)++) {
+    const char *one = kinds[kind].name_of(*found);
+    if (strcmp(one, name) == 0) {
       return CLI_DONE;
     }
-    cli_closest_offer(&closest, name_of(i));
+    cli_closest_offer(&closest, one);
+    const char *before = *found == 0 ? "" : *found + 1 < count ? ", " : " and ";
+    length += (size_t)snprintf(list + length, sizeof list - length, "%s%s",
+                               before, one);
   }
-  list_names(name_of, count, list, sizeof list);
   return cli_message(CLI_USAGE, "%s %s: unknown %s '%s'; %s %s%s", option, text,
-                     what[0], name, what[1], list, closest.hint);
+                     kinds[kind].what, name, kinds[kind].all, list,
+                     closest.hint);
 }
 
-int cli_find_law(const char *option, const char *text, const char *name,
-                 tf_tyre_law_t *law) {
-  static const char *const what[] = {"law", "laws are"};
-  unsigned found = *law;
-  const int code = find_name(tf_tyre_law_name, TF_TYRE_LAWS, option, text, name,
-                             what, &found);
-  *law = (tf_tyre_law_t)found;
-  return code;
-}
-
-int cli_find_rest(const char *option, const char *text, const char *name,
-                  tf_rest_law_t *rest) {
-  static const char *const what[] = {"law of rest", "they are"};
-  unsigned found = *rest;
-  const int code = find_name(tf_rest_law_name, TF_REST_LAWS, option, text, name,
-                             what, &found);
-  *rest = (tf_rest_law_t)found;
-  return code;
-}
-
-int cli_find_rule(const char *option, const char *text, const char *name,
-                  tf_rule_t *rule) {
-  static const char *const what[] = {"rule", "rules are"};
-  if (strchr(name, ':') != NULL) {
+int cli_set_word(tf_params_t *params, const char *what, const char *option,
+                 const char *text, const char *name) {
+  size_t kind = 0;
+  unsigned found = 0;
+  while (kind < 2 && strcmp(kinds[kind].name, what) != 0) {
+    kind++;
+  }
+  if (kind == 2 && strchr(name, ':') != NULL) {
     return cli_message(CLI_USAGE,
                        "%s %s: a seed is not part of a scene: give the rule "
                        "alone here, and --select %s to 'run'",
                        option, text, name);
   }
-  unsigned found = *rule;
-  const int code =
-      find_name(tf_rule_name, TF_RULES, option, text, name, what, &found);
-  *rule = (tf_rule_t)found;
+  const int code = find_name(kind, option, text, name, &found);
+  if (code == CLI_DONE && kind == 0) {
+    params->law = (tf_tyre_law_t)found;
+  } else if (code == CLI_DONE && kind == 1) {
+    params->rest = (tf_rest_law_t)found;
+  } else if (code == CLI_DONE) {
+    params->rule = (tf_rule_t)found;
+  }
   return code;
 }
 
@@ -135,20 +130,15 @@ int cli_find_scene(const char *place, const char *name, const char *besides,
                      place, name, closest.hint, besides);
 }
 
-int cli_read_rule(const char *select, tf_rule_t *rule, uint32_t *seed) {
+int cli_read_rule(const char *select, tf_params_t *params, uint32_t *seed) {
   char name[NAME_ROOM];
   const size_t length = strcspn(select, ":");
-  (void)snprintf(name, sizeof name, "%.*s",
-                 (int)(length < sizeof name ? length : sizeof name - 1),
-                 select);
-  const int code = cli_find_rule("--select", select, name, rule);
-  if (code != CLI_DONE) {
+  (void)snprintf(name, sizeof name, "%.*s", (int)length, select);
+  const int code = cli_set_word(params, "rule", "--select", select, name);
+  if (code != CLI_DONE || select[length] == '\0') {
     return code;
   }
-  if (select[length] == '\0') {
-    return CLI_DONE;
-  }
-  if (*rule != TF_RULE_RANDOM) {
+  if (params->rule != TF_RULE_RANDOM) {
     return cli_message(
         CLI_USAGE, "--select %s: only the rule random takes a seed", select);
   }

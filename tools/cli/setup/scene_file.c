@@ -8,23 +8,34 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../text/buffer.h"
 #include "../text/message.h"
 #include "../text/number.h"
 #include "setup.h"
 
 #define LINE_ROOM 512
 #define PLACE_ROOM 512 // longer paths are cut in messages
+#define OTHERS 14      // keys that are no parameters
+#define KEYS (TF_PARAMETERS + OTHERS)
 
 typedef struct {
   cli_scene_file_t *file;
   const char *path;
-  unsigned line;            // the present one, from 1
-  unsigned given[CLI_KEYS]; // line that gave the key, 0: none
-  char place[PLACE_ROOM];   // "PATH:LINE:" of the present line
+  unsigned line;          // the present one, from 1
+  unsigned given[KEYS];   // line that gave the key, 0: none
+  bool is_based;          // on another scene
+  bool has_speed;         // v or h is given
+  char place[PLACE_ROOM]; // "PATH:LINE:" of the present line
 } reader_t;
 
-// Sets the place to a line.
+// A key that is no parameter. at: of its member in cli_scene_file_t, where one
+// function reads several keys.
+typedef struct key {
+  const char *name, *unit;
+  int (*read)(reader_t *reader, const struct key *key, char *text);
+  size_t at;
+  bool needed; // unless the scene is based on another one
+} scene_key_t;
+
 static const char *place_of(reader_t *reader, unsigned line) {
   (void)snprintf(reader->place, sizeof reader->place, "%s:%u:", reader->path,
                  line);
@@ -36,28 +47,25 @@ static tf_real_t *parameter_of(tf_scene_t *scene, size_t key) {
                                tf_parameter_ranges[key].offset);
 }
 
-static int refuse_range(reader_t *reader, size_t key, tf_real_t value,
-                        double low, double high) {
+static void *member(reader_t *reader, const scene_key_t *key) {
+  return (char *)reader->file + key->at;
+}
+
+static int refuse_range(const char *place, const char *name, const char *unit,
+                        tf_real_t value, double low, double high) {
   char text[CLI_REAL_ROOM];
-  const char *unit = cli_key_unit(key);
   const bool plain = strcmp(unit, "1") == 0;
   (void)cli_write_real(text, value);
-  return cli_message(CLI_REFUSED, "%s %s = %s must lie in [%g, %g]%s%s",
-                     place_of(reader, reader->given[key]), cli_key_name(key),
-                     text, low, high, plain ? "" : " ", plain ? "" : unit);
+  return cli_message(CLI_REFUSED, "%s %s = %s must lie in [%g, %g]%s%s", place,
+                     name, text, low, high, plain ? "" : " ",
+                     plain ? "" : unit);
 }
 
-static int read_number(reader_t *reader, size_t key, const char *text,
-                       tf_real_t *value) {
-  return cli_read_number(reader->place, cli_key_name(key), text, value);
-}
-
-// The speed of a knot, in the range of the parameter omega0.
 static int read_speed_of_knot(reader_t *reader, const char *text,
                               tf_real_t *value) {
   const tf_parameter_range_t *range =
       &tf_parameter_ranges[cli_parameter_index("omega0")];
-  const int code = read_number(reader, CLI_KEY_PROFILE, text, value);
+  const int code = cli_read_number(reader->place, "profile", text, value);
   return code != CLI_DONE || (*value >= range->low && *value <= range->high)
              ? code
              : cli_message(CLI_REFUSED,
@@ -67,18 +75,24 @@ static int read_speed_of_knot(reader_t *reader, const char *text,
 }
 
 // A number that no law has a range for.
-static int read_bounded(reader_t *reader, size_t key, const char *text,
-                        tf_real_t *value) {
-  const double low = key == CLI_KEY_T_END ? 0 : -(double)TF_STATE_LIMIT;
+static int read_number(const reader_t *reader, const scene_key_t *key,
+                       const char *text, tf_real_t *value) {
+  const double low =
+      strcmp(key->name, "t-end") == 0 ? 0 : -(double)TF_STATE_LIMIT;
   const double high = (double)TF_STATE_LIMIT;
-  const int code = read_number(reader, key, text, value);
+  const int code = cli_read_number(reader->place, key->name, text, value);
   return code != CLI_DONE || ((double)*value >= low && (double)*value <= high)
              ? code
-             : refuse_range(reader, key, *value, low, high);
+             : refuse_range(reader->place, key->name, key->unit, *value, low,
+                            high);
+}
+
+static int read_bounded(reader_t *reader, const scene_key_t *key, char *text) {
+  return read_number(reader, key, text, member(reader, key));
 }
 
 // One knot, T:OMEGA0, not earlier than the one before; two of one time jump.
-static int read_knot(reader_t *reader, char *text) {
+static int read_knot(reader_t *reader, const scene_key_t *key, char *text) {
   tf_scene_t *scene = &reader->file->scene;
   tf_knot_t knot = {0, 0};
   char *colon = strchr(text, ':');
@@ -87,7 +101,7 @@ static int read_knot(reader_t *reader, char *text) {
                        reader->place, text);
   }
   *colon = '\0';
-  int code = read_bounded(reader, CLI_KEY_PROFILE, text, &knot.t);
+  int code = read_number(reader, key, text, &knot.t);
   if (code == CLI_DONE) {
     code = read_speed_of_knot(reader, colon + 1, &knot.omega0);
   }
@@ -111,7 +125,7 @@ static int read_knot(reader_t *reader, char *text) {
   return CLI_DONE;
 }
 
-static int read_profile(reader_t *reader, char *text) {
+static int read_profile(reader_t *reader, const scene_key_t *key, char *text) {
   int code = CLI_DONE;
   reader->file->scene.knots = 0;
   memset(reader->file->scene.profile, 0, sizeof reader->file->scene.profile);
@@ -122,43 +136,43 @@ static int read_profile(reader_t *reader, char *text) {
     char *end = text + strcspn(text, " \t");
     const size_t blanks = strspn(end, " \t");
     *end = '\0';
-    code = read_knot(reader, text);
+    code = read_knot(reader, key, text);
     text = end + blanks;
   }
   return code;
 }
 
-static int read_base(reader_t *reader, const char *name) {
-  for (size_t key = 0; key < CLI_KEYS; key++) {
-    if (reader->given[key] != 0 && key != CLI_KEY_BASED_ON) {
-      return cli_message(CLI_USAGE, "%s based-on: must be the first key",
-                         reader->place);
+static int read_base(reader_t *reader, const scene_key_t *key, char *text) {
+  for (size_t i = 0; i < KEYS; i++) {
+    if (reader->given[i] != 0 && reader->given[i] != reader->line) {
+      return cli_message(CLI_USAGE, "%s %s: must be the first key",
+                         reader->place, key->name);
     }
   }
   char place[PLACE_ROOM + 16];
   const tf_scene_t *base = NULL;
-  (void)snprintf(place, sizeof place, "%s based-on: ", reader->place);
-  const int code = cli_find_scene(place, name, "", &base);
+  (void)snprintf(place, sizeof place, "%s %s: ", reader->place, key->name);
+  const int code = cli_find_scene(place, text, "", &base);
   if (code == CLI_DONE) {
     cli_scene_file_t *file = reader->file;
     file->scene = *base;
     (void)snprintf(file->shows, sizeof file->shows, "%s", base->shows);
     (void)snprintf(file->leaves_out, sizeof file->leaves_out, "%s",
                    base->leaves_out);
+    reader->is_based = true;
   }
   return code;
 }
 
 // Text that others put between quotes.
-static int read_about(reader_t *reader, size_t key, const char *text, char *out,
-                      size_t room) {
-  if (strlen(text) >= room || strpbrk(text, "\"\\") != NULL) {
+static int read_about(reader_t *reader, const scene_key_t *key, char *text) {
+  if (strlen(text) >= CLI_SCENE_ABOUT || strpbrk(text, "\"\\") != NULL) {
     return cli_message(CLI_USAGE,
-                       "%s %s: expected at most %zu characters without \" "
+                       "%s %s: expected at most %d characters without \" "
                        "and \\",
-                       reader->place, cli_key_name(key), room - 1);
+                       reader->place, key->name, CLI_SCENE_ABOUT - 1);
   }
-  memcpy(out, text, strlen(text) + 1);
+  memcpy(member(reader, key), text, strlen(text) + 1);
   return CLI_DONE;
 }
 
@@ -169,93 +183,90 @@ static bool is_name(const char *text, size_t length) {
          strspn(text, allowed) >= length;
 }
 
-static int read_name(reader_t *reader, const char *text) {
+static int read_name(reader_t *reader, const scene_key_t *key, char *text) {
   if (!is_name(text, strlen(text))) {
     return cli_message(CLI_USAGE,
-                       "%s name: '%s' must have 1 to %d letters, digits and _",
-                       reader->place, text, CLI_SCENE_NAME - 1);
+                       "%s %s: '%s' must have 1 to %d letters, digits and _",
+                       reader->place, key->name, text, CLI_SCENE_NAME - 1);
   }
   memcpy(reader->file->name, text, strlen(text) + 1);
   return CLI_DONE;
 }
 
-static int read_yes(reader_t *reader, const char *text, bool *out) {
-  *out = strcmp(text, "yes") == 0;
-  if (*out || strcmp(text, "no") == 0) {
-    return CLI_DONE;
-  }
-  return cli_message(CLI_USAGE, "%s with-angle: '%s' must be yes or no",
-                     reader->place, text);
+static int read_word(reader_t *reader, const scene_key_t *key, char *text) {
+  return cli_set_word(&reader->file->scene.params, key->name, reader->place,
+                      key->name, text);
+}
+
+static int read_yes(reader_t *reader, const scene_key_t *key, char *text) {
+  const bool yes = strcmp(text, "yes") == 0;
+  reader->file->scene.params.with_angle = yes;
+  return yes || strcmp(text, "no") == 0
+             ? CLI_DONE
+             : cli_message(CLI_USAGE, "%s %s: '%s' must be yes or no",
+                           reader->place, key->name, text);
 }
 
 // v and h: the one that is given is the start.
-static int read_speed(reader_t *reader, size_t key, const char *text) {
+static int read_speed(reader_t *reader, const scene_key_t *key, char *text) {
   tf_scene_t *scene = &reader->file->scene;
-  const bool is_v = key == CLI_KEY_V;
-  if (reader->given[is_v ? CLI_KEY_H : CLI_KEY_V] != 0) {
+  if (reader->has_speed) {
     return cli_message(CLI_USAGE,
                        "%s %s: give h or v, each follows from the other",
-                       reader->place, cli_key_name(key));
+                       reader->place, key->name);
   }
-  scene->v_is_given = is_v;
+  reader->has_speed = true;
+  scene->v_is_given = strcmp(key->name, "v") == 0;
   scene->v = scene->h = 0;
-  return read_bounded(reader, key, text, is_v ? &scene->v : &scene->h);
+  return read_bounded(reader, key, text);
 }
 
-// The value of a line; a word that is unknown is answered with the closest one.
-// Ranges of parameters are not checked here.
+#define AT(name) offsetof(cli_scene_file_t, name)
+static const scene_key_t others[OTHERS] = {
+    {"based-on", "1", read_base, 0, false},
+    {"name", "1", read_name, 0, false},
+    {"shows", "1", read_about, AT(shows), false},
+    {"leaves-out", "1", read_about, AT(leaves_out), false},
+    {"law", "1", read_word, 0, true},
+    {"rest", "1", read_word, 0, false},
+    {"rule", "1", read_word, 0, false},
+    {"with-angle", "1", read_yes, 0, false},
+    {"r", "m", read_bounded, AT(scene.r), true},
+    {"omega", "rad/s", read_bounded, AT(scene.omega), true},
+    {"h", "m/s", read_speed, AT(scene.h), false},
+    {"v", "m/s", read_speed, AT(scene.v), false},
+    {"t-end", "s", read_bounded, AT(scene.t_end), true},
+    {"profile", "1", read_profile, 0, false}};
+
+static const char *name_of(size_t key) {
+  return key < TF_PARAMETERS ? tf_parameter_ranges[key].name
+                             : others[key - TF_PARAMETERS].name;
+}
+
+// A word that is unknown is answered with the closest one. Ranges of parameters
+// are not checked here.
 static int read_value(reader_t *reader, size_t key, char *text) {
-  cli_scene_file_t *file = reader->file;
-  tf_scene_t *scene = &file->scene;
-  const char *place = reader->place;
   if (key < TF_PARAMETERS) {
-    return read_number(reader, key, text, parameter_of(scene, key));
+    return cli_read_number(reader->place, name_of(key), text,
+                           parameter_of(&reader->file->scene, key));
   }
-  switch (key) {
-    case CLI_KEY_BASED_ON:
-      return read_base(reader, text);
-    case CLI_KEY_NAME:
-      return read_name(reader, text);
-    case CLI_KEY_SHOWS:
-      return read_about(reader, key, text, file->shows, sizeof file->shows);
-    case CLI_KEY_LEAVES_OUT:
-      return read_about(reader, key, text, file->leaves_out,
-                        sizeof file->leaves_out);
-    case CLI_KEY_LAW:
-      return cli_find_law(place, "law", text, &scene->params.law);
-    case CLI_KEY_REST:
-      return cli_find_rest(place, "rest", text, &scene->params.rest);
-    case CLI_KEY_RULE:
-      return cli_find_rule(place, "rule", text, &scene->params.rule);
-    case CLI_KEY_WITH_ANGLE:
-      return read_yes(reader, text, &scene->params.with_angle);
-    case CLI_KEY_PROFILE:
-      return read_profile(reader, text);
-    case CLI_KEY_R:
-      return read_bounded(reader, key, text, &scene->r);
-    case CLI_KEY_OMEGA:
-      return read_bounded(reader, key, text, &scene->omega);
-    case CLI_KEY_T_END:
-      return read_bounded(reader, key, text, &scene->t_end);
-    default:
-      return read_speed(reader, key, text);
-  }
+  const scene_key_t *other = &others[key - TF_PARAMETERS];
+  return other->read(reader, other, text);
 }
 
 static int find_key(const reader_t *reader, const char *name, size_t *key) {
   cli_closest_t closest = cli_closest_to(name);
-  for (*key = 0; *key < CLI_KEYS; ++*key) {
-    if (strcmp(cli_key_name(*key), name) == 0) {
+  for (*key = 0; *key < KEYS; ++*key) {
+    if (strcmp(name_of(*key), name) == 0) {
       return CLI_DONE;
     }
-    cli_closest_offer(&closest, cli_key_name(*key));
+    cli_closest_offer(&closest, name_of(*key));
   }
   return cli_message(CLI_USAGE,
                      "%s unknown key '%s'%s ('twofold help scene' lists them)",
                      reader->place, name, closest.hint);
 }
 
-// Splits a line without its comment into key and value.
 static int read_line(reader_t *reader, char *line) {
   line[strcspn(line, "#")] = '\0';
   line += strspn(line, " \t");
@@ -334,7 +345,8 @@ static int check_parameters(reader_t *reader) {
       continue;
     }
     if (reader->given[key] != 0) {
-      return refuse_range(reader, key, value, (double)range->low,
+      return refuse_range(place_of(reader, reader->given[key]), range->name,
+                          range->unit, value, (double)range->low,
                           (double)range->high);
     }
     return cli_message(CLI_REFUSED,
@@ -349,24 +361,21 @@ static int check_parameters(reader_t *reader) {
 
 // What a scene that is based on no other one has to give besides.
 static int check_start(const reader_t *reader) {
-  static const size_t needed[] = {CLI_KEY_LAW, CLI_KEY_R, CLI_KEY_OMEGA,
-                                  CLI_KEY_T_END};
-  if (reader->given[CLI_KEY_BASED_ON] != 0) {
+  if (reader->is_based) {
     return CLI_DONE;
   }
-  for (size_t i = 0; i < sizeof needed / sizeof needed[0]; i++) {
-    if (reader->given[needed[i]] == 0) {
+  for (size_t i = 0; i < OTHERS; i++) {
+    if (others[i].needed && reader->given[TF_PARAMETERS + i] == 0) {
       return cli_message(CLI_USAGE,
                          "%s: %s is missing; give it, or begin with 'based-on "
                          "SCENE'",
-                         reader->path, cli_key_name(needed[i]));
+                         reader->path, others[i].name);
     }
   }
-  if (reader->given[CLI_KEY_V] == 0 && reader->given[CLI_KEY_H] == 0) {
-    return cli_message(CLI_USAGE, "%s: v or h is missing at the start",
-                       reader->path);
-  }
-  return CLI_DONE;
+  return reader->has_speed
+             ? CLI_DONE
+             : cli_message(CLI_USAGE, "%s: v or h is missing at the start",
+                           reader->path);
 }
 
 // The name of the file without folders and ending, where the text gives none.
@@ -420,7 +429,9 @@ static int read_file(cli_scene_file_t *file, const char *path) {
   if (error != 0) {
     return cli_message(CLI_USAGE, "%s: %s", path, strerror(error));
   }
-  return cli_scene_parse(file, path, text, size);
+  const int code = cli_scene_parse(file, path, text, size);
+  return code == CLI_DONE && text[size - 1] != '\n' ? cli_note_open(path)
+                                                    : code;
 }
 
 // Scenes by name, or from a file. A word with a point or a slash names a file,

@@ -47,12 +47,15 @@ const cli_scheme_t cli_schemes[CLI_SCHEMES] = {
      "under --scheme compensated: it belongs to --scheme located"},
 };
 
+// Float loses a motion in the rounding of its state at shorter steps [s].
+#define SHORT_STEP TF_R(1e-3)
+
 const cli_scheme_t *cli_scheme_for(const cli_args_t *args, tf_real_t dt,
                                    const cli_scheme_t *there) {
   if (args->scheme != CLI_NOT_GIVEN) {
     return &cli_schemes[args->scheme];
   }
-  const bool rounds = sizeof dt == sizeof(float) && dt < CLI_SHORT_STEP;
+  const bool rounds = sizeof dt == sizeof(float) && dt < SHORT_STEP;
   if (there != NULL) {
     if (there != &cli_schemes[rounds ? 2 : 0]) {
       (void)cli_message(CLI_DONE, "note: --scheme %s, which is that of %s",
@@ -81,7 +84,8 @@ int cli_check_law(const cli_scheme_t *scheme, tf_tyre_law_t law) {
 }
 
 tf_real_t cli_end_of(const cli_args_t *args) {
-  return args->t_end.text != NULL ? args->t_end.from : args->scene->t_end;
+  return args->t_end.text != NULL ? (tf_real_t)args->t_end.from
+                                  : args->scene->t_end;
 }
 
 int cli_count_steps(const cli_args_t *args, tf_real_t dt, uint64_t *steps) {

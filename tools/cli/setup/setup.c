@@ -14,9 +14,6 @@
 #include "../text/number.h"
 #include "../text/trailer.h"
 
-// The list of settings. Names are only compared with each other; what they mean
-// is decided when the settings are applied to a scene.
-
 const cli_setting_t *cli_settings_find(const cli_settings_t *settings,
                                        const char *name) {
   for (size_t i = 0; i < settings->count; i++) {
@@ -27,8 +24,9 @@ const cli_setting_t *cli_settings_find(const cli_settings_t *settings,
   return NULL;
 }
 
-static int append(cli_settings_t *settings, const char *option,
-                  const char *text, const char *name, const char *value) {
+int cli_settings_add_named(cli_settings_t *settings, const char *option,
+                           const char *text, const char *name,
+                           const char *value) {
   if (settings->count == CLI_SETTINGS) {
     return cli_message(CLI_USAGE, "%s %s: more than %d settings", option, text,
                        CLI_SETTINGS);
@@ -46,11 +44,6 @@ static int append(cli_settings_t *settings, const char *option,
   return CLI_DONE;
 }
 
-int cli_settings_add_named(cli_settings_t *settings, const char *option,
-                           const char *name, const char *value) {
-  return append(settings, option, value, name, value);
-}
-
 int cli_settings_add(cli_settings_t *settings, const char *option,
                      const char *text) {
   char name[CLI_NAME_ROOM];
@@ -64,27 +57,18 @@ int cli_settings_add(cli_settings_t *settings, const char *option,
                        "%s %s: unknown name ('twofold help run' lists them)",
                        option, text);
   }
-  memcpy(name, text, length);
-  name[length] = '\0';
-  return append(settings, option, text, name, equals + 1);
+  (void)snprintf(name, sizeof name, "%.*s", (int)length, text);
+  return cli_settings_add_named(settings, option, text, name, equals + 1);
 }
 
 // Here a text becomes a number and a name finds its member. Whether the number
 // is in its range is checked later and in a single place, by tf_prepare,
 // because ranges depend on the law and the law may be set after the parameter.
-
-const cli_quantity_t cli_starts[CLI_STARTS] = {
-    {"r", "m"}, {"v", "m/s"}, {"omega", "rad/s"}, {"h", "m/s"}, {"phi", "rad"}};
-
 static int read_setting(cli_setup_t *setup, const cli_setting_t *setting) {
   tf_real_t value = 0;
-  if (strcmp(setting->name, "law") == 0) {
-    return cli_find_law(setting->option, setting->text, setting->value,
-                        &setup->params.law);
-  }
-  if (strcmp(setting->name, "rest") == 0) {
-    return cli_find_rest(setting->option, setting->text, setting->value,
-                         &setup->params.rest);
+  if (strcmp(setting->name, "law") == 0 || strcmp(setting->name, "rest") == 0) {
+    return cli_set_word(&setup->params, setting->name, setting->option,
+                        setting->text, setting->value);
   }
   cli_closest_t closest = cli_closest_to(setting->name);
   const size_t parameter =
@@ -119,12 +103,6 @@ static int read_setting(cli_setup_t *setup, const cli_setting_t *setting) {
   return CLI_DONE;
 }
 
-const cli_setting_t *cli_setup_setting(const cli_setup_t *setup,
-                                       const char *parameter) {
-  const size_t i = cli_parameter_index(parameter);
-  return i < TF_PARAMETERS ? setup->set_param[i] : NULL;
-}
-
 int cli_setup_read(cli_setup_t *setup, const tf_scene_t *scene,
                    const cli_settings_t *settings, const char *select) {
   memset(setup, 0, sizeof *setup);
@@ -134,15 +112,13 @@ int cli_setup_read(cli_setup_t *setup, const tf_scene_t *scene,
   setup->start[CLI_START_V] = scene->v;
   setup->start[CLI_START_OMEGA] = scene->omega;
   setup->start[CLI_START_H] = scene->h;
-  for (size_t i = 0; i < settings->count; i++) {
-    const int code = read_setting(setup, &settings->list[i]);
-    if (code != CLI_DONE) {
-      return code;
-    }
+  int code = CLI_DONE;
+  for (size_t i = 0; i < settings->count && code == CLI_DONE; i++) {
+    code = read_setting(setup, &settings->list[i]);
   }
-  return select != NULL
-             ? cli_read_rule(select, &setup->params.rule, &setup->seed)
-             : CLI_DONE;
+  return code == CLI_DONE && select != NULL
+             ? cli_read_rule(select, &setup->params, &setup->seed)
+             : code;
 }
 
 static bool is_used(const cli_setup_t *setup, int i) {
@@ -306,10 +282,8 @@ void cli_setup_notes(const cli_setup_t *setup, const char *unused,
   }
 }
 
-// Four lines of provenance, no more and no fewer: readers that cannot skip
-// comments skip a number of lines. The hash of the parameters is that of the
-// schema frame, so that rows of a board and of a run are known to be of the
-// same machine.
+// The hash of the parameters is that of the schema frame, so that rows of a
+// board and of a run are known to be of the same machine.
 
 uint32_t cli_scene_hash(const cli_setup_t *setup) {
   const tf_scene_t *scene = setup->scene;
@@ -335,6 +309,8 @@ uint32_t cli_scene_hash(const cli_setup_t *setup) {
   return sum;
 }
 
+// No more and no fewer than four lines: readers that cannot skip comments skip
+// a number of them.
 size_t cli_provenance(const cli_setup_t *setup, const char *how,
                       const char *units, char out[CLI_PROVENANCE_ROOM]) {
   return (size_t)snprintf(

@@ -1,13 +1,7 @@
-/// @file
 /// From a scene and the settings of the command line to a machine that is
 /// ready to step. Every command that takes SCENE and --set goes through here,
 /// so names, ranges and messages are the same in all of them.
-#ifndef TWOFOLD_CLI_SETUP_H
-#define TWOFOLD_CLI_SETUP_H
-
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
+#pragma once
 
 #include "twofold.h"
 
@@ -23,7 +17,6 @@ typedef struct {
 /// How many settings one command line may hold: more than there are names.
 #define CLI_SETTINGS 64
 
-/// One setting as typed, kept for messages.
 typedef struct {
   const char *option;       ///< "--set" or "--dt"
   const char *text;         ///< what followed it
@@ -37,17 +30,17 @@ typedef struct {
   cli_setting_t list[CLI_SETTINGS];
 } cli_settings_t;
 
-/// Splits NAME=VALUE and appends it.
+/// Splits NAME=VALUE and appends it. A name that was given before is refused:
+/// which of the two values is meant cannot be known.
 /// option: "--set". text: in, kept.
-/// Returns: CLI_DONE, or CLI_USAGE after a message. A name that was given
-/// before is refused: which of the two values is meant cannot be known.
 int cli_settings_add(cli_settings_t *settings, const char *option,
                      const char *text);
 
-/// Appends the setting of an option that implies the name: --dt VALUE.
-/// Returns: as cli_settings_add.
+/// Likewise the setting of an option that implies the name: --dt VALUE, whose
+/// text is the value.
 int cli_settings_add_named(cli_settings_t *settings, const char *option,
-                           const char *name, const char *value);
+                           const char *text, const char *name,
+                           const char *value);
 
 /// The setting of a name, NULL where it was not given.
 const cli_setting_t *cli_settings_find(const cli_settings_t *settings,
@@ -63,6 +56,9 @@ enum {
   CLI_STARTS
 };
 extern const cli_quantity_t cli_starts[CLI_STARTS];
+
+/// Index in cli_starts, CLI_STARTS where none has that name.
+size_t cli_start_index(const char *name);
 
 /// A scene with its settings applied.
 typedef struct {
@@ -84,22 +80,13 @@ typedef struct {
 int cli_setup_read(cli_setup_t *setup, const tf_scene_t *scene,
                    const cli_settings_t *settings, const char *select);
 
-/// The setting of a parameter, NULL where it was not given or the name is none.
-const cli_setting_t *cli_setup_setting(const cli_setup_t *setup,
-                                       const char *parameter);
-
 /// Prepares the machine.
-/// Returns: CLI_DONE, or CLI_REFUSED after a message with value and range.
 int cli_setup_machine(cli_setup_t *setup);
 
 /// Checks the initial values that were set, each by itself.
-/// Returns: CLI_DONE; after a message CLI_USAGE (h and v both given) or
-/// CLI_REFUSED.
 int cli_setup_check_starts(const cli_setup_t *setup);
 
-/// Computes the initial state and begins it.
-/// Returns: CLI_DONE; after a message CLI_USAGE (h and v both given) or
-/// CLI_REFUSED.
+/// Does so, computes the initial state and begins it.
 int cli_setup_start(cli_setup_t *setup);
 
 /// Reports on standard error which settings have no effect in this scene.
@@ -108,29 +95,19 @@ int cli_setup_start(cli_setup_t *setup);
 void cli_setup_notes(const cli_setup_t *setup, const char *unused,
                      const char *why);
 
-// What rows are of, as comment lines before their header.
-
-#define CLI_PROVENANCE_ROOM 1024
-
 /// CRC-32 of all of a scene that a motion depends on, with what the command
 /// line has changed: parameters, law, rule, start, profile.
 uint32_t cli_scene_hash(const cli_setup_t *setup);
 
-/// Writes four lines that begin with #: version, commit and number type; scene,
-/// its hash, that of the parameters, law, rule and seed; how the rows were
-/// computed; units.
-/// how: in, scheme and step of a run. units: in, the columns with their units.
+/// Writes four lines that begin with #: what program, scene and settings the
+/// rows are of, how they were computed (how: in), units of the columns.
+#define CLI_PROVENANCE_ROOM 1024
 size_t cli_provenance(const cli_setup_t *setup, const char *how,
                       const char *units, char out[CLI_PROVENANCE_ROOM]);
 
-// Names of laws and rules, as typed on the command line; parameters; groups of
-// modes.
-
-/// Index of a parameter in tf_parameter_ranges, TF_PARAMETERS where no
-/// parameter has that name.
+/// Index in tf_parameter_ranges, TF_PARAMETERS where none has that name.
 size_t cli_parameter_index(const char *name);
 
-/// Value of a parameter, by its index.
 tf_real_t cli_parameter(const tf_params_t *params, size_t index);
 
 /// Prints a line for a parameter: name, range, unit, and the laws that use it
@@ -142,19 +119,10 @@ void cli_print_ranges(void);
 /// no fraction, which the core would cut off.
 bool cli_parameter_fits(size_t index, tf_real_t value);
 
-/// Finds a law by its name.
-/// option, text: in, for the message. name: in, as typed.
-/// Returns: CLI_DONE, or CLI_USAGE after a message with the closest name.
-int cli_find_law(const char *option, const char *text, const char *name,
-                 tf_tyre_law_t *law);
-
-/// Finds a law of rest by its name, likewise.
-int cli_find_rest(const char *option, const char *text, const char *name,
-                  tf_rest_law_t *rest);
-
-/// Finds a rule by its name, likewise.
-int cli_find_rule(const char *option, const char *text, const char *name,
-                  tf_rule_t *rule);
+/// Sets law, rest or rule by its name.
+/// what: in, one of these words. option, text: in, for the message.
+int cli_set_word(tf_params_t *params, const char *what, const char *option,
+                 const char *text, const char *name);
 
 /// Finds a built-in scene. place, besides: in, for the message, before it and
 /// at its end.
@@ -162,7 +130,7 @@ int cli_find_scene(const char *place, const char *name, const char *besides,
                    const tf_scene_t **scene);
 
 /// Reads RULE[:SEED] of --select. Without SEED, seed is left as it is.
-int cli_read_rule(const char *select, tf_rule_t *rule, uint32_t *seed);
+int cli_read_rule(const char *select, tf_params_t *params, uint32_t *seed);
 
 /// Stick does not include pinned.
 static inline bool cli_is_stick(unsigned mode) {
@@ -176,5 +144,3 @@ static inline unsigned cli_stick_mode(double g) {
 static inline double cli_stick_sign(unsigned mode) {
   return mode == TF_STICK_MINUS ? -1 : 1;
 }
-
-#endif

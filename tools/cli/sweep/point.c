@@ -1,7 +1,9 @@
 // A point is what `run` does with the same settings: the value of each axis is
 // written as text, the shortest that reads back to the same bits, and then read
 // like one of --set. So a row is replayed by copying its fields into a command.
-// A refusal is a row, too, with the words of `run` in it.
+// A refusal is a row, too, with the words of `run` in it. Points of one machine
+// are followed together, by the steps of an ensemble, which have the bits of
+// single ones.
 
 #include <inttypes.h>
 #include <math.h>
@@ -9,6 +11,7 @@
 #include <string.h>
 
 #include "../host/host.h"
+#include "../run/events.h"
 #include "../setup/setup.h"
 #include "../text/message.h"
 #include "../text/number.h"
@@ -61,17 +64,6 @@ typedef struct {
   double r_low, r_high;               // [m]
 } course_t;
 
-static void begin_course(course_t *course, const tf_state_t *state,
-                         const tf_report_t *report) {
-  memset(course, 0, sizeof *course);
-  course->state = *state;
-  course->report = *report;
-  course->modes = TF_MODE_BIT(report->mode);
-  course->r_low = course->r_high = (double)state->r;
-  cli_ambiguity_begin(&course->ambiguity, report);
-}
-
-// Sees a step. t: its end [s].
 static void see(course_t *course, double t, const tf_state_t *state,
                 const tf_report_t *report) {
   const uint64_t arrivals = course->events.counts[CLI_TWO_FOLD];
@@ -162,10 +154,19 @@ typedef struct {
   cli_system_t system;
   course_t course;
   tf_tally_t tally;
+  cli_point_end_t end; // CLI_POINT_DONE while it goes on
   char reason[REASON_ROOM];
 } point_t;
 
-// The number of the value that each axis has at a point.
+// The points that are followed together, each in its lane, where there are
+// several.
+static struct {
+  point_t points[TF_LANES];
+  size_t going; // on
+  tf_state_block_t states;
+  tf_report_block_t reports;
+} group;
+
 static void indices_of(const cli_args_t *args, uint64_t index,
                        uint64_t at[CLI_AXES]) {
   for (size_t i = args->axes; i > 0; i--) {
@@ -185,12 +186,15 @@ void cli_point_name(const cli_args_t *args, uint64_t index,
   indices_of(args, index, at);
   cli_add_count(text, index);
   for (size_t i = 0; i < args->axes; i++) {
-    cli_add_form(text, ",%g",
-                 (double)cli_range_at(&args->axis[i].range, at[i]));
+    const double value = cli_range_at(&args->axis[i].range, at[i]);
+    if (args->axis[i].is_seed) {
+      cli_add_form(text, ",%" PRIu64, (uint64_t)value);
+    } else {
+      cli_add_form(text, ",%g", value);
+    }
   }
 }
 
-// Puts the values of the axes among the settings.
 static void place(point_t *point, const cli_sweep_t *sweep, uint64_t index) {
   const cli_args_t *args = sweep->args;
   uint64_t at[CLI_AXES];
@@ -199,18 +203,17 @@ static void place(point_t *point, const cli_sweep_t *sweep, uint64_t index) {
   point->settings = args->settings;
   for (size_t i = 0; i < args->axes; i++) {
     const cli_axis_t *axis = &args->axis[i];
-    const tf_real_t value = cli_range_at(&axis->range, at[i]);
+    const double value = cli_range_at(&axis->range, at[i]);
     cli_buffer_t text = {point->text[i], 0, sizeof point->text[i], false};
     if (axis->is_seed) {
-      (void)snprintf(point->select, sizeof point->select, "random:%.0f",
-                     (double)value);
+      (void)snprintf(point->select, sizeof point->select, "random:%.0f", value);
       continue;
     }
     cli_setting_t *setting = &point->settings.list[axis->setting];
     cli_add(&text, axis->name);
     cli_add(&text, "=");
     setting->value = point->text[i] + text.used;
-    cli_add_real(&text, value);
+    cli_add_real(&text, (tf_real_t)value);
     setting->option = "--set";
     setting->text = point->text[i];
   }
@@ -256,6 +259,7 @@ static int check_end(cli_sweep_t *sweep, bool last, uint32_t *hash) {
   if (code == CLI_DONE && sweep->scheme == NULL) {
     sweep->scheme = cli_scheme_for(args, point.setup.params.dt, NULL);
   }
+  sweep->jumps = point.setup.params.law == TF_TYRE_JUMP;
   code = code == CLI_DONE ? prepare(&point, &steps) : code;
   code = code == CLI_DONE ? cli_setup_check_starts(&point.setup) : code;
   if (code == CLI_DONE && !last) {
@@ -276,45 +280,108 @@ static double energy_of(const point_t *point) {
                            point->input.r0);
 }
 
-// Follows the motion. steps: to take.
-static cli_point_end_t follow(point_t *point, uint64_t steps) {
-  const cli_setup_t *setup = &point->setup;
-  const double dt = (double)setup->machine.dt;
-  tf_report_t report = setup->report;
-  tf_input_t input;
-  cli_system_begin(&point->system, point->sweep->scheme, setup, &report);
-  begin_course(&point->course, &point->system.state, &report);
-  point->input = setup->input;
-  point->course.energy_at_start = energy_of(point);
-  for (uint64_t i = 1; i <= steps; i++) {
-    const double t = (double)i * dt;
-    if (i % BATCH == 0 && cli_stop_asked()) {
-      return CLI_POINT_INTERRUPTED;
-    }
-    const tf_status_t status =
-        cli_drive_take(&point->drive, point->sweep->scheme, setup,
-                       &point->system, &input, &report);
-    if (status < 0) {
-      (void)snprintf(point->reason, REASON_ROOM, "step %llu: %s",
-                     (unsigned long long)i, tf_status_name(status));
-      point->course.energy = energy_of(point);
-      return CLI_POINT_STOPPED;
-    }
-    point->input = input;
-    tf_tally_count(&point->tally, i, status);
-    see(&point->course, t, &point->system.state, &report);
-  }
+static void begin(point_t *point) {
+  tf_report_t report = point->setup.report;
+  cli_system_begin(&point->system, point->sweep->scheme, &point->setup,
+                   &report);
+  point->input = point->setup.input;
+  course_t *course = &point->course; // all zero
+  course->state = point->system.state;
+  course->report = report;
+  course->modes = TF_MODE_BIT(report.mode);
+  course->r_low = course->r_high = (double)course->state.r;
+  course->energy_at_start = energy_of(point);
+  cli_ambiguity_begin(&course->ambiguity, &report);
+  group.going++;
+}
+
+static void finish(point_t *point) {
+  const tf_tally_t *tally = &point->tally;
   point->course.energy = energy_of(point);
-  if (cli_tally_code(&point->tally) != CLI_DONE) {
-    const tf_tally_t *tally = &point->tally;
+  if (point->end == CLI_POINT_DONE && cli_tally_code(tally) != CLI_DONE) {
     (void)snprintf(point->reason, REASON_ROOM,
                    "%" PRIu64 " steps degraded; %" PRIu64 " coarse; %" PRIu64
                    " stalled; first at t = %.9g s",
                    tally->degraded, tally->coarse, tally->stalled,
-                   (double)tally->first * dt);
-    return CLI_POINT_FLAGGED;
+                   (double)tally->first * (double)point->setup.machine.dt);
+    point->end = CLI_POINT_FLAGGED;
   }
-  return CLI_POINT_DONE;
+}
+
+static void note(point_t *point, uint64_t i, const tf_input_t *input,
+                 const tf_report_t *report) {
+  const tf_status_t status = report->status;
+  if (status < 0) {
+    (void)snprintf(point->reason, REASON_ROOM, "step %llu: %s",
+                   (unsigned long long)i, tf_status_name(status));
+    point->end = CLI_POINT_STOPPED;
+    group.going--;
+  } else {
+    point->input = *input;
+    tf_tally_count(&point->tally, i, status);
+    see(&point->course, (double)i * (double)point->setup.machine.dt,
+        &point->system.state, report);
+  }
+}
+
+static void step_alone(point_t *point, uint64_t i) {
+  tf_input_t input;
+  tf_report_t report = point->course.report;
+  report.status =
+      cli_drive_take(&point->drive, point->sweep->scheme, &point->setup,
+                     &point->system, &input, &report);
+  note(point, i, &input, &report);
+}
+
+// The lanes for AVX2, where the program was linked with them: a baseline x86-64
+// has no vectors of double that lanes could use, nearly each that is built has.
+#define step_with_avx2 TF_LINK(tf_ensemble_step_avx2)
+__attribute__((weak)) size_t step_with_avx2(const tf_machine_t *machine,
+                                            tf_state_block_t *states, size_t n,
+                                            const tf_input_t *input,
+                                            tf_report_block_t *reports);
+#ifdef __x86_64__
+#define HAS_AVX2 (step_with_avx2 != NULL && __builtin_cpu_supports("avx2"))
+#else
+#define HAS_AVX2 false
+#endif
+
+// Machine and inputs are those of all points.
+static void step_together(size_t count, uint64_t i) {
+  // half a block and less costs more than its single steps
+  const size_t lanes = count > TF_LANES / 2 ? TF_LANES : count;
+  const tf_machine_t *machine = &group.points[0].setup.machine;
+  const cli_span_t span = cli_span_of(i - 1, machine->dt);
+  const tf_input_t input =
+      cli_drive_over(&group.points[0].drive, machine, &span);
+  (void)(HAS_AVX2 ? step_with_avx2 : tf_ensemble_step)(
+      machine, &group.states, lanes, &input, &group.reports);
+  for (size_t n = 0; n < count; n++) {
+    point_t *point = &group.points[n];
+    if (point->end == CLI_POINT_DONE) {
+      const tf_report_t report = tf_ensemble_report(&group.reports, n);
+      point->system.state = tf_ensemble_get(&group.states, n);
+      note(point, i, &input, &report);
+    }
+  }
+}
+
+// Returns: whether the motions have come to their ends.
+static bool follow(size_t count, uint64_t steps) {
+  for (size_t n = 0; n < TF_LANES; n++) { // nobody sees lanes beyond count
+    tf_ensemble_put(&group.states, n, &group.points[n].system.state);
+  }
+  for (uint64_t i = 1; i <= steps && group.going > 0; i++) {
+    if (i % BATCH == 0 && cli_stop_asked()) {
+      return false;
+    }
+    if (count > 1) {
+      step_together(count, i);
+    } else {
+      step_alone(&group.points[0], i);
+    }
+  }
+  return true;
 }
 
 // No field needs quotes, which not every reader of CSV knows.
@@ -326,35 +393,57 @@ static void drop_commas(char *text) {
   }
 }
 
-cli_point_end_t cli_point(const cli_sweep_t *sweep, uint64_t index,
-                          char row[CLI_SWEEP_ROW], size_t *length) {
+size_t cli_points_together(const cli_sweep_t *sweep) {
   const cli_args_t *args = sweep->args;
-  point_t point = {0};
-  uint64_t steps = 0;
-  place(&point, sweep, index);
-  cli_message_divert(point.reason, REASON_ROOM);
-  int code = prepare(&point, &steps);
-  code = code == CLI_DONE ? cli_setup_start(&point.setup) : code;
-  cli_message_divert(NULL, 0);
-  const cli_point_end_t end =
-      code == CLI_DONE ? follow(&point, steps) : CLI_POINT_REFUSED;
-  if (end == CLI_POINT_INTERRUPTED) {
-    return end;
+  bool one_machine = sweep->scheme == &cli_schemes[0] && sweep->jumps;
+  for (size_t i = 0; i < args->axes; i++) {
+    const cli_axis_t *axis = &args->axis[i];
+    one_machine = one_machine &&
+                  (axis->is_seed || cli_start_index(axis->name) < CLI_STARTS);
   }
-  drop_commas(point.reason);
+  return one_machine ? TF_LANES : 1;
+}
+
+bool cli_points_follow(const cli_sweep_t *sweep, uint64_t index, size_t count) {
+  uint64_t steps = 0;
+  group.going = 0;
+  for (size_t n = 0; n < count; n++) {
+    point_t *point = &group.points[n];
+    memset(point, 0, sizeof *point);
+    place(point, sweep, index + n);
+    cli_message_divert(point->reason, REASON_ROOM);
+    int code = prepare(point, &steps);
+    code = code == CLI_DONE ? cli_setup_start(&point->setup) : code;
+    cli_message_divert(NULL, 0);
+    point->end = code == CLI_DONE ? CLI_POINT_DONE : CLI_POINT_REFUSED;
+    if (code == CLI_DONE) {
+      begin(point);
+    }
+  }
+  return follow(count, steps);
+}
+
+cli_point_end_t cli_point_row(uint64_t index, size_t which,
+                              char row[CLI_SWEEP_ROW], size_t *length) {
+  point_t *point = &group.points[which];
+  const cli_args_t *args = point->sweep->args;
+  if (point->end != CLI_POINT_REFUSED) {
+    finish(point);
+  }
+  drop_commas(point->reason);
   cli_buffer_t text = {row, 0, CLI_SWEEP_ROW, false};
-  cli_point_name(args, index, &text);
-  cli_add_form(&text, ",%s,%s,", cli_point_status(end), point.reason);
-  if (end != CLI_POINT_REFUSED) {
-    cli_add_real(&text, (tf_real_t)point.course.t);
+  cli_point_name(args, index + which, &text);
+  cli_add_form(&text, ",%s,%s,", cli_point_status(point->end), point->reason);
+  if (point->end != CLI_POINT_REFUSED) {
+    cli_add_real(&text, (tf_real_t)point->course.t);
   }
   for (size_t i = 0; i < args->measures; i++) {
     cli_add(&text, ",");
-    if (end != CLI_POINT_REFUSED) {
-      add_measure((cli_measure_t)args->measure[i], &point.course, &text);
+    if (point->end != CLI_POINT_REFUSED) {
+      add_measure((cli_measure_t)args->measure[i], &point->course, &text);
     }
   }
   cli_add(&text, "\n");
   *length = text.used;
-  return end;
+  return point->end;
 }

@@ -8,9 +8,7 @@
 // The comments stand behind the header, not before it: numpy.genfromtxt takes
 // the names of columns from the first line even where it is a comment.
 
-#ifndef _POSIX_C_SOURCE
 #define _POSIX_C_SOURCE 200809L
-#endif
 
 #include "sheet.h"
 
@@ -22,7 +20,6 @@
 
 #include "../setup/setup.h"
 #include "../text/message.h"
-#include "../text/number.h"
 
 #define COLUMNS_BEFORE 4 // point, status, reason, t
 
@@ -31,12 +28,8 @@ static const char *unit_of(const char *name) {
   if (parameter < TF_PARAMETERS) {
     return tf_parameter_ranges[parameter].unit;
   }
-  for (size_t i = 0; i < CLI_STARTS; i++) {
-    if (strcmp(cli_starts[i].name, name) == 0) {
-      return cli_starts[i].unit;
-    }
-  }
-  return "1";
+  const size_t start = cli_start_index(name);
+  return start < CLI_STARTS ? cli_starts[start].unit : "1";
 }
 
 static void add_header(const cli_args_t *args, cli_buffer_t *text) {
@@ -82,13 +75,6 @@ static void add_command(const cli_sheet_t *sheet, cli_buffer_t *text) {
   }
 }
 
-// What the rows follow from, beside the command.
-static void add_scene(uint32_t hash, cli_buffer_t *text) {
-  cli_add(text, " (scene ");
-  cli_add_hash(text, hash);
-  cli_add(text, ")\n");
-}
-
 static void add_unit(cli_buffer_t *text, const char *name, const char *unit) {
   if (unit[0] != '\0') {
     cli_add_form(text, " %s %s,", name, unit);
@@ -107,7 +93,6 @@ static void add_units(const cli_args_t *args, cli_buffer_t *text) {
   cli_add(text, " t s\n");
 }
 
-// What stands before the first row.
 static bool make_prologue(cli_sheet_t *sheet, uint32_t hash) {
   cli_buffer_t text = {sheet->prologue, 0, CLI_PROLOGUE_ROOM, false};
   if (sheet->args->shard.index == 1) {
@@ -119,7 +104,9 @@ static bool make_prologue(cli_sheet_t *sheet, uint32_t hash) {
   cli_add_form(&text, " --shard %" PRIu64 "/%" PRIu64, sheet->args->shard.index,
                sheet->args->shard.of);
   const size_t scene = text.used;
-  add_scene(hash, &text);
+  cli_add(&text, " (scene ");
+  cli_add_hash(&text, hash);
+  cli_add(&text, ")\n");
   // The shards of a run have command and scene in common.
   sheet->trailer.run = cli_crc(
       cli_crc(0, sheet->prologue + sheet->header, command - sheet->header),
@@ -255,11 +242,6 @@ int cli_sheet_open(cli_sheet_t *sheet, const cli_sweep_t *sweep,
     (void)cli_output_lines(&sheet->output, sheet->prologue, sheet->length);
   }
   return CLI_DONE;
-}
-
-bool cli_sheet_put(cli_sheet_t *sheet, const char *row, size_t length) {
-  cli_trailer_add(&sheet->trailer, row, length, 1);
-  return cli_output_lines(&sheet->output, row, length);
 }
 
 static void put_trailer(cli_sheet_t *sheet) {

@@ -1,15 +1,11 @@
-/// @file
 /// One point of a sweep: its settings, its motion, its row. And the file of a
 /// sweep: header, rows, trailer; and how a file that was stopped is taken up
 /// again.
-#ifndef TWOFOLD_CLI_SHEET_H
-#define TWOFOLD_CLI_SHEET_H
+#pragma once
 
 #include "../host/output.h"
-#include "../run/events.h"
 #include "../setup/args.h"
 #include "../text/buffer.h"
-#include "../text/trailer.h"
 
 #define CLI_SWEEP_ROW 2048 // room for a row or a header
 
@@ -47,30 +43,38 @@ extern const cli_measure_info_t cli_measures[CLI_MEASURES];
 typedef struct {
   const cli_args_t *args;
   const cli_scheme_t *scheme; ///< NULL: that of the first point
+  bool jumps;                 ///< the law is jump, at all points
   cli_drive_t drive;          ///< of --inputs, and of the scene
 } cli_sweep_t;
 
 /// How a point ended.
 typedef enum {
   CLI_POINT_DONE,
-  CLI_POINT_FLAGGED,    ///< some steps were degraded, coarse or stalled
-  CLI_POINT_STOPPED,    ///< a step was refused
-  CLI_POINT_REFUSED,    ///< the machine or its start was refused
-  CLI_POINT_INTERRUPTED ///< by a signal: it has no row
+  CLI_POINT_FLAGGED, ///< some steps were degraded, coarse or stalled
+  CLI_POINT_STOPPED, ///< a step was refused
+  CLI_POINT_REFUSED  ///< the machine or its start was refused
 } cli_point_end_t;
-#define CLI_POINT_ENDS 4 // those with a row
+#define CLI_POINT_ENDS 4
 
 /// Checks what is the same at all points, and the ends of every axis; chooses
-/// the scheme.
-/// hash: out, of all that a motion depends on and that the command line does
-/// not name: the scene's parameters, its start, and the table of inputs.
+/// the scheme. hash: out, of what a motion depends on and the command line does
+/// not name.
 int cli_point_check(cli_sweep_t *sweep, uint32_t *hash);
 
-/// Follows the motion at a point and writes its row.
-/// index: in, 0 to points - 1; the last axis is the inner loop.
-/// length: out, of the row with its newline.
-cli_point_end_t cli_point(const cli_sweep_t *sweep, uint64_t index,
-                          char row[CLI_SWEEP_ROW], size_t *length);
+/// How many points are followed together, one in each lane of an ensemble: 1
+/// where an axis changes the machine, or its law or scheme has no lanes.
+size_t cli_points_together(const cli_sweep_t *sweep);
+
+/// Follows the motions at so many points, which stay until the next call.
+/// index: in, of the first, 0 to points - 1; the last axis is the inner loop.
+/// count: in, 1 to cli_points_together().
+/// Returns: whether they have come to their ends; false: a stop was asked for.
+bool cli_points_follow(const cli_sweep_t *sweep, uint64_t index, size_t count);
+
+/// Writes the row of one of these points, with its newline.
+/// index: in, as above. which: in, 0 to count - 1. length: out.
+cli_point_end_t cli_point_row(uint64_t index, size_t which,
+                              char row[CLI_SWEEP_ROW], size_t *length);
 
 /// Writes the fields by which a row begins: its number and its axes.
 void cli_point_name(const cli_args_t *args, uint64_t index, cli_buffer_t *text);
@@ -97,16 +101,10 @@ typedef struct {
 /// hash: in, as cli_point_check gives it.
 int cli_sheet_open(cli_sheet_t *sheet, const cli_sweep_t *sweep, uint32_t hash);
 
-/// Writes one row.
-/// Returns: whether everything so far could be written.
-bool cli_sheet_put(cli_sheet_t *sheet, const char *row, size_t length);
-
 /// Hands everything to the operating system; in a part, with a check of it.
-/// Returns: as cli_sheet_put.
+/// Returns: whether everything so far could be written.
 bool cli_sheet_flush(cli_sheet_t *sheet);
 
 /// Ends the file: under CLI_DONE it gets its trailer and its name.
-/// Returns: the code; CLI_STOPPED after a message if it was CLI_DONE.
+/// Returns: as cli_output_end.
 int cli_sheet_close(cli_sheet_t *sheet, int code);
-
-#endif

@@ -1,14 +1,11 @@
-// The command `sweep`: point by point, each a motion of its own and one row. It
-// takes one core; several cores take a shard each (tools/study/shards). A point
-// whose machine is refused is an answer and no failure: its row says so, and
-// the program goes on and ends with code 0.
+// The command `sweep`. It takes one core; several cores take a shard each
+// (tools/study/shards). A point whose machine is refused is an answer and no
+// failure: its row says so, and the program ends with code 0.
 
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "../host/host.h"
 #include "../text/message.h"
@@ -22,7 +19,8 @@
 typedef struct {
   cli_sweep_t sweep;
   cli_sheet_t *sheet;
-  uint64_t done; ///< points of this call
+  size_t together; ///< points that are followed at once
+  uint64_t done;   ///< points of this call
   uint64_t ends[CLI_POINT_ENDS];
   cli_progress_t progress;
 } work_t;
@@ -32,19 +30,21 @@ typedef struct {
 static int do_points(work_t *work) {
   cli_sheet_t *sheet = work->sheet;
   char row[CLI_SWEEP_ROW];
-  for (uint64_t i = sheet->first + sheet->kept; i < sheet->end; i++) {
-    size_t length = 0;
-    const cli_point_end_t end = cli_stop_asked()
-                                    ? CLI_POINT_INTERRUPTED
-                                    : cli_point(&work->sweep, i, row, &length);
-    if (end == CLI_POINT_INTERRUPTED) {
+  size_t count = 0, length = 0;
+  for (uint64_t i = sheet->first + sheet->kept; i < sheet->end; i += count) {
+    count = sheet->end - i < work->together ? (size_t)(sheet->end - i)
+                                            : work->together;
+    if (cli_stop_asked() || !cli_points_follow(&work->sweep, i, count)) {
       return cli_message(CLI_STOPPED, "interrupted at point %" PRIu64, i);
     }
-    if (!cli_sheet_put(sheet, row, length)) {
-      return CLI_STOPPED;
+    for (size_t n = 0; n < count; n++) {
+      work->ends[cli_point_row(i, n, row, &length)]++;
+      work->done++;
+      cli_trailer_add(&sheet->trailer, row, length, 1);
+      if (!cli_output_lines(&sheet->output, row, length)) {
+        return CLI_STOPPED;
+      }
     }
-    work->ends[end]++;
-    work->done++;
     const double now = cli_now();
     if (now - sheet->output.flushed >= FLUSH_EVERY && !cli_sheet_flush(sheet)) {
       return CLI_STOPPED;
@@ -75,11 +75,11 @@ static void summarise(const work_t *work, double seconds) {
       separator = ", ";
     }
   }
-  cli_say("\ncost       %.3g s, %.3g ms a point\n", seconds,
-          work->done > 0 ? 1e3 * seconds / (double)work->done : 0.0);
+  cli_say("\ncost       %.3g s, %.3g points/s, %s\n", seconds,
+          seconds > 0 ? (double)work->done / seconds : 0.0,
+          work->together > 1 ? "in lanes of an ensemble" : "one by one");
 }
 
-// The same for a program: one line, the last one on standard error.
 static void summarise_json(const work_t *work, double seconds, int code) {
   const cli_sheet_t *sheet = work->sheet;
   cli_put_begin("sweep");
@@ -90,6 +90,7 @@ static void summarise_json(const work_t *work, double seconds, int code) {
   for (int i = 0; i < CLI_POINT_ENDS; i++) {
     cli_put_count(cli_point_status((cli_point_end_t)i), work->ends[i]);
   }
+  cli_put_count("together", work->together);
   cli_put_end(seconds, code);
 }
 
@@ -126,10 +127,11 @@ static int perform(work_t *work, uint32_t hash) {
 
 int cli_sweep(const cli_args_t *args) {
   static cli_sheet_t sheet;
-  work_t work = {.sweep = {args, NULL, {{0}, {0}}}, .sheet = &sheet};
+  work_t work = {.sweep = {.args = args}, .sheet = &sheet};
   uint32_t hash = 0;
   int code = cli_drive_read(&work.sweep.drive, args->scene, &args->drive);
   code = code == CLI_DONE ? cli_point_check(&work.sweep, &hash) : code;
+  work.together = cli_points_together(&work.sweep);
   code = code == CLI_DONE ? perform(&work, hash) : code;
   cli_drive_free(&work.sweep.drive);
   return code;
@@ -149,17 +151,16 @@ static int add_seed(const cli_args_t *args, cli_axis_t *axis) {
   for (size_t i = 0; i < args->axes; i++) {
     if (args->axis[i].is_seed) {
       return cli_message(CLI_USAGE,
-                         "--over %s: seed was already given by "
-                         "--over %s",
-                         text, args->axis[i].range.text);
+                         "--over %s: seed was already given by --over %s", text,
+                         args->axis[i].range.text);
     }
   }
   for (uint64_t i = 0; i < axis->range.count; i++) {
-    const double value = (double)cli_range_at(&axis->range, i);
+    const double value = cli_range_at(&axis->range, i);
     if (!(value >= 0 && value <= UINT32_MAX && floor(value) >= value)) {
       return cli_message(CLI_REFUSED,
                          "--over %s: seed must be whole numbers in "
-                         "[0, 4294967295]; value %llu is %.9g",
+                         "[0, 4294967295]; value %llu is %.10g",
                          text, (unsigned long long)i + 1, value);
     }
   }
@@ -179,9 +180,10 @@ int cli_read_over(void *to, const cli_given_t *option) {
   }
   cli_axis_t *axis = &args->axis[args->axes];
   const size_t length = (size_t)(equals - text);
-  int code =
-      cli_read_range(option->name, text, equals + 1, MAX_VALUES, &axis->range);
-  if (code == CLI_DONE && length == 4 && strncmp(text, "seed", 4) == 0) {
+  const bool is_seed = length == 4 && strncmp(text, "seed", 4) == 0;
+  int code = cli_read_range(option->name, text, equals + 1, MAX_VALUES, is_seed,
+                            &axis->range);
+  if (code == CLI_DONE && is_seed) {
     memcpy(axis->name, "seed", 5);
     code = add_seed(args, axis);
   } else if (code == CLI_DONE) {
@@ -227,9 +229,7 @@ int cli_read_outcome(void *to, const cli_given_t *option) {
   for (;;) {
     char name[32];
     const size_t length = strcspn(at, ",");
-    const size_t kept = length < sizeof name ? length : sizeof name - 1;
-    memcpy(name, at, kept);
-    name[kept] = '\0';
+    (void)snprintf(name, sizeof name, "%.*s", (int)length, at);
     const int code = add_measure(args, name, option->value);
     if (code != CLI_DONE || at[length] == '\0') {
       return code;
@@ -239,8 +239,8 @@ int cli_read_outcome(void *to, const cli_given_t *option) {
 }
 
 int cli_sweep_check(cli_args_t *args) {
-  static const unsigned usual[] = {CLI_MODES, CLI_REST, CLI_RECURRENCE,
-                                   CLI_ENERGY, CLI_AMBIGUOUS};
+  static const cli_given_t usual = {"--outcome",
+                                    "modes,rest,recurrence,energy,ambiguous"};
   if (args->axes == 0) {
     return cli_message(CLI_USAGE, "sweep: --over NAME=A:B:N is missing");
   }
@@ -254,9 +254,5 @@ int cli_sweep_check(cli_args_t *args) {
                          args->axis[i].range.text);
     }
   }
-  if (args->measures == 0) {
-    args->measures = sizeof usual / sizeof usual[0];
-    memcpy(args->measure, usual, sizeof usual);
-  }
-  return CLI_DONE;
+  return args->measures > 0 ? CLI_DONE : cli_read_outcome(args, &usual);
 }

@@ -1,13 +1,7 @@
-/// @file
-/// Text appended to a buffer of the caller, rows and JSON; and text files line
-/// by line. fgets would hide what follows a zero, and what stands behind a
-/// carriage return is easily dropped: nothing of a file is left out here.
-#ifndef TWOFOLD_CLI_BUFFER_H
-#define TWOFOLD_CLI_BUFFER_H
+/// Text appended to a buffer of the caller; and text files line by line, of
+/// which nothing is left out: fgets would hide what follows a zero.
+#pragma once
 
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 
 #include "message.h"
@@ -51,6 +45,10 @@ typedef enum {
 /// out: room bytes, ended by a zero.
 cli_line_t cli_read_line(FILE *file, char *out, size_t room);
 
+/// Tells that the last line of a file has no newline: one that was cut in a
+/// number reads as another number. Returns: CLI_DONE.
+int cli_note_open(const char *name);
+
 /// The length of the mark of UTF-8 (U+FEFF) by which Windows programs begin a
 /// text file, which is no part of the text; 0: it has none.
 /// text: in, size bytes, the first ones of the file.
@@ -60,5 +58,3 @@ static inline size_t cli_utf8_mark(const char *text, size_t size) {
              ? 3
              : 0;
 }
-
-#endif

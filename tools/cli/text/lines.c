@@ -1,4 +1,5 @@
-// Lines of a text file, of a length that has a bound.
+// Lines of a text file, of a length that has a bound. Apart from buffer.c: the
+// page takes that, and its C library reads no characters.
 
 #include "buffer.h"
 
@@ -17,4 +18,10 @@ cli_line_t cli_read_line(FILE *file, char *out, size_t room) {
   used -= used > 0 && out[used - 1] == '\r';
   out[used] = '\0';
   return CLI_LINE;
+}
+
+int cli_note_open(const char *name) {
+  return cli_message(
+      CLI_DONE, "note: %s: the last line has no newline: it may be cut off",
+      name);
 }

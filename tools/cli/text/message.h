@@ -1,18 +1,13 @@
-/// @file
 /// Exit codes and messages of the program, and the known name closest to a
 /// mistyped one, with which a message ends.
 ///
-/// The exit codes are part of the command line's contract, so they are defined
-/// here alone and every failing path returns one of them by name. In all of
-/// these folders an int that a function returns is one of them, after a message
-/// if it is not CLI_DONE, and a size_t is the length of what was written; a
-/// header says where it is something else, or more than that.
-#ifndef TWOFOLD_CLI_MESSAGE_H
-#define TWOFOLD_CLI_MESSAGE_H
+/// In all of these folders an int that a function returns is one of the codes,
+/// after a message if it is not CLI_DONE, and a size_t is the length of what
+/// was written; a header says where it is something else, or more than that.
+#pragma once
 
 #include <stddef.h>
 
-/// Exit codes of the program.
 enum {
   CLI_DONE = 0,    ///< everything asked for was done
   CLI_USAGE = 2,   ///< unknown command, option or name, or unreadable number
@@ -39,9 +34,8 @@ int cli_message(int code, const char *format, ...) CLI_PRINTF(2, 3);
 /// empty: there was none.
 const char *cli_last_message(void);
 
-/// From now on a message is appended to the text in `out`, without "twofold: ",
-/// a newline before it if it is not the first, and nothing is written; NULL:
-/// standard error again. out: in/out, kept, zero-terminated; cut off at room.
+/// From now on a message is appended to the text in `out`, kept, without
+/// "twofold: ", in lines; NULL: standard error again. Cut off at room.
 void cli_message_divert(char *out, size_t room);
 
 int cli_finish_stdout(void);
@@ -77,6 +71,4 @@ extern const char *const cli_commit;
 #define CLI_NUMBER_TYPE "float"
 #else
 #define CLI_NUMBER_TYPE "double"
-#endif
-
 #endif

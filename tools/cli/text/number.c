@@ -1,5 +1,3 @@
-// Numbers in and out of text.
-//
 // In: the whole text is one number or it is refused. strtod alone would accept
 // leading blanks, "1x", and "1e-999" as 0; each of them is a typing error that
 // must not start a run. "nan", "inf" and "1e999", which is read as infinite,
@@ -32,12 +30,9 @@
 #define FLOAT_DIGITS 9
 #define DOUBLE_DIGITS 17
 
-static tf_real_t text_to_real(const char *text, char **end) {
-#ifdef TF_REAL_FLOAT
-  return strtof(text, end);
-#else
-  return strtod(text, end);
-#endif
+// The number that a decimal reads back to, as a float or a double.
+static double number_of(const char *text, char **end, bool is_float) {
+  return is_float ? (double)strtof(text, end) : strtod(text, end);
 }
 
 bool cli_read_real(const char *text, tf_real_t *value, const char **why) {
@@ -47,7 +42,8 @@ bool cli_read_real(const char *text, tf_real_t *value, const char **why) {
     return false;
   }
   errno = 0;
-  const tf_real_t read = text_to_real(text, &end);
+  const tf_real_t read =
+      (tf_real_t)number_of(text, &end, sizeof read == sizeof(float));
   if (end == text || *end != '\0') {
     return false;
   }
@@ -82,11 +78,6 @@ bool cli_read_whole(const char *text, uint64_t low, uint64_t high,
   return true;
 }
 
-// The number that a decimal reads back to, as a float or a double.
-static double read_back(const char *text, bool is_float) {
-  return is_float ? (double)strtof(text, NULL) : strtod(text, NULL);
-}
-
 // Writes the decimal with the given number of digits that is next above (in
 // magnitude) the nearest one. Returns: whether value is a power of two and the
 // decimal reads back to it.
@@ -103,7 +94,7 @@ static bool write_above(char out[CLI_REAL_ROOM], int digits, double value,
     return false;
   }
   e[-1]++;
-  return read_back(out, is_float) == value;
+  return number_of(out, NULL, is_float) == value;
 }
 
 size_t cli_write_number(char out[CLI_REAL_ROOM], double value, bool is_float) {
@@ -113,7 +104,7 @@ size_t cli_write_number(char out[CLI_REAL_ROOM], double value, bool is_float) {
   const int enough = is_float ? FLOAT_DIGITS : DOUBLE_DIGITS;
   for (int digits = subnormal ? 1 : safe; digits <= enough; digits++) {
     (void)snprintf(out, CLI_REAL_ROOM, "%.*g", digits, value);
-    if (read_back(out, is_float) == value ||
+    if (number_of(out, NULL, is_float) == value ||
         (digits < enough && write_above(out, digits, value, is_float))) {
       break;
     }
@@ -138,8 +129,16 @@ int cli_read_number(const char *option, const char *whole, const char *text,
   return cli_message(CLI_USAGE, "%s %s: '%s' %s", option, whole, text, why);
 }
 
+static int read_end(const char *option, const char *whole, const char *text,
+                    bool exact, double *value) {
+  tf_real_t real = 0;
+  const int code = cli_read_number(option, whole, text, &real);
+  *value = exact ? strtod(text, NULL) : (double)real;
+  return code;
+}
+
 int cli_read_range(const char *option, const char *whole, const char *text,
-                   uint64_t most, cli_range_t *range) {
+                   uint64_t most, bool exact, cli_range_t *range) {
   char parts[3][CLI_REAL_ROOM];
   range->text = whole;
   for (int i = 0; i < 3; i++) {
@@ -156,9 +155,9 @@ int cli_read_range(const char *option, const char *whole, const char *text,
                        "%s %s: N must be a whole number in [1, %" PRIu64 "]",
                        option, whole, most);
   }
-  int code = cli_read_number(option, whole, parts[0], &range->from);
+  int code = read_end(option, whole, parts[0], exact, &range->from);
   if (code == CLI_DONE) {
-    code = cli_read_number(option, whole, parts[1], &range->to);
+    code = read_end(option, whole, parts[1], exact, &range->to);
   }
   if (code == CLI_DONE && range->count == 1 &&
       (range->to > range->from || range->to < range->from)) {
@@ -172,14 +171,13 @@ static bool is_whole(double value) {
   return fabs(value) < 0x1p53 && !(fabs(value - (double)(int64_t)value) > 0);
 }
 
-tf_real_t cli_range_at(const cli_range_t *range, uint64_t i) {
+double cli_range_at(const cli_range_t *range, uint64_t i) {
   if (i + 1 == range->count) {
     return range->to;
   }
-  const double from = (double)range->from, to = (double)range->to;
+  const double from = range->from, to = range->to;
   const double at = (double)i, last = (double)(range->count - 1);
   // Of whole numbers the product is exact, so whole values are.
   const bool whole = is_whole(from) && is_whole(to);
-  return (tf_real_t)(from + (whole ? (to - from) * at / last
-                                   : (to - from) * (at / last)));
+  return from + (whole ? (to - from) * at / last : (to - from) * (at / last));
 }

@@ -1,11 +1,5 @@
-/// @file
 /// Numbers in and out of text.
-#ifndef TWOFOLD_CLI_NUMBER_H
-#define TWOFOLD_CLI_NUMBER_H
-
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
+#pragma once
 
 #include "twofold/real.h"
 
@@ -35,7 +29,7 @@ size_t cli_write_number(char out[CLI_REAL_ROOM], double value, bool is_float);
 /// A value, or N of them from A to B, both included.
 typedef struct {
   const char *text; ///< as typed, NULL: not given
-  tf_real_t from, to;
+  double from, to;  ///< of tf_real_t, or exact
   uint64_t count;
 } cli_range_t;
 
@@ -44,12 +38,10 @@ typedef struct {
 int cli_read_number(const char *option, const char *whole, const char *text,
                     tf_real_t *value);
 
-/// Reads A:B:N, N in [1, most]; A and B may be any numbers. option, whole: in,
-/// for messages. text: in, A:B:N, whole or the end of it.
+/// Reads A:B:N, N in [1, most], from text. option, whole: in, for messages.
+/// exact: in, of whole numbers that a float may not have.
 int cli_read_range(const char *option, const char *whole, const char *text,
-                   uint64_t most, cli_range_t *range);
+                   uint64_t most, bool exact, cli_range_t *range);
 
 /// Value i of a range, i in [0, count - 1]: A and B themselves at its ends.
-tf_real_t cli_range_at(const cli_range_t *range, uint64_t i);
-
-#endif
+double cli_range_at(const cli_range_t *range, uint64_t i);

@@ -5,17 +5,13 @@
 #include "options.h"
 
 #include <inttypes.h>
-#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "message.h"
-#include "number.h"
 #include "twofold.h"
 
 #define MAX_VALUES 1000000u // in one range
 
-// Whether a row is an option of the command.
 static bool is_row(const cli_syntax_t *syntax, size_t i) {
   return (syntax->options[i].commands & syntax->bit) != 0 &&
          syntax->options[i].name != NULL;
@@ -74,14 +70,11 @@ static int read_whole(const cli_option_t *option, const cli_given_t *given,
       given->name, given->value, low, high);
 }
 
-static int read_number(const cli_given_t *given, tf_real_t *out) {
-  return cli_read_number(given->name, given->value, given->value, out);
-}
-
 static int read_real(const cli_option_t *option, const cli_given_t *given,
                      double *out) {
   tf_real_t value = 0;
-  const int code = read_number(given, &value);
+  const int code =
+      cli_read_number(given->name, given->value, given->value, &value);
   const bool open = (option->how & CLI_OPEN) != 0;
   *out = (double)value;
   if (code == CLI_DONE && (!(*out >= option->low && *out <= option->high) ||
@@ -94,15 +87,8 @@ static int read_real(const cli_option_t *option, const cli_given_t *given,
   return code;
 }
 
-static int check_number(const cli_option_t *option, const cli_given_t *given,
-                        double value) {
-  if (!(option->low < option->high) ||
-      (value >= option->low && value <= option->high)) {
-    return CLI_DONE;
-  }
-  return cli_message(CLI_REFUSED, "%s %s: %s must lie in [%g, %g] %s",
-                     given->name, given->value, given->name + 2, option->low,
-                     option->high, option->unit);
+static bool lies_in(const cli_option_t *option, double value) {
+  return value >= option->low && value <= option->high;
 }
 
 static int read_range(const cli_option_t *option, const cli_given_t *given,
@@ -110,16 +96,20 @@ static int read_range(const cli_option_t *option, const cli_given_t *given,
   int code = CLI_DONE;
   if (option->kind == CLI_RANGE) {
     code = cli_read_range(given->name, given->value, given->value, MAX_VALUES,
-                          out);
+                          false, out);
   } else {
     out->text = given->value;
     out->count = 1;
-    code = read_number(given, &out->from);
-    out->to = out->from;
+    tf_real_t value = 0;
+    code = cli_read_number(given->name, given->value, given->value, &value);
+    out->from = out->to = (double)value;
   }
-  code =
-      code == CLI_DONE ? check_number(option, given, (double)out->from) : code;
-  return code == CLI_DONE ? check_number(option, given, (double)out->to) : code;
+  return code != CLI_DONE || !(option->low < option->high) ||
+                 (lies_in(option, out->from) && lies_in(option, out->to))
+             ? code
+             : cli_message(CLI_REFUSED, "%s %s: %s must lie in [%g, %g] %s",
+                           given->name, given->value, given->name + 2,
+                           option->low, option->high, option->unit);
 }
 
 static int refuse_choice(const cli_option_t *option, const cli_given_t *given) {
@@ -193,9 +183,10 @@ static int read_value(const cli_option_t *option, const cli_given_t *given,
 }
 
 // Reads the option that starts at argv[*at] and moves *at to its last word.
-// seen: in/out, the options before.
+// seen: in/out, the options before. file: out, that its value is.
 static int read_option(const cli_syntax_t *syntax, void *args, int argc,
-                       char *const argv[], int *at, bool seen[CLI_ROWS]) {
+                       char *const argv[], int *at, bool seen[CLI_ROWS],
+                       cli_file_t *file) {
   const char *word = argv[*at];
   const size_t length = strcspn(word, "=");
   const size_t i = find_option(syntax, word);
@@ -222,37 +213,18 @@ static int read_option(const cli_syntax_t *syntax, void *args, int argc,
                        given.name);
   }
   seen[i] = true;
+  *file = (cli_file_t){given, option->how & (CLI_WRITES | CLI_READS)};
   return read_value(option, &given, args);
 }
 
 static bool is_built_in(const char *name) {
-  for (int i = 0; i < TF_SCENES; i++) {
-    if (strcmp(tf_scenes[i]->name, name) == 0) {
-      return true;
-    }
+  int i = 0;
+  while (i < TF_SCENES && strcmp(tf_scenes[i]->name, name) != 0) {
+    i++;
   }
-  return false;
+  return i < TF_SCENES;
 }
 
-cli_file_t cli_next_file(const cli_syntax_t *syntax, char *const *argv,
-                         int *at) {
-  const char *word = argv[(*at)++];
-  if (!is_option(word)) {
-    return (cli_file_t){{"", word}, is_built_in(word) ? 0 : CLI_READS};
-  }
-  const cli_option_t *option = &syntax->options[find_option(syntax, word)];
-  const char *equals = strchr(word, '=');
-  cli_file_t file = {{option->name, ""},
-                     option->how & (CLI_WRITES | CLI_READS)};
-  if (equals != NULL) {
-    file.given.value = equals + 1;
-  } else if (option->value != NULL) {
-    file.given.value = argv[(*at)++];
-  }
-  return file;
-}
-
-// Whether every option has the one that it needs.
 static int check_needs(const cli_syntax_t *syntax, const bool seen[CLI_ROWS]) {
   for (size_t i = 0; i < syntax->count; i++) {
     const char *needs = syntax->options[i].needs;
@@ -265,13 +237,17 @@ static int check_needs(const cli_syntax_t *syntax, const bool seen[CLI_ROWS]) {
 }
 
 int cli_read_words(const cli_syntax_t *syntax, void *args, int argc,
-                   char *const argv[]) {
+                   char *const argv[], cli_file_t *files) {
   bool seen[CLI_ROWS] = {false};
   int code = CLI_DONE;
   for (int at = 0; at < argc && code == CLI_DONE; at++) {
     const char *word = argv[at];
-    code = is_option(word) ? read_option(syntax, args, argc, argv, &at, seen)
-                           : syntax->take(args, word);
+    if (is_option(word)) {
+      code = read_option(syntax, args, argc, argv, &at, seen, files++);
+    } else {
+      *files++ = (cli_file_t){{"", word}, is_built_in(word) ? 0 : CLI_READS};
+      code = syntax->take(args, word);
+    }
   }
   return code == CLI_DONE ? check_needs(syntax, seen) : code;
 }

@@ -1,12 +1,7 @@
-/// @file
 /// Options as rows of a table, from which come the reading of command lines
 /// (here), the help and the completions. The same in every command: `--name
 /// value` or `--name=value`, before or after the positional arguments.
-#ifndef TWOFOLD_CLI_OPTIONS_H
-#define TWOFOLD_CLI_OPTIONS_H
-
-#include <stdbool.h>
-#include <stddef.h>
+#pragma once
 
 #include "message.h"
 #include "number.h"
@@ -57,16 +52,14 @@ typedef struct {
   const char *needs;       ///< name of an option without which it is refused
   /// Of CLI_TEXT: it begins with one of them, up to its end or a colon.
   const cli_choice_t *choices;
-  /// Of CLI_OTHER. Returns: CLI_DONE, or another code after a message.
-  int (*read)(void *args, const cli_given_t *given);
-  unsigned how; ///< of the bits above
+  int (*read)(void *args, const cli_given_t *given); ///< of CLI_OTHER
+  unsigned how;                                      ///< of the bits above
 } cli_option_t;
 
 #define CLI_ROWS 128             ///< of a table, at most
 #define CLI_NOT_GIVEN UINT32_MAX ///< usual place of a choice without one
 
-/// A table and a command. take: stores a positional argument. Returns: as
-/// cli_option_t.read.
+/// A table and a command. take: stores a positional argument.
 typedef struct {
   const cli_option_t *options;
   size_t count;
@@ -78,12 +71,6 @@ typedef struct {
 /// Sets the usual values of all numbers and choices.
 void cli_usual_values(const cli_syntax_t *syntax, void *args);
 
-/// Reads all words. "-" is a positional argument.
-/// Returns: CLI_DONE; after a message CLI_USAGE, CLI_REFUSED or what a reader
-/// returned.
-int cli_read_words(const cli_syntax_t *syntax, void *args, int argc,
-                   char *const argv[]);
-
 /// A file that a command line names. how: CLI_WRITES, CLI_READS, or 0: none;
 /// the name of a built-in scene is none.
 typedef struct {
@@ -91,9 +78,7 @@ typedef struct {
   unsigned how;
 } cli_file_t;
 
-/// What the words from argv[*at] on name; moves *at behind them. They were read
-/// before, so that they are right.
-cli_file_t cli_next_file(const cli_syntax_t *syntax, char *const *argv,
-                         int *at);
-
-#endif
+/// Reads all words. "-" is a positional argument. files: out, argc at most, all
+/// 0 before: those that are named.
+int cli_read_words(const cli_syntax_t *syntax, void *args, int argc,
+                   char *const argv[], cli_file_t *files);

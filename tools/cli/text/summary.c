@@ -44,8 +44,6 @@ void cli_put_double(const char *key, double value) {
   cli_say(", ");
 }
 
-void cli_put_null(const char *key) { cli_say("\"%s\": null, ", key); }
-
 void cli_put_count(const char *key, uint64_t value) {
   cli_say("\"%s\": %" PRIu64 ", ", key, value);
 }

@@ -1,15 +1,8 @@
-/// @file
 /// What the summaries of the commands share: members of an object of JSON on
-/// standard error, each with its comma, but the last; and the line that tells
-/// which steps are not to be trusted.
-#ifndef TWOFOLD_CLI_SUMMARY_H
-#define TWOFOLD_CLI_SUMMARY_H
-
-#include <stdbool.h>
-#include <stdint.h>
+/// standard error; and which steps are not to be trusted.
+#pragma once
 
 #include "message.h"
-#include "twofold/real.h"
 #include "twofold/tally.h"
 
 /// Prints on standard error, as printf does.
@@ -23,11 +16,10 @@ void cli_put_begin(const char *command);
 /// a double; null where it is not finite.
 void cli_put_number(const char *key, double value, bool is_float);
 
-/// The same with a comma: of the number type of this program, or a double.
+/// The same with a comma: of the number type of this program, or a double; NAN
+/// is what is not known.
 void cli_put_real(const char *key, tf_real_t value);
 void cli_put_double(const char *key, double value);
-
-void cli_put_null(const char *key);
 
 void cli_put_count(const char *key, uint64_t value);
 
@@ -49,9 +41,6 @@ bool cli_put_ended(void);
 /// Text from outside: the path of a file, what a board says of itself.
 void cli_put_text(const char *key, const char *text);
 
-// What a tally of steps means to whoever asked for them, the same for steps
-// that were taken here and for those that a stream reports.
-
 /// How many steps it counts that were taken with a reservation.
 uint64_t cli_tally_reserved(const tf_tally_t *tally);
 
@@ -66,5 +55,3 @@ void cli_tally_print(const tf_tally_t *tally, const char *since, double t);
 /// Returns: CLI_FLAGGED where some steps were degraded, coarse or stalled, else
 /// CLI_DONE.
 int cli_tally_code(const tf_tally_t *tally);
-
-#endif

@@ -11,6 +11,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "../../../src/link/crc.h"
 #include "message.h"
 #include "number.h"
 
@@ -24,9 +25,7 @@ int cli_read_shard(const cli_given_t *given, cli_shard_t *shard) {
   char first[CLI_REAL_ROOM];
   const size_t length = strcspn(given->value, "/");
   const char *second = given->value + length;
-  (void)snprintf(first, sizeof first, "%.*s",
-                 (int)(length < sizeof first ? length : sizeof first - 1),
-                 given->value);
+  (void)snprintf(first, sizeof first, "%.*s", (int)length, given->value);
   if (*second != '/' || !cli_read_whole(first, 0, MAX_SHARDS, &shard->index) ||
       !cli_read_whole(second + 1, 0, MAX_SHARDS, &shard->of)) {
     return cli_message(CLI_USAGE, "%s %s: expected I/N, two whole numbers",
@@ -50,15 +49,7 @@ void cli_shard_range(const cli_shard_t *shard, uint64_t count, uint64_t *first,
 }
 
 uint32_t cli_crc(uint32_t before, const void *from, size_t length) {
-  const unsigned char *bytes = from;
-  uint32_t crc = ~before;
-  for (size_t i = 0; i < length; i++) {
-    crc ^= bytes[i];
-    for (int bit = 0; bit < 8; bit++) {
-      crc = crc >> 1 ^ (0xedb88320u & (0u - (crc & 1u)));
-    }
-  }
-  return ~crc;
+  return tf_crc32(before, from, length);
 }
 
 void cli_trailer_add(cli_trailer_t *trailer, const char *lines, size_t length,

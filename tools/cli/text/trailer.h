@@ -1,11 +1,6 @@
-/// @file
 /// Work in shards, as typed I/N, and the last line of their files: how many
 /// rows there are, and their checksum.
-#ifndef TWOFOLD_CLI_TRAILER_H
-#define TWOFOLD_CLI_TRAILER_H
-
-#include <stddef.h>
-#include <stdint.h>
+#pragma once
 
 #include "options.h"
 
@@ -16,9 +11,7 @@ typedef struct {
 
 extern const cli_shard_t cli_whole_shard;
 
-/// Reads I/N.
-/// Returns: CLI_DONE; after a message CLI_USAGE, or CLI_REFUSED where I does
-/// not lie in [1, N].
+/// Reads I/N, I in [1, N].
 int cli_read_shard(const cli_given_t *given, cli_shard_t *shard);
 
 /// The first of the shard's own among `count` pieces of work, and the first
@@ -41,9 +34,6 @@ typedef struct {
 void cli_trailer_add(cli_trailer_t *trailer, const char *lines, size_t length,
                      uint64_t rows);
 
-/// Writes the comment `# shard I/N: ROWS rows, crc32 CRC, run RUN` and a
-/// newline.
+/// Writes the line `# shard I/N: ROWS rows, crc32 CRC, run RUN`.
 size_t cli_trailer_line(const cli_trailer_t *trailer, const cli_shard_t *shard,
                         char out[CLI_TRAILER_ROOM]);
-
-#endif

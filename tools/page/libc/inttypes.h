@@ -1,10 +1,6 @@
-/// @file
 /// Formats of the fixed types that the page's sources print.
-#ifndef TWOFOLD_PAGE_INTTYPES_H
-#define TWOFOLD_PAGE_INTTYPES_H
+#pragma once
 
 #include <stdint.h>
 
 #define PRIu64 "llu"
-
-#endif

@@ -1,9 +1,7 @@
-/// @file
 /// Of C's text output, what the reader of scenes calls, done by the browser
 /// (libc.mjs). There are no files: what opens or prints one is declared, so
 /// that its source compiles, and the linker leaves it out.
-#ifndef TWOFOLD_PAGE_STDIO_H
-#define TWOFOLD_PAGE_STDIO_H
+#pragma once
 
 #include <stdarg.h>
 #include <stddef.h>
@@ -22,5 +20,3 @@ int ferror(FILE *file);
 int fclose(FILE *file);
 int printf(const char *format, ...);
 int putchar(int byte);
-
-#endif

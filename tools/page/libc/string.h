@@ -1,8 +1,6 @@
-/// @file
 /// What sources that are written for a C library need of it in WebAssembly,
 /// where there is none: port/arch/memory.c and libc.c have the functions.
-#ifndef TWOFOLD_PAGE_STRING_H
-#define TWOFOLD_PAGE_STRING_H
+#pragma once
 
 #include <stddef.h>
 
@@ -17,5 +15,3 @@ char *strpbrk(const char *text, const char *bytes);
 size_t strspn(const char *text, const char *bytes);
 size_t strcspn(const char *text, const char *bytes);
 char *strerror(int error);
-
-#endif

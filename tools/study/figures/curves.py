@@ -21,8 +21,6 @@ is one of
             future that lands so far down that it comes back to the two-fold at
             once, `winding` one that winds much and lands higher
 """
-from __future__ import annotations
-
 import math
 import re
 import subprocess
@@ -38,7 +36,6 @@ import table  # noqa: E402
 
 Curves = Iterator[tuple[str, list[str]]]
 Start = tuple[str, float, float, str, str, str]
-KINDS = "random", "noise", "smoothing", "hysteresis", "delay"
 MODES = {"slip+": 1, "slip-": 2, "stick+": 3, "stick-": 4, "pinned": 5}
 PATH = ["t", "r", "omega", "h", "g", "mode"]
 WINDOW = {"r": 0.012, "omega": 0.06, "h": 1.4e-4}
@@ -200,23 +197,6 @@ def normal(folder: Path) -> Curves:
         early.exit_r, early.exit_omega)
 
 
-def perturbations(folder: Path) -> Curves:
-    """Of each kind the quantiles of exits, landings and returns: 100 steps at
-    most, from share 0 on; the shares are of all."""
-    for kind in KINDS:
-        came, left = (read(folder, f"{what}-{kind}")
-                      for what in ("returns", "exits"))
-        for name, texts in (
-                ("exit", left.time), ("landing", came.landing_r),
-                ("return", came.time[came.outcome == "returned"])):
-            texts = sorted((text for text in texts if text and
-                            float(text) > 0), key=float)
-            step = len(texts) // 100 + 1
-            yield f"{name} {kind}", [f"{text} 0" for text in texts[:1]] + [
-                f"{texts[i - 1]} {i / len(came):.6g}" for i in (
-                    *range(step, len(texts) + 1, step), len(texts)) if texts]
-
-
 def returns(folder: Path) -> Curves:
     """From an exit to the first landing, and from there to the two-fold."""
     left, came = read(folder, "exits-random"), read(folder, "returns-random")
@@ -261,7 +241,7 @@ def surface(folder: Path) -> Curves:
 
 
 FIGURES: dict[str, Callable[[Path], Curves]] = {
-    "exits": exits, "normal": normal, "perturbations": perturbations,
+    "exits": exits, "normal": normal,
     "regions": regions, "return": returns, "set": motions, "surface": surface}
 LISTS: dict[str, Callable[[Path], Iterator[Start]]] = {
     "fans": fans, "leavers": leavers, "loop": loop}

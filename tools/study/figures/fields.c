@@ -317,7 +317,7 @@ static polar_t rates(double r, double phi) {
   const tf_machine_t *k = &machine;
   const double h = sin(phi), g = cos(phi);
   const rates_t rate = rates_at(k, &input, r, 0, 0, k->omega0);
-  const tf_force_t f = tf_tyre_force(&k->tyre, h < 0 ? -1 : 1, h, g);
+  const tf_force_t f = tf_tyre_force(&k->contact.tyre, h < 0 ? -1 : 1, h, g);
   const tf_slip_t d = slip_from_pq(k, rate.dp + rate.Fp * f.F,
                                    rate.dq + rate.Fq * f.F + rate.Mq * f.M);
   return (polar_t){d.g * g + d.h * h, d.h * g - d.g * h};
@@ -416,7 +416,7 @@ static void tyre(void) {
     printf("%.3f", at);
     for (int j = 0; j < LAWS; j++) {
       const tf_force_t f =
-          tf_tyre_force(&of[j].tyre, 1, sin(radians), cos(radians));
+          tf_tyre_force(&of[j].contact.tyre, 1, sin(radians), cos(radians));
       printf(" %.8g %.8g", f.F, j < 2 ? f.M : f.M / chaos->kappa);
     }
     printf("\n");

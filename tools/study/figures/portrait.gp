@@ -35,15 +35,14 @@ set cbrange [-1:1]
 unset colorbox
 set arrow 1 from r0,-135 to r0,225 nohead lw 1.5 dt (3,3) lc rgb black front
 set label 1 'r of (a)' at r0,205 right offset -0.5,0 front
-d = data.'/directions.dat'
 plot data.'/angular.dat' using 1:2:3 with image, \
-  d using ($3 < 0 && $4 < 0 ? $1 : 1/0):2 with points pt 7 ps 1*P \
+  at using ($3 < 0 && $4 < 0 ? $1 : 1/0):2 with points pt 7 ps 1*P \
     lc rgb blue, \
-  d using ($3 < 0 && $4 > 0 ? $1 : 1/0):2 with points pt 6 ps 1*P \
+  at using ($3 < 0 && $4 > 0 ? $1 : 1/0):2 with points pt 6 ps 1*P \
     lc rgb blue, \
-  d using ($3 > 0 && $4 < 0 ? $1 : 1/0):2 with points pt 7 ps 1*P \
+  at using ($3 > 0 && $4 < 0 ? $1 : 1/0):2 with points pt 7 ps 1*P \
     lc rgb red, \
-  d using ($3 > 0 && $4 > 0 ? $1 : 1/0):2 with points pt 6 ps 1*P \
+  at using ($3 > 0 && $4 > 0 ? $1 : 1/0):2 with points pt 6 ps 1*P \
     lc rgb red
 @KEYROW
 plot -1 notitle, keyentry with lines lw 7 lc rgb green title 'stick–', \

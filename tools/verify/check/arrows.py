@@ -4,8 +4,8 @@ earlier in the table of DESIGN.md, section 2, and through it on all that this
 one stands on. A file may include what is in its own room and in those that it
 stands on, so never what is in a room later in that table:
 
-    num < model < friction < moreau < event
-                  friction < analysis
+    num < friction < model < moreau < event
+                     model < analysis
                              moreau < scene < link
 
 A public header belongs to the room that has the source of its name. Beside
@@ -18,10 +18,10 @@ another one is seen where boards compile all of src/ as one file.
 
 The rooms of tools/ stand in a row: each includes and imports what is in those
 before it, what lies in tools/ itself, and, from `bench` on, the reference of
-the tests. The folders of the command line are in the order that
-tools/cli/commands.c describes. In port/ each file includes only what its line
-in a table allows, so that the loop knows neither the simulation nor the core:
-it drives whatever app.h declares.
+the tests and their random machines. The folders of the command line are in the
+order that tools/cli/commands.c describes. In port/ each file includes only what
+its line in a table allows, so that the loop knows neither the simulation nor
+the core: it drives whatever app.h declares.
 """
 import ast
 import graphlib
@@ -32,8 +32,8 @@ from pathlib import Path
 from findings import checked, wrong
 
 # In the order of that table: the room that each one stands on.
-STANDS_ON = {"num": None, "model": "num", "friction": "model",
-             "moreau": "friction", "event": "moreau", "analysis": "friction",
+STANDS_ON = {"num": None, "friction": "num", "model": "friction",
+             "moreau": "model", "event": "moreau", "analysis": "model",
              "scene": "moreau", "link": "scene"}
 # Public headers without a source, and the lowest room that has a use for them.
 HEADER_ONLY = {"real": "num", "wire": "link"}
@@ -43,6 +43,7 @@ HEADER_ONLY = {"real": "num", "wire": "link"}
 # `sweep` counts its events and ambiguous instants.
 ROOMS = ("cli", "board", "package", "page", "bench", "study", "verify")
 REFERENCE, JUDGES = "tests/reference/", ("bench", "study", "verify")
+MACHINES = "tests/golden/population.h"
 CLI = "tools/cli/"
 CLI_INCLUDES = {
     "monitor": ("run/row.h", "live", "setup", "host", "text"),
@@ -81,7 +82,7 @@ PUBLIC_FUNCTION = re.compile(r"^TF_API\b[^;{]*\(", re.M)
 # Lines that the core may not have: of headers, and of the preprocessor.
 OTHER_HEADER = re.compile(
     r"^\s*#\s*include(?! (?:<(?:stdint|stdbool|stddef|float|limits)\.h>"
-    r'|"[^"]*")$).*', re.M)
+    r'|"[^"]*")(?: +//.*)?$).*', re.M)
 BRANCH = re.compile(
     r"^\s*#\s*(?:if|elif|ifdef|ifndef)\b"
     r"(?!.*(?:TF_\w+_H|TWOFOLD_\w*H|__cplusplus|TF_STEP_\w+)$"
@@ -183,7 +184,7 @@ def tools_allow(file, target):
     """Whether a file of tools/ may use another file."""
     room, other = room_of(file), room_of(target)
     if target.startswith("tests/"):
-        return target.startswith(REFERENCE) and room in JUDGES
+        return room in JUDGES and target.startswith((REFERENCE, MACHINES))
     if room is None or other is None:
         return other is None
     return room in ROOMS and other in ROOMS and \

@@ -3,8 +3,9 @@
 (tools/verify/cost/worst.*) are counted again, and a short search goes on from
 them: none takes more than bounds.SLACK times the kept figure, no figure is more
 than bounds.STALE times what its call takes now, and docs/bench/worst.csv has
-the figures. A public function has a kept call, or is plain; each is named in a
-test. EVALUATIONS calls of each function (300; with FULL=yes 20000).
+the figures. The steps among them are counted on boards, too, in the emulator. A
+public function has a kept call, or is plain; each is named in a test.
+EVALUATIONS calls of each function (300; with FULL=yes 20000).
 """
 import os
 import platform
@@ -18,36 +19,43 @@ from findings import (BUILD, FULL, ROOT, build, checked, need,
 sys.path.insert(0, str(ROOT / "tools/verify/cost"))
 import bounds  # noqa: E402
 
-# Look-ups, and straight code: loops run as often whatever is given.
+# Look-ups, and straight code: loops run as often whatever is given, but for
+# those of a kept function that it calls.
 PLAIN = re.compile(r"""tf_(?:\w+_name|wire_\w+|send_\w+|read_\w+|slip|energy|
     decoder_init|link_open|link_(?:add_entropy|begin_session)|params_hash|
-    mode_is_slip|run_hash|line_\w+|frame_(?:tag|untag)|tyre_is_set_valued|
-    philox|input_default|speed_for_slip|ensemble_(?:put|get|report)|
-    tally_count|simulation_(?:set_input|pass))""", re.X)
+    mode_is_slip|run_hash|line_\w+|frame_(?:chain|tag|untag)|tyre_is_set_valued|
+    contact_(?:prepare|modes|choose|force)|philox|input_default|turntable_to|
+    speed_for_slip(?:_compensated)?|ensemble_(?:put|get|report)|tally_count|
+    design_two_fold|simulation_(?:set_input|pass|start))""", re.X)
 EVALUATIONS = int(os.environ.get("EVALUATIONS") or (20000 if FULL else 300))
 PLACE = BUILD / "costs"
 
 
-def judge(real):
+def judge(kept, now, on):
+    """Figures that are kept, and what calls take now."""
+    for key in kept.index.union(now.index):
+        figure, count = kept.get(key, 0), now.get(key, 0)
+        if count > bounds.SLACK * figure or count < figure / bounds.STALE:
+            wrong(f"{key[0]}({key[1]}), {on}: {figure} instructions are kept, "
+                  f"a call takes {count}")
+
+
+def judge_real(real):
     """All calls in one real type. Returns: how many functions."""
     kept = bounds.most(bounds.HERE / f"worst.{real}")
-    if real == "double":
-        kept_names = set(kept.index.unique("name"))
-        for name in sorted(public_functions() - kept_names):
-            if not PLAIN.fullmatch(name):
-                wrong(f"{name}: no call of it is kept in worst.{real}")
+    names = set(kept.index.unique("name"))
+    for name in sorted(public_functions() - names):
+        if not PLAIN.fullmatch(name):
+            wrong(f"{name}: no call of it is kept in worst.{real}")
     path = BUILD / f"cost.{real}"
     path.write_text(bounds.cost(PLACE, real, EVALUATIONS, bounds.HERE))
-    now = bounds.most(path)
-    for (name, units), count in now.items():
-        figure = kept.get((name, units), 0)
-        if count > bounds.SLACK * figure or count < figure / bounds.STALE:
-            wrong(f"{name}({units}), {real}: {figure} instructions are kept, a "
-                  f"call takes {count}")
-    return len(kept.index.unique("name"))
+    judge(kept, bounds.most(path), real)
+    return len(names)
 
 
 need("gcc", "gcc")
+need("arm-none-eabi-gcc", "gcc-arm-none-eabi libnewlib-arm-none-eabi")
+need("qemu-system-arm", "qemu-system-arm")
 if platform.machine() != "x86_64":
     print("missing: a processor of type x86-64, of which the figures speak")
     sys.exit(3)
@@ -55,7 +63,10 @@ if not build("CC=gcc", f"BUILD={PLACE}", "OPT=-O2", "EXTRA=-Werror",
              *(PLACE / real / "cost" for real in bounds.REALS)):
     wrong("tools/verify/cost does not build")
     checked("nothing")
-functions = max(judge(real) for real in bounds.REALS)
+functions = max(judge_real(real) for real in bounds.REALS)
+kept_boards = bounds.boards(bounds.HERE / "worst.boards")
+for column, counts in bounds.emulate(PLACE, bounds.HERE).items():
+    judge(kept_boards[column], counts, column)
 tests = "\n".join(path.read_text() for path in Path("tests").rglob("*.[ch]"))
 for one in sorted(public_functions()):
     if not re.search(rf"\b{one}\b", tests):
@@ -65,5 +76,5 @@ if bounds.table(bounds.HERE).to_csv() != \
     wrong("docs/bench/worst.csv has other figures than are kept: make bounds "
           "&& make keep-bounds")
 checked(f"{functions} functions, {EVALUATIONS} calls each beside the most "
-        "expensive known; gcc -O2, both real types; each public function is "
-        "named in a test")
+        "expensive known; gcc -O2, both real types; steps on two boards; each "
+        "public function is named in a test")

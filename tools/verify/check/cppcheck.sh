@@ -8,8 +8,8 @@ set -- --quiet --std=c99 --inline-suppr --error-exitcode=1 \
   --suppress=missingIncludeSystem --suppress=variableScope
 cppcheck "$@" -UTF_REAL_FLOAT src || wrong "core in double"
 cppcheck "$@" -DTF_REAL_FLOAT=1 src || wrong "core in float"
-cppcheck "$@" -UTF_REAL_FLOAT -UREF_BITS -D__x86_64__ tools ||
-  wrong "tools"
+cppcheck "$@" -UTF_REAL_FLOAT -UREF_BITS -D__x86_64__ \
+  -itools/verify/cost/board.c tools || wrong "tools"
 # Programs of the boards hold the whole core in one file, where names that were
 # local to one of its files shadow those of another; clang-tidy reads them. So
 # do the tests of a firmware. Of a struct whose members are read through a

@@ -18,7 +18,7 @@ for script in tools/study/figures/*.gp; do
   count=$((count + 1))
 done
 # shellcheck disable=SC2086  # a list
-in_common $pictures SAMPLES_random=400 SAMPLES_noise=4 SAMPLES_smoothing=4 \
+in_common $pictures SAMPLES_random=400 SAMPLES_noise=6 SAMPLES_smoothing=4 \
   SAMPLES_hysteresis=3 SAMPLES_delay=3 \
   WINDOW='--r 0.1:0.28:37 --omega=-1.16:-0.88:29' \
   ATLAS='--r 0.0025:0.5:200 --omega=-1.4975:-0.5:20' ||

@@ -62,10 +62,11 @@ if not in_common(PLACE, "gcc", "-O3", TWOFOLD):
     checked("nothing")
 import exits  # noqa: E402
 import finer  # noqa: E402
+import noise  # noqa: E402
+import recurrence  # noqa: E402
 
-# Of docs/RECURRENCE.md the counts of resonances and of the finer basins were
-# not kept when it was made: it cannot be made again without its study.
-for name, module in ("exits", exits), ("finer", finer):
+for name, module in (("exits", exits), ("finer", finer), ("noise", noise),
+                     ("recurrence", recurrence)):
     judge_page(name, module.PAGE)
 table = pandas.read_csv("docs/study/exits-sides.csv").set_index("run")
 runs = {name: options for name, options in exits.first_cycles()
@@ -74,5 +75,5 @@ if not runs:
     wrong("no run of first exits is kept")
 for number, (name, options) in enumerate(runs.items(), SEED):
     judge_sides(name, options, table.loc[name], number)
-checked(f"2 pages of the counts that are kept; {len(runs)} runs of first exits "
+checked(f"4 pages of the counts that are kept; {len(runs)} runs of first exits "
         f"again, {SAMPLES} samples each")

@@ -1,10 +1,11 @@
 #!/usr/bin/python3 -B
-"""README.md: at most 120 lines; its C program compiles without a warning
+"""README.md: at most 100 lines; its C program compiles without a warning
 against the library in both real types, runs and prints what is said; its
 commands are those that continuous integration runs; the lines of "use it from"
 run; each promise names a test that exists. What the documents link to is
 there. In docs/PAPER.md each function and test is there, and each command
-prints what is quoted."""
+prints what is quoted. Each command of docs/TUTORIAL.md, one after the other in
+one shell, prints what stands below it."""
 import os
 import re
 import shutil
@@ -18,6 +19,9 @@ PLACE = BUILD / "gcc-O3"  # that of `setting gcc -O3` in lib.sh
 STRICT = ("-std=c99 -O2 -Wall -Wextra -pedantic -Wconversion "
           "-Wdouble-promotion -Werror -ffp-contract=off -Iinclude").split()
 PROGRAM, DEMO = BUILD / "readme.c", BUILD / "demo"
+MAKE = (  # in that place
+    f'make() {{ flock {PLACE}.lock "${{MAKE:-make}}" --no-print-directory '
+    f'CC=gcc OPT=-O3 BUILD={PLACE} EXTRA=-Werror "$@"; }}\n')
 TESTS = "\n".join(path.read_text() for path in Path("tests").rglob("*.[ch]"))
 text = Path("README.md").read_text()
 
@@ -94,10 +98,6 @@ def judge_uses(said):
         re.match(r"\|[^|]*\| `([^`]*)`.*\|$", row) for row in rows) if found]
     if not uses or len(uses) != len(rows):
         wrong("README.md: each use is a row | from | `line` |")
-    functions = (
-        f'make() {{ flock {PLACE}.lock "${{MAKE:-make}}" --no-print-directory '
-        f'CC=gcc OPT=-O3 BUILD={PLACE} EXTRA=-Werror "$@"; }}\n'
-)
     need_for_python()
     # As on a plain Debian: its python3, no settings of pip, an empty home.
     environment = {**os.environ, "HOME": str(home), "PIP_NO_CACHE_DIR": "1",
@@ -111,7 +111,7 @@ def judge_uses(said):
         if not FULL:
             line = re.sub(r"DISTS='[^']* ", "DISTS='", line)
         DEMO.unlink(missing_ok=True)
-        if not quietly("sh", "-c", functions + line, env=environment,
+        if not quietly("sh", "-c", MAKE + line, env=environment,
                        stdin=subprocess.DEVNULL):
             wrong(f"README.md: this line fails: {use}")
         elif line.endswith(f"-o {DEMO}") and printed(DEMO) != said:
@@ -184,10 +184,36 @@ def judge_paper():
     return page.count(" prints `")
 
 
+def judge_tutorial():
+    """Lines with $ are commands, with > go on, the others are what is printed;
+    `...` is anything. Makes what it needs in the build that checks share."""
+    blocks = re.findall(r"(?:^    .*\n)+", Path("docs/TUTORIAL.md").read_text(),
+                        re.M)
+    steps = [step for block in blocks for step in
+             re.split(r"^\$ ", re.sub("^    ", "", block, flags=re.M),
+                      flags=re.M)[1:]]
+    steps = [re.match(r"(.*\n(?:>.*\n)*)((?:.*\n)*)", step).groups()
+             for step in steps]
+    script = MAKE + "".join(
+        "printf '\\0'\n" + re.sub("^> ?", "", command, flags=re.M)
+        for command, _ in steps).replace("build/", f"{PLACE}/")
+    done = subprocess.run(["bash", "-c", script], text=True, check=False,
+                          stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT)
+    prints = done.stdout.split("\0")[1:]
+    for (command, expected), text in zip(steps, prints):
+        pattern = re.escape(expected).replace(r"\.\.\.", ".*")
+        if not re.fullmatch(pattern, text, re.S):
+            wrong(f"docs/TUTORIAL.md: {command.rstrip()} prints\n{text}")
+    if len(prints) != len(steps) or not steps:
+        wrong(f"docs/TUTORIAL.md: ended in {len(prints)} of {len(steps)}")
+    return len(steps)
+
+
 BUILD.mkdir(parents=True, exist_ok=True)
 lines = len(text.splitlines())
-if lines > 120:
-    wrong(f"README.md: {lines} lines, at most 120")
+if lines > 100:
+    wrong(f"README.md: {lines} lines, at most 100")
 for command in ("make run", "make test"):
     if command not in text:
         wrong(f"README.md does not say: {command}")
@@ -201,7 +227,8 @@ used = judge_uses(judge_program())
 promised = judge_promises()
 judge_links()
 quoted = judge_paper()
+tried = judge_tutorial()
 checked(f"{lines} lines, {len(promised)} promises with a test, links; its "
         f"program of {len(PROGRAM.read_text().splitlines())} lines and "
-        f"{len(used)} uses run; {quoted} commands of docs/PAPER.md print "
-        "what it quotes")
+        f"{len(used)} uses run; {quoted} commands of docs/PAPER.md and "
+        f"{tried} of docs/TUTORIAL.md print what they quote")

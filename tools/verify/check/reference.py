@@ -12,13 +12,11 @@ from findings import BUILD, build, checked, need, wrong
 
 # Class, its options, and the rows that count what no step may do.
 CLASSES = [
-    ("rest-law", ["--machines", 300], "none under the hexagon", 0),
     ("branch", ["--machines", 150, "--seed", 7], "wrong, all steps OK", .01),
     ("path", ["--machines", 300], "off, all OK", .01),
     ("energy", ["--machines", 200], "runs: 1e-2 in all", .01),
     ("impulses", ["--machines", 200, "--seed", 2], r"\d: 10 % off, all OK",
      .01),
-    ("standing", ["--machines", 60, "--seed", 2], "in silence", .01),
 ]
 # A small table: class, its steps, machines, and the most that may be silently
 # wrong in one of its lines, with the reason for what is left; None: no bound.

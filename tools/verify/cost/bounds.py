@@ -2,17 +2,19 @@
 """The worst calls of the public functions: what is kept of them, beside this
 script, and docs/bench/worst.csv, the table of it.
 
-    bounds.py    searches in both real types from the kept calls on, asks check
-                 `stack`, and makes BUILD/bounds/ (`make bounds`; `make
-                 keep-bounds` keeps it)
+    bounds.py    searches in both real types from the kept calls on, counts the
+                 steps on boards, asks check `stack`, and makes BUILD/bounds/
+                 (`make bounds`; `make keep-bounds` keeps it)
 
 worst.double and worst.float have lines "name units instructions genes", which
-main.c counts again and goes on from; worst.stack is a table of bytes, functions
-by targets. Environment: BUILD, EVALUATIONS.
+main.c counts again and goes on from; worst.boards is a table of what steps take
+in emulators, worst.stack one of bytes, functions by targets. Environment: BUILD
+EVALUATIONS.
 """
 from __future__ import annotations
 
 import os
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -21,21 +23,24 @@ import pandas
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[2]
+sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tools/bench")]
+from boards import Board, Firmware, plugin  # noqa: E402
+
 REALS = "double", "float"
+BOARDS = {"M4F float": "stm32f405", "M7 double": "mps2-an500",
+          "M7 float": "mps2-an500"}
+KEY = ["name", "units"]
+# The units of tf_step, see calls.c.
+CLASSES = "one sign of g", "both signs of g", "near h = g = 0", "rest"
 # What a call may take more, and a kept figure may be above it, without being
 # wrong: compilers differ, and a search finds a little more each time.
 SLACK, STALE = 1.1, 1.25
 
 
-def worst(path: Path) -> pandas.DataFrame:
-    """Lines of a file of calls."""
-    return pandas.read_csv(path, sep=" ", dtype={"genes": str},
-                           names=["name", "units", "count", "genes"])
-
-
 def most(path: Path) -> pandas.Series:
-    """The largest count by name and units, in the order of the file."""
-    return worst(path).groupby(["name", "units"], sort=False)["count"].max()
+    """The count by name and units, in the order of a file of calls."""
+    return pandas.read_csv(path, sep=" ", names=[*KEY, "count", "genes"],
+                           index_col=KEY)["count"]
 
 
 def stacks(path: Path) -> pandas.DataFrame:
@@ -43,29 +48,57 @@ def stacks(path: Path) -> pandas.DataFrame:
     return pandas.read_csv(path, sep=" ", index_col="function")
 
 
+def boards(path: Path) -> pandas.DataFrame:
+    """Instructions of steps, by boards."""
+    return pandas.read_csv(path, sep=" ", index_col=KEY)
+
+
 def table(place: Path) -> pandas.DataFrame:
-    """The table of the files in a folder: of the most units; functions without
-    a call are plain."""
+    """The table of the files in a folder; functions without a call are
+    plain."""
     depth = stacks(place / "worst.stack")
-    counts = pandas.DataFrame({real: most(place / f"worst.{real}")
-                               for real in REALS}).reset_index()
-    found = counts.groupby("name", sort=False).last()
-    of = found.pop("units").map(lambda n: f"n = {n}" if n else "")
-    found = found.reindex([*found.index, *depth.index.difference(found.index)])
+    found = pandas.DataFrame({f"x86-64 {real}": most(place / f"worst.{real}")
+                              for real in REALS})
+    found = found.join(boards(place / "worst.boards")).astype("Int64")
+    of = [CLASSES[n] if name == "tf_step" else f"n = {n}" if n else ""
+          for name, n in found.index]
     found.insert(0, "of", of)
+    found = found.droplevel("units")
+    found = pandas.concat(
+        [found, pandas.DataFrame(index=depth.index.difference(found.index))])
     found["stack x86-64"] = depth["x86-64"]
     found["stack of boards"] = depth.drop(columns="x86-64").max(axis=1)
-    return found.rename_axis("function").astype(
-        {real: "Int64" for real in REALS})
+    return found.rename_axis("function")
 
 
-def cost(build: Path, real: str, evaluations: int, calls: Path) -> str:
-    """What a search from the calls on finds."""
+def cost(build: Path, real: str, what: object, calls: Path) -> str:
+    """What a search from the calls on finds, or else the constants of steps."""
     # What is expensive in one real type may be in the other.
     return subprocess.run(
-        [build / real / "cost", str(evaluations)], text=True, check=True,
+        [build / real / "cost", str(what)], text=True, check=True,
         input="".join((calls / f"worst.{real}").read_text("utf-8")
                       for real in REALS), stdout=subprocess.PIPE).stdout
+
+
+def emulate(build: Path, calls: Path) -> pandas.DataFrame:
+    """The table of boards(): the dearest of all kept calls as a step of that
+    class, or within that budget."""
+    counter, found = plugin(), {}
+    for column, board in BOARDS.items():
+        real = column.split()[-1]
+        one = Firmware(Board(board), real, "generic")
+        constants = cost(build, real, "constants", calls)
+        one.place.mkdir(parents=True, exist_ok=True)
+        (one.place / "calls.inc").write_text(constants, "utf-8")
+        (one.place / "calls.elf").unlink(missing_ok=True)
+        names = re.findall(r"^{ // (\w+) (\d+)$", constants, re.M)
+        counts = one.counted(counter, "calls", "SCHEME=located")
+        if counts is None or len(counts[0]) != len(names):
+            sys.exit(f"{one}: a call does not what it does on x86-64, or "
+                     "nothing was counted")
+        rows = pandas.DataFrame(names, columns=KEY).astype({"units": int})
+        found[column] = rows.assign(count=counts[0]).groupby(KEY)["count"].max()
+    return pandas.DataFrame(found)
 
 
 def search(build: Path, evaluations: int) -> None:
@@ -77,6 +110,8 @@ def search(build: Path, evaluations: int) -> None:
               file=sys.stderr)
         (place / f"worst.{real}").write_text(
             cost(build, real, evaluations, HERE), "utf-8")
+    print("boards ...", file=sys.stderr)
+    emulate(build, place).to_csv(place / "worst.boards", sep=" ")
     print("stack ...", file=sys.stderr)
     # What is kept may be out of date, which is what this is for.
     subprocess.run([ROOT / "tools/verify/check/stack.py"], check=False,

@@ -4,6 +4,7 @@
 
 #include <string.h>
 
+#include "../../../src/moreau/scheme.h"
 #include "verify/cost/count.h"
 
 #define GENE(n) (s->genes->gene[OWN_GENES + (n)])
@@ -13,26 +14,25 @@
 #define CALL(function) static uint32_t count_##function(const subject_t *s)
 
 CALL(tyre_force) {
-  const tf_real_t h = REAL(0), g = REAL(1);
-  return COUNT(tf_tyre_force(&K->tyre, GENE(2) & 1u ? 1 : -1, h, g));
+  const tf_real_t side = GENE(2) & 1u ? 1 : -1;
+  return COUNT(tf_tyre_force(&K->contact.tyre, side, REAL(0), REAL(1)));
+}
+CALL(contact_leave) {
+  const tf_form_t form[2] = {{REAL(0), REAL(1), REAL(2), 0, 0, 0},
+                             {REAL(3), REAL(4), REAL(5), 0, 0, 0}};
+  tf_contact_modes_t modes;
+  tf_force_t force;
+  return COUNT(tf_contact_leave(&K->contact, form, form + 1, s->state.mode,
+                                GENE(6) & 1u, GENE(7), 1, &modes, &force));
 }
 
 CALL(prepare) {
   tf_machine_t machine;
-  int offender;
-  return COUNT(tf_prepare(&machine, &s->params, &offender));
+  return COUNT(tf_prepare(&machine, &s->params, NULL));
 }
 CALL(prepare_compensated) {
   tf_compensated_t machine;
-  int offender;
-  return COUNT(tf_prepare_compensated(&machine, &s->params, &offender));
-}
-CALL(speed_for_slip_compensated) {
-  tf_state_t state = s->state;
-  tf_compensation_t compensation = s->compensation;
-  const tf_real_t h = REAL(0);
-  return COUNT(tf_speed_for_slip_compensated(&s->machine, &state, &compensation,
-                                             s->input.omega0, h));
+  return COUNT(tf_prepare_compensated(&machine, &s->params, NULL));
 }
 CALL(begin) {
   tf_state_t state = s->state;
@@ -43,16 +43,34 @@ CALL(begin) {
 CALL(begin_with_slip) {
   tf_state_t state = s->state;
   tf_report_t report;
-  const tf_real_t h = REAL(0);
-  return COUNT(tf_begin_with_slip(K, &state, &s->input, h, &report));
+  return COUNT(tf_begin_with_slip(K, &state, &s->input, REAL(0), &report));
 }
+// Classes of a step, by what it does (docs/VERIFICATION.md, Cost and stack).
+enum { ONE_SIGN, EITHER_SIGN, NEAR_CODIM2, REST };
+
+static unsigned class_of_step(const subject_t *s) {
+  if (!may_step(&s->state, &s->input)) return REST;
+  const start_t start = start_of(K, &s->state, &s->input);
+  step_end_t to;
+  const end_kind_t kind = end_of_step(K, &s->state, &s->input, start, &to);
+  if (kind != END_COMMON) return kind == END_CODIM2 ? NEAR_CODIM2 : REST;
+  const end_state_t at = to.end.at;
+  const tf_slip_t slip = slip_speeds(K, at.r, at.v, at.w - s->input.omega0);
+  if (at.r == s->state.r || !plainly_has_signs(K, to.outcome.mode, slip, at))
+    return REST;
+  const free_motion_t c = free_motion(K, &s->state, &s->input, start);
+  const inclusion_t in = inclusion(&c);
+  return signs_of(&in.g) == BOTH_SIGNS ? EITHER_SIGN : ONE_SIGN;
+}
+
+// The units are the class.
 CALL(step) {
   tf_state_t state = s->state;
   tf_report_t report;
+  if (class_of_step(s) != s->units) return 0;
   return COUNT(tf_step(K, &state, &s->input, &report));
 }
 // The units are the budget.
-#define MAX_SEGMENTS 8
 CALL(step_located) {
   tf_machine_t machine = *K;
   tf_state_t state = s->state;
@@ -75,11 +93,6 @@ CALL(step_estimated) {
   return COUNT(
       tf_step_estimated(K, &state, &s->input, REAL(0), &report, &error));
 }
-CALL(turntable_to) {
-  tf_input_t input = s->input;
-  return COUNT(tf_turntable_to(&input, REAL(0), K->dt));
-}
-
 // As many equal states as there are units.
 #define MAX_STATES (4 * TF_LANES)
 CALL(ensemble_step) {
@@ -131,11 +144,6 @@ CALL(simulation_input) {
   simulation.deadman = simulation.left = GENE(3) >> 6 & 1u;
   return COUNT(tf_simulation_input(&simulation, &scene));
 }
-CALL(simulation_start) {
-  const tf_scene_t scene = scene_of(s);
-  tf_simulation_t simulation = simulation_of(s);
-  return COUNT(tf_simulation_start(&simulation, &scene, GENE(2)));
-}
 CALL(simulation_open) {
   const tf_scene_t scene = scene_of(s);
   tf_simulation_t simulation = simulation_of(s);
@@ -156,10 +164,6 @@ CALL(normal_form) {
     return 0;
   return COUNT(
       tf_normal_form(K, &s->input, &places[GENE(0) % (unsigned)count], &out));
-}
-CALL(design_two_fold) {
-  tf_design_t out;
-  return COUNT(tf_design_two_fold(K, &s->input, s->state.r, s->state.w, &out));
 }
 CALL(surface_at) {
   tf_surface_t out;
@@ -401,38 +405,34 @@ CALL(text_row) {
   return COUNT(tf_text_row(out, &state, &report));
 }
 
-#define WEIGHED(function, weight) \
-  { #function, count_##function, NULL, 0, weight }
-#define ENTRY(function) WEIGHED(function, 1)
-#define BYTES(function, most) \
-  { #function, count_##function, "byte", most, 1 }
+#define UNITS(function, weight, ...) \
+  { #function, count_##function, weight, __VA_ARGS__ }
+#define ENTRY(function) UNITS(function, 1, 1, {0})
+#define MOST(function, most) UNITS(function, 1, 1, {most})
 const call_t calls[] = {
-    WEIGHED(step, 8),
-    WEIGHED(step_compensated, 4),
-    {"step_located", count_step_located, "segment", MAX_SEGMENTS, 1},
-    {"ensemble_step", count_ensemble_step, "state", MAX_STATES, 1},
+    UNITS(step, 8, 4, {ONE_SIGN, EITHER_SIGN, NEAR_CODIM2, REST}),
+    UNITS(step_compensated, 4, 1, {0}),
+    UNITS(step_located, 4, 4, {1, 2, 4, 8}),
+    MOST(ensemble_step, MAX_STATES),
     ENTRY(begin),
     ENTRY(begin_with_slip),
     ENTRY(prepare),
     ENTRY(prepare_compensated),
-    ENTRY(speed_for_slip_compensated),
     ENTRY(tyre_force),
+    ENTRY(contact_leave),
     ENTRY(step_estimated),
-    ENTRY(turntable_to),
     ENTRY(scene_input),
     ENTRY(scene_start),
     ENTRY(simulation_input),
-    ENTRY(simulation_start),
     ENTRY(simulation_open),
     ENTRY(two_folds),
     ENTRY(normal_form),
-    ENTRY(design_two_fold),
     ENTRY(surface_at),
-    BYTES(frame_seal, TF_FRAME_PAYLOAD),
-    BYTES(decoder_push, TF_FRAME_PAYLOAD),
-    BYTES(decoder_block, TF_FRAME_SIZE(TF_FRAME_PAYLOAD)),
+    MOST(frame_seal, TF_FRAME_PAYLOAD),
+    MOST(decoder_push, TF_FRAME_PAYLOAD),
+    MOST(decoder_block, TF_FRAME_SIZE(TF_FRAME_PAYLOAD)),
     ENTRY(link_receive_tagged),
-    BYTES(command_seal, TF_COMMAND_MOST),
+    MOST(command_seal, TF_COMMAND_MOST),
     ENTRY(link_receive),
     ENTRY(link_boundary),
     ENTRY(link_answer),

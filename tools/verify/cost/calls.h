@@ -12,9 +12,9 @@ typedef uint32_t (*counted_t)(const subject_t *s);
 typedef struct {
   const char *name; // without the suffix of the real type
   counted_t count;
-  const char *unit; // what `units` are of, NULL where there is no such thing
-  unsigned most;    // units that are looked at
-  long weight;      // how many of the trials it gets, 1 the usual
+  long weight;    // how many of the trials it gets, 1 the usual
+  unsigned kinds; // how many `units` are looked at; of steps alone several
+  uint16_t units[4];
 } call_t;
 
 extern const call_t calls[];

@@ -54,9 +54,10 @@ static inline tf_params_t params_in_range(void) {
 static inline tf_machine_t any_machine(void) {
   tf_machine_t machine;
   ANY_BITS(machine);
-  machine.tyre.law = (tf_tyre_law_t)Frama_C_interval(0, TF_TYRE_LAWS - 1);
-  machine.rule = (tf_rule_t)Frama_C_interval(0, TF_RULES - 1);
-  machine.rest = (tf_rest_law_t)Frama_C_interval(0, TF_REST_LAWS - 1);
+  machine.contact.tyre.law =
+      (tf_tyre_law_t)Frama_C_interval(0, TF_TYRE_LAWS - 1);
+  machine.contact.rule = (tf_rule_t)Frama_C_interval(0, TF_RULES - 1);
+  machine.contact.rest = (tf_rest_law_t)Frama_C_interval(0, TF_REST_LAWS - 1);
   machine.with_angle = any_bool();
   return machine;
 }

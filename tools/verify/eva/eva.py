@@ -35,14 +35,16 @@ OUT = Path(os.environ.get("BUILD") or "build", "eva")
 REALS = {"f64": "-UTF_REAL_FLOAT", "f32": "-DTF_REAL_FLOAT"}
 # Whole programs need no more than what they call.
 SOURCES = {
-    "STEP": "step,rare_end,report,codim2_end,rest_motion,balanced,codim2,"
-            "course,quadrant,select,philox,tyre,prepare,kernel",
-    "PREPARE": "prepare,kernel,prepare_compensated,compensated,machine"}
+    "STEP": "step,rare_end,report,codim2_end,consistent,rest_motion,balanced,"
+            "codim2,inclusion,course,quadrant,select,philox,tyre,prepare,"
+            "prepared,kernel",
+    "PREPARE": "prepare,prepared,kernel,prepare_compensated,compensated,"
+               "machine"}
 # Functions that say by their value whether they wrote a result: what is known
 # where they return is kept apart by that value.
 APART = ("first_offender validate_located within in_reach side_of "
          "stick_borders in_reach_by_cases in_range_by_cases within_by_cases "
-         "may_step complete_frame unpack_frame commit end_of_step common_end "
+         "may_step complete_frame unpack_frame commit end_of_step "
          "rare_step tf_decoder_push_REAL tf_prepare_REAL tf_step_REAL").split()
 # The search for limit directions ends by conditions of which nothing is known:
 # its iterations and their cases are not kept apart.

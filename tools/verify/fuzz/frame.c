@@ -226,8 +226,8 @@ static const char *tick(board_t *b) {
   // What is in effect is what tf_prepare takes, and is what it makes of it.
   FUZZ_HOLD(tf_prepare(&machine, &b->link.params, NULL) == TF_OK);
   FUZZ_HOLD(memcmp(&machine, &b->simulation.machine,
-                   offsetof(tf_machine_t, exit_threshold)) == 0);
-  FUZZ_HOLD(machine.rule == b->simulation.machine.rule);
+                   offsetof(tf_machine_t, segments)) == 0);
+  FUZZ_HOLD(machine.contact.rule == b->simulation.machine.contact.rule);
   const tf_input_t input = tf_simulation_input(&b->simulation, b->scene);
   FUZZ_HOLD(fuzz_finite(input.omega0) && fuzz_finite(input.r0));
   FUZZ_HOLD(fuzz_finite(input.force) && fuzz_finite(input.torque));

@@ -20,8 +20,6 @@ typedef const char *(*fuzz_target_t)(const uint8_t *data, size_t size);
 const char *fuzz_machine(const uint8_t *data, size_t size);
 /// Bytes to the decoder of frames, commands to the uplink.
 const char *fuzz_frame(const uint8_t *data, size_t size);
-/// Words, split at zeros, to the arguments of the command line.
-const char *fuzz_arguments(const uint8_t *data, size_t size);
 /// Text to the reader of scenes, and back to text.
 const char *fuzz_scene(const uint8_t *data, size_t size);
 /// Text to the reader of inputs over time.

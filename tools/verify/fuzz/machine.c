@@ -45,11 +45,9 @@ static int finite_between(const tf_machine_t *machine, size_t from, size_t to) {
 }
 
 static int finite_machine(const tf_machine_t *machine) {
-  const size_t tyre = offsetof(tf_machine_t, tyre);
-  return finite_between(machine, 0, offsetof(tf_machine_t, exit_threshold)) &&
-         finite_between(machine, tyre + offsetof(tf_tyre_t, mu),
-                        tyre + offsetof(tf_tyre_t, a) + sizeof(tf_real_t)) &&
-         fuzz_finite(machine->tolerance);
+  return finite_between(machine, 0, offsetof(tf_machine_t, segments)) &&
+         finite_between(machine, offsetof(tf_machine_t, contact.tyre.mu),
+                        offsetof(tf_machine_t, contact.exit_threshold));
 }
 
 static const char *prepare(subject_t *s) {

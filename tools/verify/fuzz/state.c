@@ -33,8 +33,10 @@ static const char *make_file(file_t *file, fuzz_bytes_t *in) {
   stand.report = file->setup.report;
   cli_system_begin(&system, file->scheme, &file->setup, &stand.report);
   const unsigned byte = fuzz_byte(in);
-  stand.held = (cli_held_t){(tf_input_source_t)(byte / 16 % 3), byte, byte / 2,
-                            file->setup.input};
+  stand.held = (tf_simulation_t){.source = (tf_input_source_t)(byte / 16 % 3),
+                                 .deadman = byte,
+                                 .left = byte / 2,
+                                 .input = file->setup.input};
   for (unsigned n = byte % 16u; n > 0; n--) {
     tf_report_t report;
     if (file->scheme->step(&system, &file->setup.input, &report) < 0) break;

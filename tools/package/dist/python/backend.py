@@ -7,6 +7,7 @@ is no module of Python itself: twofold.py calls it by ctypes."""
 import base64
 import hashlib
 import os
+import platform
 import re
 import shlex
 import subprocess
@@ -17,7 +18,10 @@ import zipfile
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-FLAGS = ["-std=c99", "-O3", "-fno-math-errno", "-fPIC", "-shared"]
+FLAGS = ["-std=c99", "-O3", "-fno-math-errno", "-fPIC"]
+SOURCES = ("shared_f64.c", "shared_f32.c")
+# Of the library an ensemble takes what is made for the processor it meets.
+AVX2 = platform.machine().lower() in ("x86_64", "amd64")
 INFO = (HERE / "PKG-INFO").read_text()
 NAME = "twofold-" + re.search(r"^Version: (.+)$", INFO, re.M)[1]
 # For any Python 3 on systems like this one.
@@ -35,10 +39,16 @@ def compiled():
     compiler = shlex.split(os.environ.get("CC") or "cc")
     with tempfile.TemporaryDirectory() as place:
         library = Path(place, "library")
-        command = [*compiler, *FLAGS, "shared_f64.c", "shared_f32.c", "-o",
-                   str(library), "-lm"]
+        lanes = [str(Path(place, source + ".o")) for source in SOURCES * AVX2]
+        commands = [[*compiler, *FLAGS, "-mavx2", "-DTWOFOLD_AVX2_LANES",
+                     "-c", source, "-o", to]
+                    for source, to in zip(SOURCES, lanes)]
+        commands.append([*compiler, *FLAGS, "-shared", *SOURCES, *lanes,
+                         *["-DTWOFOLD_HAS_AVX2_LANES"] * AVX2,
+                         "-o", str(library), "-lm"])
         try:
-            subprocess.run(command, cwd=HERE, check=True)
+            for command in commands:
+                subprocess.run(command, cwd=HERE, check=True)
         except (OSError, subprocess.CalledProcessError) as error:
             raise SystemExit("twofold needs a C compiler of the kind of gcc "
                              f"(CC, else cc): {error}") from None

@@ -1,6 +1,9 @@
 /* What the module twofold.py calls beside the public functions: the layout of
  * structs, so that the module can hold them, scenes by number, and a loop of
  * steps, which would be slow in Python. */
+#ifdef TWOFOLD_AVX2_LANES /* once more, for the vectors of AVX2 alone */
+#define TF_API_STATIC
+#endif
 #include "twofold.c"
 
 #ifdef TF_REAL_FLOAT
@@ -8,6 +11,50 @@
 #else
 #define SHARED(name) name##_f64
 #endif
+
+/* Takes so many steps of an ensemble, block by block. input: that of the first
+ * of them, behind which the turntable keeps its speed. */
+typedef void ensemble_run_t(const tf_machine_t *machine,
+                            tf_state_block_t *states, size_t n,
+                            const tf_input_t *input, tf_report_block_t *reports,
+                            uint64_t steps);
+ensemble_run_t SHARED(twofold_ensemble_with_avx2);
+
+static void run_ensemble(const tf_machine_t *machine, tf_state_block_t *states,
+                         size_t n, const tf_input_t *input,
+                         tf_report_block_t *reports, uint64_t steps) {
+  for (size_t at = 0; at < n; at += TF_LANES) {
+    const size_t lanes = n - at < TF_LANES ? n - at : TF_LANES;
+    tf_input_t u = *input;
+    for (uint64_t i = 0; i < steps; i++) {
+      tf_ensemble_step(machine, states + at / TF_LANES, lanes, &u,
+                       reports + at / TF_LANES);
+      u.alpha = 0;
+    }
+  }
+}
+
+#ifdef TWOFOLD_AVX2_LANES
+void SHARED(twofold_ensemble_with_avx2)(const tf_machine_t *machine,
+                                        tf_state_block_t *states, size_t n,
+                                        const tf_input_t *input,
+                                        tf_report_block_t *reports,
+                                        uint64_t steps) {
+  run_ensemble(machine, states, n, input, reports, steps);
+}
+#else
+
+void SHARED(twofold_ensemble_run)(const tf_machine_t *machine,
+                                  tf_state_block_t *states, size_t n,
+                                  tf_input_t *input, tf_report_block_t *reports,
+                                  uint64_t steps) {
+  ensemble_run_t *run = run_ensemble;
+#ifdef TWOFOLD_HAS_AVX2_LANES
+  if (__builtin_cpu_supports("avx2")) run = SHARED(twofold_ensemble_with_avx2);
+#endif
+  run(machine, states, n, input, reports, steps);
+  if (steps > 0) input->alpha = 0;
+}
 
 /* Sizes and offsets in the order that the module knows. */
 const uint32_t SHARED(twofold_layout)[] = {
@@ -69,19 +116,20 @@ void SHARED(twofold_row)(const tf_machine_t *machine, const tf_state_t *state,
                  .status = (int8_t)status};
 }
 
-/* Takes so many steps, and writes a row after every `every` of them and after
- * the last. input: those of the first step, held afterwards; NULL: those of the
- * scene. Returns: steps taken; fewer
- * where one is refused, whose status is in `status`. */
+/* Goes on behind `from` of so many steps, for `most` of them, and writes a row
+ * after every `every` of all and after the last. input: held, its alpha is 0
+ * behind a step; NULL: those of the scene. Returns: steps taken, with `from`;
+ * fewer where one is refused, whose status is in `status`. */
 uint64_t SHARED(twofold_run)(const tf_machine_t *machine,
                              const tf_scene_t *scene, int located,
-                             tf_state_t *state, const tf_input_t *input,
-                             tf_report_t *report, uint64_t steps,
-                             uint64_t every, row_t *rows, int *status) {
-  for (uint64_t i = 1; i <= steps; i++) {
-    tf_input_t u =
+                             tf_state_t *state, tf_input_t *input,
+                             tf_report_t *report, uint64_t from, uint64_t most,
+                             uint64_t steps, uint64_t every, row_t *rows,
+                             int *status) {
+  const uint64_t end = steps - from > most ? from + most : steps;
+  for (uint64_t i = from + 1; i <= end; i++) {
+    const tf_input_t u =
         input ? *input : tf_scene_input(scene, machine, state->tick + 1);
-    if (input && i > 1) u.alpha = 0;
     const tf_status_t done = located
                                  ? tf_step_located(machine, state, &u, report)
                                  : tf_step(machine, state, &u, report);
@@ -89,8 +137,10 @@ uint64_t SHARED(twofold_run)(const tf_machine_t *machine,
       *status = done;
       return i - 1;
     }
+    if (input) input->alpha = 0;
     if (i % every == 0 || i == steps)
-      SHARED(twofold_row)(machine, state, report, done, rows++);
+      SHARED(twofold_row)(machine, state, report, done, rows + (i - 1) / every);
   }
-  return steps;
+  return end;
 }
+#endif

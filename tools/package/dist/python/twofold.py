@@ -32,6 +32,8 @@ NO_MODE = 5
 # Largest magnitude of a state and of an input, and number of steps at once.
 LIMIT = 1e9
 STEPS = 2 ** 53
+# Steps of one call of the core; behind each, Python looks at its signals.
+SLICE = 2 ** 16
 INPUTS = {"omega0": "rad/s", "r0": "m", "force": "N", "torque": "N m",
           "alpha": "rad/s^2"}
 PLACE = {"r": "m", "omega": "rad/s", "v": "m/s", "h": "m/s"}
@@ -208,8 +210,8 @@ class _Core:
                  (any_, any_, c_uint32, state, report)),
                 ("tf_energy", real, (any_, state, real)),
                 ("tf_status_name", c_char_p, (c_int,)),
-                ("tf_ensemble_step", c_size_t,
-                 (any_, any_, c_size_t, input_, any_)),
+                ("twofold_ensemble_run", None,
+                 (any_, any_, c_size_t, input_, any_, c_uint64)),
                 ("twofold_scene", any_, (c_uint,)),
                 ("twofold_scene_text", c_char_p, (any_, c_int)),
                 ("twofold_scene_params", any_, (any_,)),
@@ -219,7 +221,7 @@ class _Core:
                  (any_, input_, POINTER(self.Point), POINTER(c_int), any_)),
                 ("twofold_row", None, (any_, state, report, c_int, any_)),
                 ("twofold_run", c_uint64,
-                 (any_, any_, c_int, state, input_, report, c_uint64, c_uint64,
+                 (any_, any_, c_int, state, input_, report, *4 * [c_uint64],
                   any_, POINTER(c_int)))):
             function = getattr(_shared, f"{name}_{self.suffix}")
             function.restype, function.argtypes = result, arguments
@@ -326,8 +328,8 @@ class Machine:
         return _integer("seed", self.seed, 0, 2 ** 32 - 1)
 
     def place(self, r, omega, v=None, h=None):
-        """Puts the wheel at rest of history at r [m] and omega [rad/s], with a
-        speed of the slider v [m/s], or with a slip speed h [m/s] instead."""
+        """Starts anew at r [m] and omega [rad/s], with the speed v [m/s] of the
+        slider or, instead, the slip speed h [m/s]."""
         given = {name: _number(name, value, -LIMIT, LIMIT, PLACE[name])
                  for name, value in _placed(r, omega, v, h).items()}
         self.state, self.report = self._begun(given, self._seed(), "place")
@@ -399,7 +401,8 @@ class Machine:
           steps and one at the end; t [s], r [m], v [m/s], omega [rad/s], phi
           [rad], h, g [m/s], F [N], M [N m], mode (index into MODES), set (bit
           1 << mode of each that was possible), choices, status.
-        Raises ValueError where a step is refused; `state` is the last one.
+        Raises ValueError where a step is refused, and KeyboardInterrupt at
+          once; `state` is the last one.
         """
         _word("scheme", scheme, ("moreau", "located"))
         every = _integer("every", every, 1, STEPS)
@@ -411,13 +414,12 @@ class Machine:
         rows = np.zeros(1 + -(-steps // every), self.core.row)
         self.core.call_row(self._machine, byref(self.state), self.report, 0,
                        rows.ctypes.data)
-        status = c_int(0)
-        done = self.core.call_run(
-            self._machine, self.scene, scheme == "located", byref(self.state),
-            held, self.report, steps, every, rows[1:].ctypes.data,
-            byref(status))
-        if held is not None and done:
-            inputs.alpha = 0
+        done, status = 0, c_int(0)
+        while done < steps and status.value >= 0:
+            done = self.core.call_run(
+                self._machine, self.scene, scheme == "located",
+                byref(self.state), held, self.report, done, SLICE, steps,
+                every, rows[1:].ctypes.data, byref(status))
         self.core.fail(status.value, f"step {done + 1}")
         return rows
 
@@ -461,15 +463,17 @@ class Ensemble:
     def step(self, steps=1, inputs=None):
         """Takes so many steps. inputs: of Machine.input(), held; their alpha is
         that of the first step, and 0 behind it. A state whose step is refused
-        stays where it is; see status."""
+        stays where it is; see status. Where KeyboardInterrupt ends it, all
+        states have taken as many of the steps."""
         steps = _integer("steps", steps, 0, STEPS)
         inputs = self.machine.input() if inputs is None else inputs
         self.machine._given(inputs)
-        for _ in range(steps):
-            self.core.call_ensemble_step(
+        most = max(1, SLICE // self.n)
+        for taken in range(0, steps, most):
+            self.core.call_ensemble_run(
                 self.machine._machine, self.states.ctypes.data, self.n,
-                byref(inputs), self.reports.ctypes.data)
-            inputs.alpha = 0
+                byref(inputs), self.reports.ctypes.data,
+                min(most, steps - taken))
 
     def __getitem__(self, name):
         """An array over the states: r [m], v [m/s], omega [rad/s], phi [rad],

@@ -3,11 +3,12 @@ import platform
 import re
 import shutil
 
-from harness import (BUILD, DIST, REALS, ROOT, STRICT, ends_at, equal, folder,
-                     need, run)
+from harness import (BUILD, DIST, REALS, ROOT, STRICT, check, ends_at, equal,
+                     folder, need, run)
 
 C = DIST / "c"
 TEST = ROOT / "tools/package/dist/test"
+CASTOR = ROOT / "tools/package/dist/cmake/examples/demo/castor.c"
 COMPILERS = (("gcc", "gcc", ["-std=c99"]), ("gcc", "gcc", ["-std=gnu17"]),
              ("clang", "clang", ["-std=c99"]),
              *(("g++", "g++", ["-x", "c++", f"-std={standard}"])
@@ -147,5 +148,27 @@ def cpp():
             "-fsyntax-only", "-x", "c++", "-include", header, "/dev/null")
 
 
+def castor():
+    """The example of docs/CONTACT.md says the same in C and in C++. It sticks
+    until A < 0, behind cos(psi)^2 = m e (kappa - e)/J, psi = 161 degrees, where
+    other modes are possible, too, and then slips to one side and the other."""
+    place = folder("castor")
+    for define in REALS.values():
+        run("gcc", "-std=c99", *define, "-c", C / "twofold.c", "-o",
+            place / "core.o")
+        said = set()
+        for tool, package, options in COMPILERS:
+            run(need(tool, package), *options, *STRICT, *define, "-I", C,
+                CASTOR, "-x", "none", place / "core.o", "-lm", "-o",
+                place / "castor")
+            said.add(run(place / "castor"))
+        first, second, *rest = [line.split() for line in
+                                said.pop().splitlines()]
+        equal("castors that differ, begin", (said, first[4:], second[2:]), (
+            set(), ["stick-,", "only"], "160 deg stick-, of several".split()))
+        *_, a, b, c, d = [float(row[0]) for row in rest if row[5] == "only"]
+        check(b - a < d - c, f"windings end at {a, b, c, d} s")
+
+
 TESTS = {"two-files": two_files, "scene": scene, "two-scenes": two_scenes,
-         "cpp": cpp}
+         "cpp": cpp, "castor": castor}

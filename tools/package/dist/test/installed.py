@@ -52,6 +52,25 @@ def judge_manual(page):
           re.findall(r"^(\w+) ", run(TWOFOLD, "scenes"), re.M))
 
 
+def api():
+    """Every public function has its place in the pages of `make api`."""
+    need("doxygen", "doxygen")
+    run(MAKE, "-s", "api", f"BUILD={BUILD}", cwd=ROOT)
+    pages = "".join(page.read_text()
+                    for page in (BUILD / "api").glob("*_8h.html"))
+    for header in (ROOT / "include/twofold").glob("*.h"):
+        for name in re.findall(r"^#define (tf_\w+) TF_LINK", header.read_text(),
+                               re.M):
+            check(re.search(rf"memtitle.*</a></span>{name}(\(|\[|<)", pages),
+                  f"{header.name}: {name}")
+
+
+COMPLETIONS = {
+    "bash": "share/bash-completion/completions/twofold",
+    "zsh": "share/zsh/site-functions/_twofold",
+    "fish": "share/fish/vendor_completions.d/twofold.fish"}
+
+
 def install():
     """What is installed can be used, in both real types; uninstall leaves
     nothing of it, and what is another's. Names of folders may have blanks."""
@@ -70,6 +89,9 @@ def install():
               run(TWOFOLD, "--version"))
         page = root / "share/man/man1/twofold.1"
         judge_manual(page.read_text())
+        for shell, file in COMPLETIONS.items():
+            equal(f"completions of {shell}", (root / file).read_text(),
+                  run(TWOFOLD, "completions", shell))
         if shutil.which("man"):
             equal("warnings of man",
                   run("sh", "-c", "man --warnings -l \"$1\" 2>&1 >/dev/null",
@@ -140,4 +162,5 @@ def cmake_arm():
               f"twofold_{name}: not the code that was asked for")
 
 
-TESTS = {"install": install, "cmake": cmake, "cmake-arm": cmake_arm}
+TESTS = {"install": install, "api": api, "cmake": cmake,
+         "cmake-arm": cmake_arm}

@@ -7,10 +7,12 @@ import sys
 
 import for_boards
 import in_c
-import in_python
 import installed
-from harness import REALS, ends_at
+from harness import REALS, ROOT, ends_at
 from tap import run
+
+sys.path.append(str(ROOT / "tests/package"))
+import in_python  # noqa: E402
 
 for real in REALS:
     ends_at(real)  # before tests that share it go their ways

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Draws the phase plane (r, omega) of scene `chaos`, coloured by the mode of
-contact: phase_plane.py FILE.png"""
+contact: phase_plane.py [FILE.png]"""
 import sys
 
 import matplotlib
@@ -19,4 +19,6 @@ for index, name in enumerate(twofold.MODES):
 axes.set(xlabel="r [m]", ylabel="omega [rad/s]")
 axes.legend(markerscale=8)
 figure.tight_layout()
-figure.savefig(sys.argv[1], dpi=150)
+path = sys.argv[1] if len(sys.argv) > 1 else "phase_plane.png"
+figure.savefig(path, dpi=150)
+print(f"The phase plane is in {path}.")

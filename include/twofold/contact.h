@@ -1,0 +1,150 @@
+/// @file
+/// A contact with friction force F and moment M, of which tf_step is made and
+/// any other mechanism (castor, finger tip, clutch) can be. The unknowns of a
+/// step are the multipliers x = F/mu and y = M/(kappa mu) of its mean force and
+/// moment. The caller says what h and g are under them at the end of the step,
+/// where the law holds: x in Sgn(h), y = s x, s in Sgn(g); and moves by x, y.
+#ifndef TWOFOLD_CONTACT_H
+#define TWOFOLD_CONTACT_H
+
+#include "twofold/mode.h"
+#include "twofold/status.h"
+#include "twofold/tyre.h"
+
+TF_BEGIN_C
+
+/// Which of several consistent modes a step takes. All rules share the order:
+/// - A slip that is still consistent goes on: off h = 0 the future is unique,
+///   and a second consistent mode beside it an artefact of the finite step.
+/// - A slip never enters an escaping stick: both fields point away from it.
+/// - An attracting stick goes on.
+/// - Where the present mode is lost: attracting stick, pinned, slip (the
+///   faster one if both), escaping stick, in this order.
+/// - At h = g = 0 every mode is lost, and a slip leaves along a limit
+///   direction. A direction to which its neighbours turn attracts: such a slip
+///   comes after the attracting stick and before pinned. Of two modes of one
+///   kind the one whose slip grows faster is taken.
+/// The rule itself decides how an escaping stick ends, and what a wheel does
+/// that comes to h = g = 0 where it may rest: RANDOM lets it rest, pinned, till
+/// its draw; the others take it into an attracting stick or slip where one is
+/// consistent, because rest is not stable then.
+typedef enum {
+  TF_RULE_PERSIST,    ///< stay while it is consistent (default)
+  TF_RULE_SLIP_PLUS,  ///< slip to h > 0 as soon as that is consistent
+  TF_RULE_SLIP_MINUS, ///< slip to h < 0 as soon as that is consistent
+  TF_RULE_RANDOM      ///< leave at a constant rate [1/s], by an even draw: an
+                      ///< escaping stick among the slips, a pinned wheel among
+                      ///< all other modes that are consistent
+} tf_rule_t;
+#define TF_RULES 4
+
+/// "persist" "slip+" "slip-" "random".
+#define tf_rule_name TF_LINK(tf_rule_name)
+TF_API const char *tf_rule_name(unsigned rule);
+
+/// The law at h = g = 0: under which F and M the wheel rests (JUMP only).
+typedef enum {
+  TF_REST_HULL,   ///< convex hull of the limits of slip, Filippov's law:
+                  ///< |M| <= kappa mu, |F| <= 4 mu/3 - |M|/(3 kappa) (default)
+  TF_REST_SQUARE, ///< that of stick: |M| <= kappa mu, |F| <= mu
+  TF_REST_BOW_TIE ///< the paper's: |M| <= kappa |F|, |F| <= mu. Not convex: at
+                  ///< some points h = g = 0 it leaves no future
+} tf_rest_law_t;
+#define TF_REST_LAWS 3
+
+/// "hull" "square" "bow_tie".
+#define tf_rest_law_name TF_LINK(tf_rest_law_name)
+TF_API const char *tf_rest_law_name(unsigned law);
+
+/// Slip speeds of the contact, lateral (h) and rolling (g) [m/s].
+typedef struct {
+  tf_real_t h, g;
+} tf_slip_t;
+
+/// A contact ready to step: constants only, no pointers, may live in flash.
+typedef struct {
+  tf_tyre_t tyre;
+  tf_real_t stick_kappa; ///< kappa where stick carries a moment, else 0 [m]
+  tf_real_t kappa_mu;    ///< stick_kappa mu [N m]
+  tf_real_t inv_mu, inv_kappa_mu; ///< 1/mu, 1/kappa_mu, 0 where not finite
+  uint64_t exit_threshold;        ///< (1 - exp(-rate dt)) 2^63
+  tf_rule_t rule;
+  tf_rest_law_t rest;
+} tf_contact_t;
+
+/// h or g at the end of a step by the multipliers [m/s]: c0 + cx x + cy y +
+/// cxx x^2 + cxy x y + cyy y^2. Without a moment no c with a y is read.
+typedef struct {
+  tf_real_t c0, cx, cy, cxx, cxy, cyy;
+} tf_form_t;
+
+/// The consistent modes, and the multipliers of each.
+typedef struct {
+  uint8_t set;          ///< bits TF_MODE_BIT(mode)
+  uint8_t attracting;   ///< of the sticks with a positive Delassus scalar; at
+                        ///< h = g = 0 of the slips that attract as well
+  uint8_t near_stick;   ///< the stick on the present side of g: decides a tie
+  tf_real_t x[2];       ///< of stick+, where y = x, and stick-, y = -x
+  tf_real_t tau[2];     ///< y/x of slip+, slip- at h -> 0, or as they leave
+  tf_real_t h_limit[2]; ///< h at the end of slip+, slip- at h -> 0
+} tf_contact_modes_t;
+
+/// Derives the constants of a contact.
+/// contact: out. law: in, TF_TYRE_JUMP or TF_TYRE_COULOMB. mu: in, 0 to 1e9 N.
+/// kappa: in, 1e-9 to 1e6 m; COULOMB reads none. rest, rule: in. rate_dt: in,
+///   exits of rule `random` in a step, 0 to 1e9.
+/// Returns: TF_OK; TF_BAD_PARAMETER (contact untouched).
+#define tf_contact_prepare TF_LINK(tf_contact_prepare)
+TF_API tf_status_t tf_contact_prepare(tf_contact_t *contact, tf_tyre_law_t law,
+                                      tf_real_t mu, tf_real_t kappa,
+                                      tf_rest_law_t rest, tf_rule_t rule,
+                                      tf_real_t rate_dt);
+
+/// Every mode in which a step may end.
+/// h, g: in. now, mode: in, before the step, or TF_NO_MODE. modes: out.
+/// reaches_codim2: out, or NULL: h = g = 0 is within reach (tf_contact_leave).
+/// Returns: TF_OK; TF_BAD_STATE: not finite, or no mode (both untouched).
+/// Trust: all of them; pinned by two steps of Newton's method. May be empty.
+#define tf_contact_modes TF_LINK(tf_contact_modes)
+TF_API tf_status_t tf_contact_modes(const tf_contact_t *contact,
+                                    const tf_form_t *h, const tf_form_t *g,
+                                    tf_slip_t now, unsigned mode,
+                                    tf_contact_modes_t *modes,
+                                    bool *reaches_codim2);
+
+/// The mode that the rule takes.
+/// modes, mode: in, as above. tick, seed: in, counter and key of the draw.
+/// Returns: a mode of the set; TF_NO_MODE where none is admissible.
+#define tf_contact_choose TF_LINK(tf_contact_choose)
+TF_API unsigned tf_contact_choose(const tf_contact_t *contact,
+                                  const tf_contact_modes_t *modes,
+                                  unsigned mode, uint64_t tick, uint32_t seed);
+
+/// The mean force of a step that ends in a mode: in slip that of the law, but
+/// the limit at h -> 0 where the law would carry h across 0.
+/// h, g, modes: in, as above. mode: in, of the set. force: out. at: in, slip of
+///   the law: at the theta point by the force of the start, or at the start.
+/// Returns: TF_OK; TF_DEGRADED: TF_NO_MODE has the law at `at`, on whose side h
+///   does not stay; TF_BAD_STATE: not finite, or not in the set (untouched).
+#define tf_contact_force TF_LINK(tf_contact_force)
+TF_API tf_status_t tf_contact_force(const tf_contact_t *contact,
+                                    const tf_form_t *h, const tf_form_t *g,
+                                    const tf_contact_modes_t *modes,
+                                    unsigned mode, tf_slip_t at,
+                                    tf_force_t *force);
+
+/// What follows h = g = 0: every future, and the one that the rule takes.
+/// h, g: in, their change there, in time [m/s^2] or over a step [m/s]; only c0,
+///   cx and cy are read. from: in, the mode of the motion, or TF_NO_MODE.
+/// arrives: in, false: it is there. tick, seed: in. modes, force: out.
+/// Returns: the mode; TF_NO_MODE (force 0, set empty): none, or not finite.
+#define tf_contact_leave TF_LINK(tf_contact_leave)
+TF_API unsigned tf_contact_leave(const tf_contact_t *contact,
+                                 const tf_form_t *h, const tf_form_t *g,
+                                 unsigned from, bool arrives, uint64_t tick,
+                                 uint32_t seed, tf_contact_modes_t *modes,
+                                 tf_force_t *force);
+
+TF_END_C
+
+#endif

@@ -1,0 +1,148 @@
+// The paper's tyre law, which is evaluated twice in a step of slip; tyre.c has
+// the other laws.
+#ifndef TF_TYRE_LAW_H
+#define TF_TYRE_LAW_H
+
+#include "../num/kernel.h"
+#include "twofold/tyre.h"
+
+// cos(k pi/16); sin(k pi/16) is the same table read backwards.
+static const tf_real_t anchor_cos[TF_TYRE_ANCHORS] = {
+    TF_R(1.0),
+    TF_R(0.98078528040323044913),
+    TF_R(0.92387953251128675613),
+    TF_R(0.83146961230254523708),
+    TF_R(0.70710678118654752440),
+    TF_R(0.55557023301960222474),
+    TF_R(0.38268343236508977173),
+    TF_R(0.19509032201612826785),
+    TF_R(0.0)};
+
+// tan((2k+1) pi/32): borders between the anchors below pi/4.
+static const tf_real_t border[4] = {
+    TF_R(0.098491403357164253077), TF_R(0.30334668360734239168),
+    TF_R(0.53451113595079172950), TF_R(0.82067879082866033097)};
+
+// Whether the angle whose tangent is low/high <= 1 lies beyond that border.
+TF_INLINE bool is_beyond(int n, tf_real_t low, tf_real_t high) {
+  return low > border[n] * high;
+}
+
+// tan(a w) of a small angle w by its tangent, |w| <= pi/32: a short odd series,
+// whose first left-out term is below small^16/17 = 5e-18 (double), small^8/9 =
+// 1e-9 (float) of the first, because |small| <= tan(pi/32) = 0.0985.
+TF_INLINE tf_real_t cot_psi_near_zero(const tf_tyre_t *tyre, tf_real_t small) {
+  const tf_real_t small2 = small * small;
+  tf_real_t sum = tyre->T_series[TF_TYRE_TERMS - 1];
+  for (int n = TF_TYRE_TERMS - 2; n >= 0; n--)
+    sum = sum * small2 + tyre->T_series[n];
+  return small * sum;
+}
+
+// tan(x + y) by T = tan x and u = tan y. From an anchor at most pi/32 away the
+// denominator is >= 1 - tan(a 7 pi/16) tan(a pi/32) > 0.5.
+TF_INLINE tf_real_t cot_psi_beyond(tf_real_t T, tf_real_t u) {
+  return (T + u) / (1 - T * u);
+}
+
+// cot_psi() from an anchor at most pi/32 away: its cosine c, its sine s and its
+// entry T of the table.
+TF_INLINE tf_real_t cot_psi_from(const tf_tyre_t *tyre, tf_real_t G,
+                                 tf_real_t H, tf_real_t c, tf_real_t s,
+                                 tf_real_t T) {
+  const tf_real_t small = (G * c - H * s) / (H * c + G * s);
+  return cot_psi_beyond(T, cot_psi_near_zero(tyre, small));
+}
+
+// Whether products with the anchors would lose bits to underflow.
+TF_INLINE bool is_near_underflow(tf_real_t high) {
+  return high < TF_REAL_MIN / TF_REAL_EPSILON;
+}
+
+TF_INLINE tf_real_t cot_psi(const tf_tyre_t *tyre, tf_real_t G, tf_real_t H) {
+  const bool steep = G > H;
+  tf_real_t low = steep ? H : G, high = steep ? G : H;
+  if (is_near_underflow(high)) { // a power of two changes no quotient
+    const tf_real_t scale = 1 / (TF_REAL_MIN * 2);
+    G *= scale;
+    H *= scale;
+    low *= scale;
+    high *= scale;
+    if (high == 0) return 0;
+  }
+  const int from_axis = is_beyond(0, low, high) + is_beyond(1, low, high) +
+                        is_beyond(2, low, high) + is_beyond(3, low, high);
+  const int anchor = steep ? 8 - from_axis : from_axis;
+  return cot_psi_from(tyre, G, H, anchor_cos[anchor], anchor_cos[8 - anchor],
+                      tyre->T_anchor[anchor]);
+}
+
+// As a function, for who need be small rather than fast.
+#define tf_cot_psi TF_LINK(tf_cot_psi)
+TF_API tf_real_t tf_cot_psi(const tf_tyre_t *tyre, tf_real_t G, tf_real_t H);
+
+// The law of slip, (force) and (moment), is affine in T:
+//   F = F0 + F1 T,  M = M1 T,
+// with T >= 0 and, by the signs of h and g, F0 = sign(h) 4 mu/3, F1 = -sign(h)
+// mu/(18 kappa), M1 = sign(h) sign(g) mu/6.
+// So |F| falls from 4 mu/3, where |h| << |g|, by 1/(3 kappa) of |M|.
+#define MAX_SLIP_FORCE(mu) ((mu)*4 / 3)
+#define MOMENT_BY_FORCE TF_R(3.0) // -d(|M|/kappa)/d|F|
+
+TF_INLINE tf_real_t slip_F0(const tf_tyre_t *tyre, tf_real_t sign) {
+  return MAX_SLIP_FORCE(sign * tyre->mu);
+}
+
+TF_INLINE tf_real_t slip_F1(const tf_tyre_t *tyre, tf_real_t sign) {
+  return -sign * tyre->mu * tyre->inv_18_kappa;
+}
+
+TF_INLINE tf_real_t slip_M1(const tf_tyre_t *tyre, tf_real_t sign) {
+  return sign * tyre->mu / 6;
+}
+
+// The same in units of mu and kappa mu, for positive signs.
+typedef struct {
+  tf_real_t x, y;
+} multipliers_t;
+
+TF_INLINE multipliers_t multipliers_at(const tf_tyre_t *tyre, tf_real_t T) {
+  return (multipliers_t){MAX_SLIP_FORCE(TF_R(1.0)) - T * tyre->inv_18_kappa,
+                         T * tyre->inv_6_kappa};
+}
+
+// Whether the force of a slip differs by more than 1/16 of the largest from
+// that of its start.
+TF_INLINE bool force_turns(multipliers_t first, multipliers_t then) {
+  return magnitude(then.x - first.x) + magnitude(then.y - first.y) >
+         TF_R(0x1p-4);
+}
+
+// With the signs of h and g.
+TF_INLINE multipliers_t signed_multipliers(multipliers_t m, tf_real_t sign_h,
+                                           tf_real_t sign_g) {
+  return (multipliers_t){sign_h * m.x, sign_h * sign_g * m.y};
+}
+
+// On one side of h = 0, by the sign of g.
+TF_INLINE multipliers_t multipliers_beside(const tf_tyre_t *tyre,
+                                           tf_real_t side, tf_real_t g,
+                                           tf_real_t T) {
+  multipliers_t m = signed_multipliers(multipliers_at(tyre, T), side, 1);
+  if (g < 0) m.y = -m.y; // a change of the sign, not a product
+  return m;
+}
+
+TF_INLINE multipliers_t jump_multipliers(const tf_tyre_t *tyre, tf_real_t side,
+                                         tf_real_t h, tf_real_t g) {
+  const tf_real_t H = side * h;
+  return multipliers_beside(tyre, side, g,
+                            cot_psi(tyre, magnitude(g), H > 0 ? H : 0));
+}
+
+// The same as a function, for who need be small rather than fast.
+#define tf_jump_multipliers TF_LINK(tf_jump_multipliers)
+TF_API multipliers_t tf_jump_multipliers(const tf_tyre_t *tyre, tf_real_t side,
+                                         tf_real_t h, tf_real_t g);
+
+#endif

@@ -1,0 +1,64 @@
+#!/usr/bin/python3 -B
+"""The page of `make bench`: what its pictures and tables may say."""
+import importlib
+import math
+import os
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
+from tap import ROOT, check, lacks, main, same  # noqa: E402
+
+sys.path[:0] = [str(ROOT / "tools/bench"), str(ROOT / "tools")]
+
+
+def bench(name):
+    """A module, for which the folder of the test is the build's."""
+    if Path.cwd() != ROOT:
+        os.environ["BUILD"] = os.getcwd()
+        os.chdir(ROOT)
+    try:
+        return importlib.import_module(name)
+    except ModuleNotFoundError as missing:
+        return lacks(f"python3-{missing.name}")
+
+
+def test_cells_are_good_only_if_near_and_silent():
+    pictures, pandas = bench("pictures"), bench("pandas")
+    rows = pandas.DataFrame(
+        [(error, verdict) for error in (0.001, 0.05, 0.93, math.nan)
+         for verdict in ("ok", "coarse", "degraded", "refused")],
+        columns=["error", "verdict"])
+    same(pictures.classes(rows).tolist(), [
+        "within 1 %", *2 * ["TF_COARSE, within 10 %"], "refused",
+        "within 10 %", *2 * ["TF_COARSE, within 10 %"], "refused",
+        "worse, and silent", *2 * ["TF_COARSE, worse"], "refused",
+        *3 * ["motion not known"], "refused"])
+
+
+def test_a_spring_that_loses_its_energy_is_not_good():
+    page, pictures = bench("page"), bench("pictures")
+    rows = page.Page().section("map")
+    cell = rows[(rows.problem == "map conservative=1e+06")
+                & (rows.solver == "moreau-0.5") & (rows.dial == "dt=0.0001")]
+    same(pictures.classes(cell).tolist(), ["TF_COARSE, worse"])
+
+
+def test_a_lucky_setting_does_not_count():
+    page, pandas = bench("page"), bench("pandas")
+    runs = pandas.DataFrame({
+        "error": [1, 1e-4, 1, 1e-4, 1e-4, 1e-5], "ns": [1, 2, 3, 4, 5, 6]})
+    same(page.least(runs, 1e-3, "ns"), 4)
+    check(math.isnan(page.least(runs, 1e-5, "ns")), "one setting is no proof")
+
+
+def test_the_page_is_that_of_the_rows():
+    page = bench("page")
+    bench("tabulate")
+    page.OUT.mkdir(parents=True)
+    page.write()
+    same((page.OUT / "BENCH.md").read_text("utf-8"),
+         Path("docs/BENCH.md").read_text("utf-8"))
+
+
+main(globals(), jobs=1)

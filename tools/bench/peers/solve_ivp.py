@@ -1,0 +1,118 @@
+#!/usr/bin/python3 -B
+"""SciPy's solvers on the motions of shared.c. Prints the rows of harness.h;
+timed inside, so that the start of the interpreter does not count.
+
+    solve_ivp.py LIBRARY SETTINGS
+
+solve_ivp takes the place of an event off the polynomial of its step. That is
+not used: a step to it from the one before, and Newton's rule, go to the switch,
+or no tolerance would reach 1e-6.
+"""
+import ctypes
+import itertools
+import math
+import random
+import sys
+import time
+
+import numpy as np
+from scipy.integrate import solve_ivp
+
+PROBLEMS = 7  # PEER_PROBLEMS of problem.h
+METHODS = "Radau", "LSODA", "RK45"
+CALLS = 60000  # of the rates, after which a run is given up
+
+
+class GaveUp(Exception):
+    """Too many calls, or no way on."""
+
+
+class Motion:
+    """A problem of the library."""
+
+    def __init__(self, path: str, number: int, tol: float) -> None:
+        self.of, self.calls = ctypes.CDLL(path), 0
+        self.of.peer_open.restype = ctypes.c_char_p
+        self.of.peer_error.restype = ctypes.c_double
+        self.start, length = np.zeros(4), ctypes.c_double()
+        name = self.of.peer_open(number, ctypes.c_double(tol),
+                                 self.at(self.start), ctypes.byref(length))
+        self.name, self.length = name.decode(), length.value
+        self.events = [self.margin(i) for i in range(3)] \
+            if self.of.peer_jumps() else []
+
+    @staticmethod
+    def at(y: np.ndarray) -> ctypes.c_void_p:
+        """Where it is; the caller holds it until the call is over."""
+        return ctypes.c_void_p(y.ctypes.data)
+
+    def rates(self, _: float, y: np.ndarray) -> np.ndarray:
+        self.calls += 1
+        if self.calls > CALLS:
+            raise GaveUp
+        y, dy = np.ascontiguousarray(y), np.empty(4)
+        self.of.peer_rates(self.at(y), self.at(dy))
+        return dy
+
+    def margin(self, i: int):
+        """A mode ends where one of these falls through 0."""
+        def value(_: float, y: np.ndarray) -> float:
+            y, roots = np.ascontiguousarray(y), np.empty(3)
+            self.of.peer_margins(self.at(y), self.at(roots))
+            return roots[i]
+        value.terminal, value.direction = True, -1
+        return value
+
+    def onto(self, i: int, y: np.ndarray) -> tuple[np.ndarray, float]:
+        """A step of Newton's rule to a switch."""
+        dy, off = self.rates(0, y), self.events[i](0, y)
+        t = -1e-7 * off / (self.events[i](0, y + 1e-7 * dy) - off)
+        return y + t * dy, t
+
+    def solve(self, method: str, tol: float) -> np.ndarray:
+        """The state at the end."""
+        y, t = self.start, 0.0
+        given = {"method": method, "rtol": tol, "atol": tol}
+        for _ in range(1000):
+            run = solve_ivp(self.rates, (t, self.length), y,
+                            events=self.events, **given)
+            if run.status == 0:
+                return np.ascontiguousarray(run.y[:, -1])
+            if run.status < 0:
+                raise GaveUp
+            which = next(i for i, at in enumerate(run.t_events) if len(at))
+            before, t = run.t[-2:]
+            if t > before:
+                y = solve_ivp(self.rates, (before, t), run.y[:, -2],
+                              first_step=t - before, **given).y[:, -1]
+            for _ in range(2):
+                y, step = self.onto(which, y)
+                t += step
+            now = ctypes.c_double(t)
+            if not self.of.peer_change(which, ctypes.byref(now), self.at(y)):
+                raise GaveUp
+            t = now.value
+        raise GaveUp
+
+
+def main() -> None:
+    path, settings = sys.argv[1], int(sys.argv[2])
+    random.seed(20240607)
+    for i, number in itertools.product(range(settings), range(PROBLEMS)):
+        for method in METHODS:
+            tol = 1e-3 * 6 ** -(i * 12 / settings + random.random() - 0.5)
+            begin, error = time.perf_counter(), math.inf
+            motion = Motion(path, number, tol)
+            try:
+                end = motion.solve(method, tol)
+                error = motion.of.peer_error(motion.at(end))
+            except (GaveUp, ArithmeticError, ValueError):
+                pass
+            ns = 1e9 * (time.perf_counter() - begin)
+            print(f"{motion.name},scipy-{method.lower()},tol={tol:.3e},"
+                  f"{error:.3e},{ns:.0f},"
+                  f"{'ok' if error < math.inf else 'refused'}", flush=True)
+
+
+if __name__ == "__main__":
+    main()

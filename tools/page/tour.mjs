@@ -1,0 +1,166 @@
+// The opening and the tour: what is told beside the running machine, one step
+// with one gesture after the other. Numbers in it are the core's, at the
+// instant that is shown.
+import { AT } from './core.mjs';
+import { short } from './decimal.mjs';
+import { $ } from './draw.mjs';
+import { WORDS } from './fan.mjs';
+
+// Steps of `chaos`: into stick+, and into one of three futures.
+const ROLLS = 19230, TWO_FOLD = 20471;
+const taken = ({ log }) => log.findLast((entry) => entry.mode !== undefined);
+// The gesture of a choice, and what is told then.
+const CHOICE = { lends: 'choices', met: (motion) => taken(motion)?.tick,
+  then: (motion) => `You chose: ${WORDS[taken(motion).mode]}. Nothing in the ` +
+    'laws did.' };
+const turns = ({ changes }) => changes.filter(([tick, before, mode]) =>
+  tick > TWO_FOLD && before < 2 && mode < 2 && before !== mode).length;
+const instant = ({ now }) => `t = ${short(now[AT.t], 5)} s`;
+
+// fan: the tick whose futures are out, for `reach` seconds. asks: for the
+// gesture; `lends` is what of the page it needs, which stands in the tour
+// meanwhile. met(motion): the tick at which it was done; then `then` is told
+// and, where `stops`, the motion stops there.
+const TOUR = [
+  {
+    title: 'One start, three futures',
+    address: 'kappa=1&r=0.3&omega=-1.3&h=0',
+    fan: 1, reach: 0.18, speed: -0.7, span: 0.2,
+    says: () => 'Same machine, same instant: three motions, all allowed by ' +
+      'the laws of friction.',
+    asks: () => 'Choose one.', ...CHOICE,
+  }, {
+    title: 'What sticks',
+    address: 'tick=2000', speed: -0.7, span: 1, plays: true,
+    says: ({ now, core }) => 'The wheel rolls and does not slip sideways. ' +
+      `Friction holds it with ${short(Math.abs(now[AT.F]), 2)} N now; it has ` +
+      `${short(core.get('mu'))} N at most.`,
+    asks: () => 'Push it with a force, or pull it in the lens, until it slips.',
+    lends: 'hand',
+    met: ({ log, changes }) => log.length
+      ? changes.find(([tick, , mode]) => mode < 2 && tick > log[0].tick)?.[0]
+      : undefined,
+    then: () => 'It slips: that was more than friction has. Let go, and it ' +
+      'sticks again.',
+  }, {
+    title: 'Where force and moment balance',
+    address: 'r=0.19&omega=-1.03&h=0', speed: -0.7, span: 1,
+    says: ({ core, now }) => {
+      const brake = 1000 * core.c.delassus_at(now[AT.r], core.get('omega'));
+      return 'Friction pushes the wheel sideways, and its moment turns the ' +
+        `disc against that. At r = ${short(now[AT.r])} m, 1 N of friction ` +
+        `${brake < 0 ? 'speeds a slip up' : 'brakes a slip'} by ` +
+        `${short(Math.abs(brake), 3)} mm/s².`;
+    },
+    asks: (motion, fold) => `Move the wheel past r = ${short(fold.r)} m, ` +
+      'where the two balance.',
+    lends: 'starts',
+    met: (motion) => (motion.core.c.delassus_at(motion.now[AT.r],
+      motion.core.get('omega')) < 0 ? 0 : undefined),
+    then: () => 'Here friction drives the slip that it should brake.',
+  }, {
+    title: 'The two-fold',
+    address: `tick=${ROLLS}`, speed: -1.5, span: 0.2, stops: true,
+    lends: 'play',
+    says: (motion, { r, omega }) => 'Where it is blue, friction holds the ' +
+      'wheel; where it is striped, it may let go to either side. Both meet ' +
+      `in the two-fold: r = ${short(r)} m, ω = ${short(omega)} rad/s.`,
+    asks: () => 'Play: let the wheel roll.',
+    met: ({ changes }) => changes.find(([tick, , mode, , choices]) =>
+      tick > ROLLS && mode === 2 && choices > 1)?.[0],
+    then: (motion) => `It ran into the two-fold: at ${instant(motion)} it ` +
+      `has ${motion.now[AT.choices]} futures.`,
+  }, {
+    title: 'The choice',
+    address: `tick=${TWO_FOLD}`, speed: -1.5, span: 0.2, fan: TWO_FOLD,
+    reach: 0.04,
+    says: () => 'It may slip to either side at once. It may as well roll on ' +
+      'and slip later, at any instant: the thin lines are some of all these ' +
+      'motions.',
+    asks: () => 'Turn the space, and choose.', ...CHOICE,
+  }, {
+    title: 'The return',
+    address: `tick=${TWO_FOLD}`, speed: -1.4, span: 0.2, stops: true,
+    lends: 'play',
+    says: () => 'The slip winds around the two-fold, from side to side and ' +
+      'wider each time.',
+    asks: () => 'Play: let it wind.',
+    met: ({ changes }) => changes.find(([tick, , mode]) =>
+      tick > TWO_FOLD && mode === 3)?.[0],
+    then: (motion) => `At ${instant(motion)}, after ${turns(motion)} changes ` +
+      `of side, it sticks again, at r = ${short(motion.now[AT.r], 5)} m. ` +
+      'Sooner or later it is back at the two-fold, and has to choose again.',
+  },
+];
+const LENT = ['choices', 'hand', 'starts', 'play'];
+const LAST = TOUR.length - 1;
+export const isStep = (number) => number >= 0 && number <= LAST;
+
+// The words of its address.
+export const stepWords = (number) => ['scene=chaos', TOUR[number].address,
+  `tour=${number}`];
+
+function put(id, words) {
+  const place = $(id);
+  // Numbers stay beside their names and units.
+  const held = words.replace(/ (?=[=N] |s\b|m\b|mm|rad)|(?<==) /g, '\u00a0');
+  if (place.textContent !== held) place.textContent = held;
+  place.hidden = words === '';
+}
+
+export class Tour {
+  // go(number): opens a step as it begins, or leaves for null.
+  constructor(motion, go) {
+    Object.assign(this, { motion, number: null });
+    $('tourgo').onclick = () => go(0);
+    $('again').onclick = () => go(this.number);
+    $('before').onclick = () => go(this.number - 1);
+    $('after').onclick = () => go(this.number + 1);
+    $('leave').onclick = () => go(null);
+    this.homes = LENT.map((id) =>
+      $(id).parentNode.insertBefore(new Comment(), $(id)));
+  }
+
+  get step() { return TOUR[this.number] ?? {}; }
+
+  // Shows a step, or none for null.
+  show(number) {
+    this.number = number;
+    this.isDone = false;
+    const { title, lends, speed, span } = this.step;
+    document.body.classList.toggle('touring', number !== null);
+    LENT.forEach((id, i) => (id === lends ? $('grip').append($(id))
+      : this.homes[i].after($(id))));
+    if (number === null) return;
+    put('title', title);
+    $('part').textContent = number ? `${number} of ${LAST}` : '';
+    $('before').hidden = number === 0;
+    $('after').hidden = number === LAST;
+    $('after').textContent = number === 0
+      ? 'tour in five steps' : 'next';
+    $('speed').value = speed;
+    $('span').value = span;
+  }
+
+  // A motion has begun. The steps are over where it has no two-fold.
+  begin() {
+    this.fold = this.motion.core.twoFolds().find(({ g }) => g > 0);
+    if (this.number && !this.fold) this.show(null);
+  }
+
+  // Returns: the tick of a gesture that has just been done, or null.
+  done() {
+    const tick = this.step.met?.(this.motion);
+    const isNew = tick !== undefined && !this.isDone;
+    this.isDone = tick !== undefined;
+    return isNew ? tick : null;
+  }
+
+  tell() {
+    if (this.number === null) return;
+    const { says, asks, then } = this.step;
+    put('says', says(this.motion, this.fold));
+    put('asks', asks(this.motion, this.fold));
+    put('then', this.isDone ? then(this.motion) : '');
+  }
+}
