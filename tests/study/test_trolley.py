@@ -121,8 +121,12 @@ class Castor(SimpleNamespace):
 
             def rate(_, at, mode=mode, passes=passes):
                 z = at[:4]
-                slow = self.stiffness(z) / whole if passes else 1
-                return slow * np.array([*self.field(z, mode), 1])
+                if not passes:
+                    return [*self.field(z, mode), 1]
+                free, full = (self.rate(z, *self.limit(z, n)) for n in (0, 1))
+                slow = self.stiffness(z)
+                return np.array([*slow * free + sum(self.slopes(z)) *
+                                 (full - free), slow]) / whole
 
             def event(_, at, mode=mode, passes=passes):
                 z = at[:4]
@@ -156,13 +160,14 @@ class Castor(SimpleNamespace):
 
 def castors(count):
     """Castors by turns forward and backward, a two-fold of case 1 of each, and
-    the time in which it rolls its trail."""
+    the time in which it rolls its trail. No motion of these comes to h = g = 0,
+    where another future would be as right."""
     two_folds = study("trolley").two_folds
     for n in range(count):
         s, f, tries = 1 - n % 2 * 2, None, 0
         while not (f and f.there and f.kind == 1 and f.J1 * f.J2 > 1.2 and
                    abs(f.y) < 1 and abs(f.g) > 0.05):
-            draw, tries = np.random.default_rng([1, n, tries]), tries + 1
+            draw, tries = np.random.default_rng([4, n, tries]), tries + 1
             low = dict(m=1, kappa=0.02, mu=1, k=3, c=0.01, cp=1e-4, V=0.2)
             q = Castor(**{name: value * 10 ** draw.uniform(0, 1)
                           for name, value in low.items()})
