@@ -38,7 +38,9 @@ RATE ?= 1000
 STEPS ?= 0
 FORMAT ?= plotter
 PROGRAM ?= firmware
-BOARD_OPT ?= -Os
+# A function that is inlined once may make its caller large: without, what is
+# called from one place stays a function with a frame of its own.
+BOARD_OPT ?= -Os --param large-function-growth=1000
 
 .PHONY: firmware boards test-boards deps elf boards-list
 firmware: ## of SCENE=chaos for BOARD=microbit in REAL=float

@@ -54,11 +54,15 @@ static const tf_real_t reciprocal[] = {
     TF_R(1.0) / 9,
 };
 
+// An empty sum. What is added to it keeps every bit, so that no addition is
+// left where the first summand is known; 0 + x is not x where x is -0.
+#define NO_TERMS TF_R(-0.0)
+
 // The sum of a_i a_(n-i) over 0 < i < n, or a_0^2 for n = 0. Equal products are
 // computed once.
 TF_INLINE tf_real_t inner_square(const series_t *a, int n) {
   const int first = (n - 1) / 2;
-  const tf_real_t middle = n % 2 == 0 ? a->c[n / 2] * a->c[n / 2] : 0;
+  const tf_real_t middle = n % 2 == 0 ? a->c[n / 2] * a->c[n / 2] : NO_TERMS;
   if (first < 1) return middle;
   tf_real_t sum = a->c[first] * a->c[n - first];
   for (int i = first - 1; i > 0; i--) sum += a->c[i] * a->c[n - i];
@@ -113,7 +117,8 @@ TF_INLINE next_terms_t next_terms(taylor_t *motion, int n) {
   tf_real_t *r = motion->r.c;
   // Terms n + 1 of r w, which from term 2 on is r z, and of r (r w), and terms
   // n of (r w) w and F r.
-  tf_real_t r_w = 0, r_z = 0, r_rw = 0, rw_w = 0, F_r = 0;
+  tf_real_t r_w = NO_TERMS, r_z = NO_TERMS, r_rw = NO_TERMS, rw_w = NO_TERMS;
+  tf_real_t F_r = NO_TERMS;
   if (n > 0) {
     F_r = F[0] * r[n];
     if (n > 1) {

@@ -108,7 +108,8 @@ TF_INLINE tf_real_t next_slip_angle(const taylor_t *motion, slip_angle_t *angle,
   // cppcheck-suppress [uninitvar, ctuuninitvar]
   const tf_real_t *R2 = angle->R2.c, *T2 = angle->T2.c;
   tf_real_t *psi_rate = angle->psi_rate.c;
-  tf_real_t cross = 0, sum = 0; // term n - 1 of p' q - q' p; for T_n
+  tf_real_t cross = NO_TERMS; // term n - 1 of p' q - q' p
+  tf_real_t sum = NO_TERMS;   // for T_n
   if (n > 1) extend_squares(motion, angle, n - 1);
   const int first = (n - 1) / 2;
   if (first > 0)

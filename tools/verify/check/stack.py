@@ -81,7 +81,7 @@ def targets():
         compiler = fact("CC") or fact("TOOLS") + "gcc"
         need(compiler, fact("PACKAGES"))
         for real in fact("REALS").split():
-            yield board, real, [compiler, fact("OPT") or "-Os",
+            yield board, real, [compiler, *shlex.split(fact("OPT")),
                                 *shlex.split(fact("FLAGS")),
                                 DEFINES[real]], board
 
