@@ -22,6 +22,11 @@ PROGRAM, DEMO = BUILD / "readme.c", BUILD / "demo"
 MAKE = (  # in that place
     f'make() {{ flock {PLACE}.lock "${{MAKE:-make}}" --no-print-directory '
     f'CC=gcc OPT=-O3 BUILD={PLACE} EXTRA=-Werror "$@"; }}\n')
+# Words of a line of "use it from", with what it then needs, and its package.
+NEEDS = {"pkg-config": ("pkg-config", "pkg-config"),
+         "cmake": ("cmake", "cmake"),
+         "BOARD=stm32f405": ("arm-none-eabi-gcc", "gcc-arm-none-eabi")}
+not_tried = []
 TESTS = "\n".join(path.read_text() for path in Path("tests").rglob("*.[ch]"))
 text = Path("README.md").read_text()
 
@@ -111,8 +116,13 @@ def judge_uses(said):
         if not FULL:
             line = re.sub(r"DISTS='[^']* ", "DISTS='", line)
         DEMO.unlink(missing_ok=True)
-        if not quietly("sh", "-c", MAKE + line, env=environment,
-                       stdin=subprocess.DEVNULL):
+        tool, package = next((needs for word, needs in NEEDS.items()
+                              if word in line), ("sh", ""))
+        if not shutil.which(tool):
+            not_tried.append(f"{use}: {tool} is missing (apt-get install "
+                             f"{package})")
+        elif not quietly("sh", "-c", MAKE + line, env=environment,
+                         stdin=subprocess.DEVNULL):
             wrong(f"README.md: this line fails: {use}")
         elif line.endswith(f"-o {DEMO}") and printed(DEMO) != said:
             wrong(f"the program prints otherwise when compiled by {use}")
@@ -232,3 +242,6 @@ checked(f"{lines} lines, {len(promised)} promises with a test, links; its "
         f"program of {len(PROGRAM.read_text().splitlines())} lines and "
         f"{len(used)} uses run; {quoted} commands of docs/PAPER.md and "
         f"{tried} of docs/TUTORIAL.md print what they quote")
+if not_tried:
+    print("not tried:", *not_tried, sep="\n")
+    sys.exit(3)
