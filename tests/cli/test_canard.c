@@ -130,6 +130,26 @@ TEST(random_machines_are_followed_or_say_why) {
   printf("# random machines: %d of %d followed\n", solved, drawn);
 }
 
+/* {r, omega} of a two-fold, {t, r, z} of stick from there to rest, by collocation
+ * of z(r) in SciPy. Back in time an explicit method there agrees to 6e-11. */
+TEST(stick_that_never_ends_is_that_of_a_collocation) {
+  static const double known[][5] = {
+      {0.1859, -1.037, 0.01, 0.18561092706923, -0.03404766619411},
+      {0.1859, -1.037, 0.443, 0.18228083378184, -0.00106808412507},
+      {0.1859, -1.037, 1.5, 0.18217039936974, -0.00000025135824},
+      {0.17, -1.15, 0.05, 0.16548348235094, -0.07734132712927},
+      {0.5, -1.2, 2, 0.32756653363857, -0.08583089225035}};
+  for (int i = 0; i < 5; i++) {
+    const double *x = known[i];
+    cli_point_t at;
+    double reached = 0;
+    CHECK(is_case_1(x[0], x[1]) && cli_find_two_fold(&machine, &through));
+    CHECK(cli_canard_solve(&machine, &through, &canard) == CLI_CANARD_SOLVED);
+    CHECK(cli_canard_after(&canard, x[2], &at, &reached));
+    CHECK_NEAR(hypot(at.r - x[3], at.z - x[4]), 0, IS_DOUBLE ? 1e-10 : 1e-5);
+  }
+}
+
 /* A two-fold next to g = 0: its eigenvalues are too different. */
 TEST(a_stiff_two_fold_is_a_failure_with_a_name) {
   CHECK(is_case_1(0.1859, -1.0002));

@@ -6,12 +6,13 @@
 // of the eigenvalues (14.02 in `chaos`). So what leaves the two-fold fills an
 // area; no method can follow one of these curves forward from rounded numbers;
 // and a power series selects none where the ratio is near a whole number. Here
-// the one is taken that passes the farthest point of the tangent, in the
-// escaping region, to which any of them leads. From there it is integrated
-// backward in time, which is stable whatever the ratio: an error shrinks like
-// t^ratio. The steps shrink with the time that is left, down to where the curve
-// and its tangent are the same. Beyond that point it is the stick that begins
-// there.
+// the one is taken that tends to rest at h = g = 0, a saddle of (svf), if one
+// does: it never ends, and the others part from it to either side. Elsewhere it
+// is the one that passes the farthest point of the tangent, in the escaping
+// region, to which any of them leads. From there it is integrated backward in
+// time, which is stable whatever the ratio: an error shrinks like t^ratio. The
+// steps shrink with the time that is left, down to where curve and tangent are
+// the same. Beyond the far end it is the stick that begins there.
 
 #include "canard.h"
 
@@ -59,24 +60,32 @@ static cli_field_t on_surface(const cli_canard_t *canard, double r, double z) {
   return cli_field_at(k, cli_point_on_surface(k, r, z));
 }
 
-// Of the time from the two-fold to the end: before it the tangent is the curve,
-// up to the square of this.
+// Of the time from the two-fold to the end, and of the way from rest: nearer
+// than this a tangent is the curve, up to its square.
 #define LINEAR 1e-5
 // Nodes while the time falls by the factor e; between two of them one step more
-// for each RATIO of the ratio, so that step times decay, ratio / t, is at most
-// 1/4.
+// for each RATIO of the ratio, ratio / t being the decay there, or of such a
+// ratio for the saddle: step times decay is at most 1/16.
 #define NODES 32
-#define RATIO 8.0
-#define MOST_STEPS 256
+#define RATIO 2.0
+#define MOST_RATIO 2048.0
 #define TANGENT_STEPS 64 // until g would be 0 on the tangent
 #define HALVINGS 40
 #define AFTER 1e-3 // [s], a step beyond the last node
 
-static bool is_escaping(const cli_canard_t *canard, double r, double z) {
-  const cli_field_t f = on_surface(canard, r, z);
+static bool is_escaping(const cli_canard_t *canard, cli_canard_node_t at) {
+  const cli_field_t f = on_surface(canard, at.r, at.z);
   const double A = f.A[canard->s < 0];
   return A < 0 && fabs(f.N) < -A * (double)canard->machine->contact.tyre.mu &&
          canard->s * f.g > 0;
+}
+
+// The rates of the members of a node in stick, (svf).
+static cli_canard_node_t rates(const cli_canard_t *canard, double r, double z) {
+  const cli_field_t f = on_surface(canard, r, z);
+  const int side = canard->s < 0;
+  return (cli_canard_node_t){
+      1, f.rate.r, f.rate.z + f.N / f.A[side] * f.stick_arm[side] / f.J};
 }
 
 // Stick after a time dt from a point: a step of the classical Runge-Kutta
@@ -86,17 +95,12 @@ static cli_canard_node_t step(const cli_canard_t *canard,
   static const double part[] = {0, 0.5, 0.5, 1};
   static const double weight[] = {1. / 6, 1. / 3, 1. / 3, 1. / 6};
   cli_canard_node_t to = {from.t + dt, from.r, from.z};
-  double rate[2] = {0, 0};
+  cli_canard_node_t rate = {1, 0, 0};
   for (int i = 0; i < 4; i++) {
-    const double r = from.r + part[i] * dt * rate[0];
-    const double z = from.z + part[i] * dt * rate[1];
-    // The sliding vector field, (svf), from that times A.
-    const cli_field_t f = on_surface(canard, r, z);
-    const double A = f.A[canard->s < 0], arm = f.stick_arm[canard->s < 0];
-    rate[0] = A * f.rate.r / A;
-    rate[1] = (A * f.rate.z + f.N * arm / f.J) / A;
-    to.r += weight[i] * dt * rate[0];
-    to.z += weight[i] * dt * rate[1];
+    rate = rates(canard, from.r + part[i] * dt * rate.r,
+                 from.z + part[i] * dt * rate.z);
+    to.r += weight[i] * dt * rate.r;
+    to.z += weight[i] * dt * rate.z;
   }
   return to;
 }
@@ -104,31 +108,6 @@ static cli_canard_node_t step(const cli_canard_t *canard,
 static cli_canard_node_t tangent(const cli_canard_t *canard, double t) {
   return (cli_canard_node_t){t, canard->r + canard->v * t,
                              canard->z + canard->slope * canard->v * t};
-}
-
-// When the tangent leaves the escaping region, no farther than half of the way
-// to r = 0.
-static double end_of_tangent(const cli_canard_t *canard) {
-  const double zero = fabs(canard->z / (canard->slope * canard->v));
-  const double half = 0.5 * fabs(canard->r / canard->v);
-  const double dt = fmin(zero, half) / TANGENT_STEPS;
-  double in = 0, out = dt;
-  cli_canard_node_t at = tangent(canard, out);
-  while (is_escaping(canard, at.r, at.z) && out < half) {
-    in = out;
-    out += dt;
-    at = tangent(canard, out);
-  }
-  for (int i = 0; i < HALVINGS; i++) {
-    const double middle = 0.5 * (in + out);
-    at = tangent(canard, middle);
-    if (is_escaping(canard, at.r, at.z)) {
-      in = middle;
-    } else {
-      out = middle;
-    }
-  }
-  return in;
 }
 
 // The core has the two-fold to its own precision, the steps here need that of
@@ -143,11 +122,9 @@ static void polish(cli_canard_t *canard) {
   }
   for (int i = 0; i < 4; i++) {
     const double e = 1e-5 * fabs(canard->z);
-    double N[3];
-    for (int j = 0; j < 3; j++) {
-      N[j] = on_surface(canard, canard->r, canard->z + (j - 1) * e).N;
-    }
-    canard->z -= 2 * e * N[1] / (N[2] - N[0]);
+    const double up = on_surface(canard, canard->r, canard->z + e).N;
+    const double in = on_surface(canard, canard->r, canard->z - e).N;
+    canard->z -= 2 * e * on_surface(canard, canard->r, canard->z).N / (up - in);
   }
   canard->v = on_surface(canard, canard->r, canard->z).rate.r;
 }
@@ -155,94 +132,113 @@ static void polish(cli_canard_t *canard) {
 // The time since the two-fold, about: by the higher of the speeds here and
 // there.
 static double time_since(const cli_canard_t *canard, cli_canard_node_t at) {
-  const double v = on_surface(canard, at.r, at.z).rate.r;
+  const double v = rates(canard, at.r, at.z).r;
   return (at.r - canard->r) / (fabs(v) > fabs(canard->v) ? v : canard->v);
 }
 
-// Goes backward from a node to the next one.
-// Returns: whether all of that is in the escaping region.
-static bool go_back(const cli_canard_t *canard, cli_canard_node_t *at,
-                    double dt) {
-  for (int i = 0; i < canard->steps; i++) {
-    if (!is_escaping(canard, at->r, at->z)) {
-      return false;
-    }
-    *at = step(canard, *at, -dt / canard->steps);
-  }
-  return true;
-}
-
-// Follows stick from a point of the tangent backward in time.
+// Follows stick from a point backward in time; ratio: of the eigenvalues, or of
+// the fastest rate on the way to that of the time that is left.
 // Returns: whether it comes from the two-fold, within the room for nodes.
-static bool comes_from_two_fold(cli_canard_t *canard, double whole) {
-  cli_canard_node_t at = tangent(canard, whole);
+static bool comes_from_two_fold(cli_canard_t *canard, cli_canard_node_t at,
+                                double ratio) {
   double left = time_since(canard, at);
-  at.t = 0;
+  const double least = LINEAR * left;
   canard->nodes = 0;
-  while (left > LINEAR * whole) {
+  canard->steps = 2 + (int)(fmin(ratio, MOST_RATIO) / RATIO);
+  while (left > least) {
     if (canard->nodes == CLI_CANARD_NODES) {
       return false;
     }
     canard->node[canard->nodes++] = at;
-    if (!go_back(canard, &at, left / NODES)) {
-      return false;
+    for (int i = 0; i < canard->steps; i++) {
+      if (!is_escaping(canard, at)) {
+        return false;
+      }
+      at = step(canard, at, -left / NODES / canard->steps);
     }
     left = time_since(canard, at);
   }
+  // At the mean of the speeds here and there.
+  const double v = 0.5 * (rates(canard, at.r, at.z).r + canard->v);
   for (int i = 0; i < canard->nodes; i++) {
-    canard->node[i].t += left - at.t;
+    canard->node[i].t += (at.r - canard->r) / v - at.t;
   }
   return canard->nodes > 0 && left >= 0;
+}
+
+// Whether stick from the two-fold tends to rest at r, a saddle.
+static bool tends_to(cli_canard_t *canard, double r, double ratio) {
+  const double dr = LINEAR * (canard->r - r), dz = LINEAR * canard->z;
+  const cli_canard_node_t up = rates(canard, r, dz), in = rates(canard, r, -dz);
+  const double rz = (up.r - in.r) / (2 * dz), zz = (up.z - in.z) / (2 * dz);
+  const double zr =
+      (rates(canard, r + dr, 0).z - rates(canard, r - dr, 0).z) / (2 * dr);
+  const double root = sqrt(0.25 * zz * zz + rz * zr);
+  canard->rest = r;
+  canard->decay = root - 0.5 * zz;
+  const cli_canard_node_t at = {0, r + dr, -canard->decay / rz * dr};
+  return rz * zr > 0 &&
+         comes_from_two_fold(canard, at,
+                             fmax(ratio, 2 * root * time_since(canard, at)));
+}
+
+// What is left of the moment where stick holds the slider at rest [N m]: a
+// quadratic in r, and 0 where the wheel can stay.
+static double moment_at_rest(const cli_canard_t *canard, double r) {
+  const cli_field_t f = on_surface(canard, r, 0);
+  return f.J * f.rate.z - f.rate.p / f.p_F * f.stick_arm[canard->s < 0];
+}
+
+static bool never_ends(cli_canard_t *canard, double ratio) {
+  const double r = canard->r, c = moment_at_rest(canard, 0);
+  const double up = moment_at_rest(canard, r), in = moment_at_rest(canard, -r);
+  const double a = 0.5 * (up + in) - c, b = 0.5 * (up - in);
+  const double q = -0.5 * (b + copysign(sqrt(b * b - 4 * a * c), b));
+  return tends_to(canard, r * c / q, ratio) ||
+         tends_to(canard, r * q / a, ratio);
 }
 
 cli_canard_status_t cli_canard_solve(const tf_machine_t *k,
                                      const cli_two_fold_t *two_fold,
                                      cli_canard_t *canard) {
+  const double ratio = two_fold->ratio;
   memset(canard, 0, sizeof *canard);
   canard->machine = k;
   canard->r = two_fold->r;
   canard->z = two_fold->omega - (double)k->omega0;
   canard->slope = two_fold->slope;
   canard->s = two_fold->g < 0 ? -1 : 1;
-  if (!(two_fold->ratio < RATIO * MOST_STEPS)) {
+  if (!(ratio < MOST_RATIO)) {
     return CLI_CANARD_STIFF;
   }
-  canard->steps = 2 + (int)(two_fold->ratio / RATIO);
   polish(canard);
-  const double whole = end_of_tangent(canard);
-  if (comes_from_two_fold(canard, whole)) {
+  if (never_ends(canard, ratio)) {
     return CLI_CANARD_SOLVED;
   }
-  double in = 0, out = whole;
-  for (int i = 0; i < HALVINGS; i++) {
-    const double middle = 0.5 * (in + out);
-    *(comes_from_two_fold(canard, middle) ? &in : &out) = middle;
+  canard->decay = 0;
+  // Where the tangent leaves the region, no farther than half way to r = 0.
+  const double half = 0.5 * fabs(canard->r / canard->v);
+  const double zero = fabs(canard->z / (canard->slope * canard->v));
+  const double part = fmin(zero, half) / TANGENT_STEPS;
+  double in = 0, out = part;
+  while (out < half && is_escaping(canard, tangent(canard, out))) {
+    in = out;
+    out += part;
   }
-  return comes_from_two_fold(canard, in) ? CLI_CANARD_SOLVED
-                                         : CLI_CANARD_ENTERS;
+  in = comes_from_two_fold(canard, tangent(canard, in), ratio) ? in : 0;
+  for (int i = 0; i < HALVINGS; i++) {
+    const double t = 0.5 * (in + out);
+    *(comes_from_two_fold(canard, tangent(canard, t), ratio) ? &in : &out) = t;
+  }
+  return comes_from_two_fold(canard, tangent(canard, in), ratio)
+             ? CLI_CANARD_SOLVED
+             : CLI_CANARD_ENTERS;
 }
 
 const char *cli_canard_failure(cli_canard_status_t status) {
   return status == CLI_CANARD_STIFF
-             ? "the ratio of its eigenvalues is too large for the steps of the "
-               "solver"
+             ? "the ratio of its eigenvalues is too large for the solver"
              : "no point of its tangent is reached by stick from it";
-}
-
-// The canard between the tangent and its last node.
-static cli_canard_node_t between(const cli_canard_t *canard, double t) {
-  int above = 0, below = canard->nodes;
-  while (below - above > 1) {
-    const int middle = (above + below) / 2;
-    *(canard->node[middle].t >= t ? &above : &below) = middle;
-  }
-  cli_canard_node_t at = canard->node[above];
-  const double dt = (t - at.t) / canard->steps;
-  for (int i = 0; i < canard->steps; i++) {
-    at = step(canard, at, dt);
-  }
-  at.t = t;
-  return at;
 }
 
 bool cli_canard_after(const cli_canard_t *canard, double t, cli_point_t *at,
@@ -252,12 +248,23 @@ bool cli_canard_after(const cli_canard_t *canard, double t, cli_point_t *at,
   if (t < canard->node[canard->nodes - 1].t) {
     found = tangent(canard, t);
   } else if (t <= found.t) {
-    found = between(canard, t);
+    int above = canard->nodes - 1;
+    while (canard->node[above].t < t) {
+      above--;
+    }
+    found = canard->node[above];
+    for (int i = canard->steps; i > 0; i--) {
+      found = step(canard, found, (t - found.t) / i);
+    }
+  } else if (canard->decay > 0) {
+    const double left = exp(canard->decay * (found.t - t));
+    found = (cli_canard_node_t){
+        t, canard->rest + left * (found.r - canard->rest), left * found.z};
   }
   while (inside && found.t < t) {
     const cli_canard_node_t next =
         step(canard, found, fmin(AFTER, t - found.t));
-    inside = is_escaping(canard, next.r, next.z);
+    inside = is_escaping(canard, next);
     found = inside ? next : found;
   }
   *at = cli_point_on_surface(canard->machine, found.r, found.z);
@@ -278,14 +285,13 @@ bool cli_find_two_fold(const tf_machine_t *k, cli_two_fold_t *out) {
     if (tf_normal_form(k, &input, &points[i], &form) == TF_OK &&
         form.through.sticks && form.through.value < 0 &&
         form.across.value < form.through.value) {
-      const cli_two_fold_t found = {
+      *out = (cli_two_fold_t){
           (double)form.point.r,
           (double)form.point.w,
           (double)form.point.g,
           (double)form.point.v,
           (double)form.through.velocity.w / (double)form.through.velocity.r,
           (double)form.across.value / (double)form.through.value};
-      *out = found;
       return true;
     }
   }

@@ -78,10 +78,11 @@ typedef struct {
 #define CLI_CANARD_NODES 2048
 typedef struct {
   const tf_machine_t *machine;
-  double r, z, v; ///< two-fold
-  double slope;   ///< dz/dr there
-  double s;       ///< sign of g
-  int steps;      ///< of the integration, from node to node
+  double r, z, v;     ///< two-fold
+  double slope;       ///< dz/dr there
+  double s;           ///< sign of g
+  double rest, decay; ///< r that it tends to [m], z's decay; 0 if it ends
+  int steps;          ///< of the integration, from node to node
   int nodes;
   cli_canard_node_t node[CLI_CANARD_NODES]; ///< the last one first
 } cli_canard_t;
