@@ -50,13 +50,13 @@ def by_angle(twofold: str) -> list[dict]:
                 "type": fold["type"], "case": fold["case"], "weak": weak,
                 "strong": strong, "jump_p": 2 * math.sin(angle), "jump_w":
                     2 * math.sin(angle) ** 2 / (fold["r"] * math.cos(angle)),
-                "behind": behind(twofold, angle, found)})
+                "rest": rest(twofold, angle, found)})
     return rows
 
 
-def behind(twofold: str, angle: float, found: dict) -> Optional[float]:
-    """How long stick may last behind the two-fold; None where it is not
-    followed to its end."""
+def rest(twofold: str, angle: float, found: dict) -> Optional[float]:
+    """The r to which the stick behind the two-fold that is followed tends;
+    None where it ends before 30 s, or none is followed."""
     text = said(twofold, "diverge", "chaos", "--set",
                 f"gamma={angle - math.pi!r}", *found["set"].split(),
                 "--rate", "1e-6", "--samples", 1, "--patience", 30,
@@ -64,8 +64,8 @@ def behind(twofold: str, angle: float, found: dict) -> Optional[float]:
     if text is None:
         return None
     rows = table.parsed(text.encode())
-    times = rows.time[rows.how == "released"]
-    return float(times.iloc[0]) if len(times) else None
+    places = rows.r[rows.how != "released"]
+    return float(places.iloc[0]) if len(places) else None
 
 
 def bisect(holds: Callable[[float], bool], low: float, high: float) -> float:

@@ -394,11 +394,11 @@ class Study:
                 f"{row['weak']:.4g}", f"{row['strong']:.4g}",
                 f"{ratio:.4g}" if ratio > 0 else "-",
                 f"{row['jump_p']:.3g}", f"{row['jump_w']:.3g}",
-                f"{row['behind']:.3g}" if row["behind"] else "-"])
+                f"{row['rest']:.4g}" if row["rest"] else "-"])
         return table.markdown(
             ["gamma + pi", "kappa [m]", "k2 [N/m]", "type", "case", "weak",
              "strong", "ratio", "jump of p' [m/s^2]", "of w' [rad/s^2]",
-             "stick behind [s]"], lines)
+             "stick rests at r [m]"], lines)
 
     def power(self) -> str:
         """Exponent of the disturbance over the width, where all are past
