@@ -206,7 +206,7 @@ def returns(folder: Path) -> Curves:
     rows = branches_of(folder)
     ends = rows[rows.end == "codim2"]
     yield "branches", joined(ends.stick_time, side(ends["mode"]), ends.end_r)
-    # Where the stick from the two-fold comes to rest if it never ends.
+    # Where stick from the two-fold tends to rest: one curve of a family.
     yield "rest", list(rows[rows["mode"] == "slip+"].exit_r)[-1:]
 
 

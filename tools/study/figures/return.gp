@@ -3,7 +3,7 @@
 wide = 1600; high = 820
 @OPEN
 f = data.'/return.curves.dat'
-# Where the stick from the two-fold comes to rest if it never ends.
+# Where stick from the two-fold tends to rest: one curve of a family.
 stats f index 'rest' using 1 nooutput
 rest = STATS_max
 set margins screen 0.105, screen 0.48, screen 0.165, screen 0.77
