@@ -3,7 +3,7 @@ that is built by setuptools needs that and wheel, which a new environment does
 not have and pip would fetch (PEP 517 has the names of the functions here).
 
 The core, in both real types, becomes one shared library beside the module. It
-is no module of Python itself: twofold.py calls it by ctypes."""
+is no module of Python itself: the package calls it by ctypes."""
 import base64
 import hashlib
 import os
@@ -58,8 +58,9 @@ def compiled():
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     """Writes the wheel and returns its name."""
     del config_settings, metadata_directory
-    files = {"_twofold.so": compiled(),
-             "twofold.py": (HERE / "twofold.py").read_bytes(),
+    files = {"twofold/_twofold.so": compiled(),
+             **{f"twofold/{path.name}": path.read_bytes()
+                for path in sorted(HERE.glob("twofold/*.*"))},
              f"{NAME}.dist-info/METADATA": INFO.encode(),
              f"{NAME}.dist-info/WHEEL": WHEEL.encode(),
              f"{NAME}.dist-info/LICENSE": (HERE / "LICENSE").read_bytes()}

@@ -1,4 +1,4 @@
-/* What the module twofold.py calls beside the public functions: the layout of
+/* What the package calls beside the public functions: the layout of
  * structs, so that the module can hold them, scenes by number, and a loop of
  * steps, which would be slow in Python. */
 #ifdef TWOFOLD_AVX2_LANES /* once more, for the vectors of AVX2 alone */
@@ -57,30 +57,38 @@ void SHARED(twofold_ensemble_run)(const tf_machine_t *machine,
 }
 
 /* Sizes and offsets in the order that the module knows. */
+typedef struct {
+  double t;
+  tf_real_t r, v, omega, phi, h, g, F, M, delassus;
+  uint8_t mode, set, choices;
+  int8_t status;
+} row_t;
+typedef struct {
+  tf_real_t r, v, omega, g, K[4], J1, J2, eigenvalue[2], time_scale;
+  uint8_t type, paper_case;
+} fold_t;
+typedef struct {
+  tf_real_t r, omega, lambda, delassus;
+  uint8_t region;
+} place_t;
 const uint32_t SHARED(twofold_layout)[] = {
     sizeof(tf_params_t),
     offsetof(tf_params_t, law),
     offsetof(tf_params_t, rule),
+    offsetof(tf_params_t, rest),
     offsetof(tf_params_t, with_angle),
-    sizeof(tf_machine_t),
+    sizeof(tf_compensated_t),
     sizeof(tf_state_t),
+    sizeof(tf_compensation_t),
     sizeof(tf_input_t),
     sizeof(tf_report_t),
     sizeof(tf_state_block_t),
     sizeof(tf_report_block_t),
-    sizeof(tf_surface_point_t),
+    sizeof(row_t),
+    sizeof(fold_t),
+    sizeof(place_t),
     TF_PARAMETERS,
-    TF_TWO_FOLDS,
 };
-
-/* A row of twofold_run. */
-typedef struct {
-  double t;
-  tf_real_t r, v, omega, phi, h, g, F, M;
-  uint8_t mode, set, choices;
-  int8_t status;
-} row_t;
-const uint32_t SHARED(twofold_row_size) = sizeof(row_t);
 
 const tf_scene_t *SHARED(twofold_scene)(unsigned index) {
   return index < TF_SCENES ? tf_scenes[index] : NULL;
@@ -98,49 +106,160 @@ double SHARED(twofold_scene_end)(const tf_scene_t *scene) {
   return scene->t_end;
 }
 
+/* A motion: what stays, and what a step changes. */
+typedef struct {
+  const tf_compensated_t *machine;
+  const tf_scene_t *scene;
+  int scheme; /* moreau, located, compensated */
+  tf_state_t *state;
+  tf_compensation_t *low;
+  tf_report_t *report;
+} motion_t;
+
+static tf_real_t or_else(tf_real_t given, tf_real_t usual) {
+  return given == given ? given : usual;
+}
+
+/* Begins a motion whose state holds seed and mode. given: r, v, omega, h, phi;
+ * NaN: that of the scene. input: NULL: that of the scene. */
+tf_status_t SHARED(twofold_begin)(const motion_t *to, const tf_input_t *input,
+                                  const tf_real_t given[5]) {
+  const tf_machine_t *machine = &to->machine->machine;
+  const tf_scene_t *scene = to->scene;
+  const tf_input_t u = input ? *input : tf_scene_input(scene, machine, 0);
+  const tf_real_t v = or_else(given[1], scene->v);
+  const tf_real_t h = or_else(given[3], scene->h);
+  const bool has_v = given[1] == given[1], has_h = given[3] == given[3];
+  tf_state_t *x = to->state;
+  *to->low = (tf_compensation_t){0};
+  x->r = or_else(given[0], scene->r);
+  x->v = v;
+  x->w = or_else(given[2], scene->omega);
+  x->phi = or_else(given[4], 0);
+  if (has_v || (!has_h && scene->v_is_given))
+    return tf_begin(machine, x, &u, to->report);
+  const tf_status_t begun = tf_begin_with_slip(machine, x, &u, h, to->report);
+  if (begun < 0 || to->scheme != 2) return begun;
+  (void)tf_speed_for_slip_compensated(to->machine, x, to->low, u.omega0, h);
+  return tf_begin(machine, x, &u, to->report);
+}
+
 /* The row of a state; its report is of the step that led to it. */
-void SHARED(twofold_row)(const tf_machine_t *machine, const tf_state_t *state,
-                         const tf_report_t *report, int status, row_t *row) {
-  *row = (row_t){.t = (double)state->tick * (double)machine->dt,
-                 .r = state->r,
-                 .v = state->v,
-                 .omega = state->w,
-                 .phi = state->phi,
-                 .h = report->slip.h,
-                 .g = report->slip.g,
-                 .F = report->force.F,
-                 .M = report->force.M,
-                 .mode = report->mode,
-                 .set = report->set,
-                 .choices = report->choices,
-                 .status = (int8_t)status};
+void SHARED(twofold_row)(const motion_t *at, row_t *row) {
+  const tf_state_t *x = at->state;
+  const tf_report_t *report = at->report;
+  *row = (row_t){(double)x->tick * (double)at->machine->machine.dt,
+                 x->r,
+                 x->v,
+                 x->w,
+                 x->phi,
+                 report->slip.h,
+                 report->slip.g,
+                 report->force.F,
+                 report->force.M,
+                 report->delassus,
+                 report->mode,
+                 report->set,
+                 report->choices,
+                 (int8_t)report->status};
+}
+
+static tf_status_t one_step(const motion_t *of, const tf_input_t *input) {
+  const tf_machine_t *machine = &of->machine->machine;
+  const tf_input_t u =
+      input ? *input : tf_scene_input(of->scene, machine, of->state->tick + 1);
+  if (of->scheme == 2)
+    return tf_step_compensated(of->machine, of->state, of->low, &u, of->report);
+  *of->low = (tf_compensation_t){0};
+  return of->scheme == 1 ? tf_step_located(machine, of->state, &u, of->report)
+                         : tf_step(machine, of->state, &u, of->report);
 }
 
 /* Goes on behind `from` of so many steps, for `most` of them, and writes a row
  * after every `every` of all and after the last. input: held, its alpha is 0
  * behind a step; NULL: those of the scene. Returns: steps taken, with `from`;
  * fewer where one is refused, whose status is in `status`. */
-uint64_t SHARED(twofold_run)(const tf_machine_t *machine,
-                             const tf_scene_t *scene, int located,
-                             tf_state_t *state, tf_input_t *input,
-                             tf_report_t *report, uint64_t from, uint64_t most,
-                             uint64_t steps, uint64_t every, row_t *rows,
-                             int *status) {
+uint64_t SHARED(twofold_run)(const motion_t *of, tf_input_t *input,
+                             uint64_t from, uint64_t most, uint64_t steps,
+                             uint64_t every, row_t *rows, int *status) {
   const uint64_t end = steps - from > most ? from + most : steps;
   for (uint64_t i = from + 1; i <= end; i++) {
-    const tf_input_t u =
-        input ? *input : tf_scene_input(scene, machine, state->tick + 1);
-    const tf_status_t done = located
-                                 ? tf_step_located(machine, state, &u, report)
-                                 : tf_step(machine, state, &u, report);
-    if (done < 0) {
-      *status = done;
-      return i - 1;
-    }
+    *status = one_step(of, input);
+    if (*status < 0) return i - 1;
     if (input) input->alpha = 0;
     if (i % every == 0 || i == steps)
-      SHARED(twofold_row)(machine, state, report, done, rows + (i - 1) / every);
+      SHARED(twofold_row)(of, rows + (i - 1) / every);
   }
   return end;
+}
+
+/* One step into a mode, whatever the rule would take. Returns: its status, or
+ * TF_BAD_PARAMETER where it ends in another one. */
+tf_status_t SHARED(twofold_take)(const motion_t *of, const tf_input_t *input,
+                                 unsigned mode) {
+  const tf_state_t before = *of->state;
+  const tf_compensation_t low = *of->low;
+  tf_compensated_t persists = *of->machine;
+  motion_t forced = *of;
+  tf_status_t status = one_step(of, input);
+  if (status >= 0 && of->report->mode == mode) return status;
+  persists.machine.contact.rule = TF_RULE_PERSIST;
+  forced.machine = &persists;
+  *of->state = before;
+  *of->low = low;
+  of->state->mode = (uint8_t)mode;
+  status = one_step(&forced, input);
+  return status < 0 || of->report->mode == mode ? status : TF_BAD_PARAMETER;
+}
+
+/* The two-folds, with K in the paper's time. */
+tf_status_t SHARED(twofold_folds)(const motion_t *of, fold_t rows[TF_TWO_FOLDS],
+                                  int *count) {
+  const tf_machine_t *machine = &of->machine->machine;
+  const tf_input_t u = tf_scene_input(of->scene, machine, 0);
+  tf_surface_point_t points[TF_TWO_FOLDS];
+  tf_status_t status = tf_two_folds(machine, &u, points, count, NULL);
+  for (int i = 0; status >= 0 && i < *count; i++) {
+    tf_two_fold_t at;
+    status = tf_normal_form(machine, &u, &points[i], &at);
+    if (status < 0) break;
+    const tf_real_t c = at.time_scale * at.time_scale;
+    const tf_real_t a = at.through.value, b = at.across.value;
+    rows[i] = (fold_t){points[i].r,
+                       points[i].v,
+                       points[i].w,
+                       points[i].g,
+                       {c * at.Kpp, c * at.Kpm, c * at.Kmp, c * at.Kmm},
+                       at.J1,
+                       at.J2,
+                       {a > b ? a : b, a > b ? b : a},
+                       at.time_scale,
+                       at.type,
+                       at.paper_case};
+  }
+  return status;
+}
+
+/* The regions of h = 0 at places whose r and omega are filled in; NaN: lambda
+ * or delassus is not defined there. */
+tf_status_t SHARED(twofold_regions)(const motion_t *of, place_t *places,
+                                    size_t n) {
+  const tf_machine_t *machine = &of->machine->machine;
+  const tf_input_t u = tf_scene_input(of->scene, machine, 0);
+  const tf_real_t none = 0;
+  tf_status_t status = TF_OK;
+  for (size_t i = 0; status >= 0 && i < n; i++) {
+    place_t *at = &places[i];
+    tf_surface_t found = {0};
+    tf_real_t v = 0;
+    status = tf_speed_for_slip(machine, at->r, at->omega, u.omega0, 0, &v);
+    if (status >= 0)
+      status = tf_surface_at(machine, &u, at->r, v, at->omega, &found);
+    at->lambda = found.lambda_is_given ? found.lambda : none / none;
+    at->delassus =
+        found.region == TF_REGION_CODIM2 ? none / none : found.delassus;
+    at->region = found.region;
+  }
+  return status;
 }
 #endif

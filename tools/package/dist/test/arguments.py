@@ -97,7 +97,8 @@ def table(real):
     return machine, ensemble, (
         ("Machine", twofold.Machine, {"real": real},
          {"scene": WORD, "real": [(None, TypeError), *WORD], "law": WORD,
-          "rule": WORD, "with_angle": FLAG, "seed": SEED,
+          "rule": WORD, "rest": WORD, "with_angle": FLAG, "seed": SEED,
+          **dict.fromkeys(("r", "v", "omega", "h", "phi"), PLACE),
           **{name: number(low, high) for name, (_, low, high) in
              twofold.parameters().items()}}),
         ("Machine.place", machine.place, {"r": 0.1, "omega": -1, "v": 0},
@@ -110,7 +111,12 @@ def table(real):
         ("Machine.run", machine.run, {"t_end": 1e-3},
          {"t_end": number(0, 2 ** 53 * machine["dt"]),
           "every": integer(1, 2 ** 53),
-          "scheme": [(None, TypeError), *WORD], "inputs": inputs}),
+          "scheme": WORD, "inputs": inputs}),
+        ("Machine.futures", machine.futures, {},
+         {"scheme": WORD, "inputs": inputs}),
+        ("Machine.regions", machine.regions, {"r": 0.1, "omega": -1},
+         dict.fromkeys(("r", "omega"), [pair for pair in COLUMN if
+                                        pair[0] is not BAD_SHAPE[-1]])),
         ("Ensemble", twofold.Ensemble, {"machine": machine, **three, "v": 0},
          {"machine": [(value, TypeError) for value in
                       (None, "chaos", 1, twofold.Machine, machine._machine)],
@@ -147,6 +153,10 @@ def judge(real):
     raises(ValueError, "epsilon is 0.0, allowed is", twofold.Machine,
            law="smooth")
     raises(ValueError, "name of an input", machine.input, thrust=1)
+    raises(ValueError, "not both", twofold.Machine, v=0, h=0)
+    raises(ValueError, "did you mean 'chaos'?", twofold.Machine, "choas")
+    raises(ValueError, "did you mean 'kappa'?", twofold.sweep, "chaos",
+           {"kapa": 1})
     for given in ({}, {"v": 0, "h": 0}):
         raises(ValueError, "either v or h", machine.place, 0.1, -1, **given)
         raises(ValueError, "either v or h", twofold.Ensemble, machine, 0.1, -1,

@@ -6,19 +6,10 @@ import sys
 import matplotlib
 
 matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 
 import twofold
 
-rows = twofold.Machine("chaos").run(t_end=10, every=10)
-figure, axes = plt.subplots(figsize=(6, 4.5))
-for index, name in enumerate(twofold.MODES):
-    part = rows[rows["mode"] == index]
-    if part.size:
-        axes.plot(part["r"], part["omega"], ".", markersize=1, label=name)
-axes.set(xlabel="r [m]", ylabel="omega [rad/s]")
-axes.legend(markerscale=8)
-figure.tight_layout()
+axes = twofold.simulate("chaos", t_end=10, every=10).plot("r", "omega")
 path = sys.argv[1] if len(sys.argv) > 1 else "phase_plane.png"
-figure.savefig(path, dpi=150)
+axes.figure.savefig(path, dpi=150)
 print(f"The phase plane is in {path}.")

@@ -1,0 +1,90 @@
+"""Names and numbers of the Python package are those of the command line, to the
+bit: python_numbers.py BUILD. Run by in_python.py, where it is installed."""
+import csv
+import ctypes
+import json
+import math
+import subprocess
+import sys
+
+import numpy as np
+
+import twofold
+from twofold import Mode, _core, _table
+
+SMALL = {"double": np.float64, "float": np.float32}
+
+
+def said(real, *words):
+    """What the command line prints."""
+    return subprocess.run([f"{sys.argv[1]}/{real}/twofold", *map(str, words)],
+                          stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
+                          text=True, check=False).stdout
+
+
+def agree(real, name, got, want):
+    """A number of a table and the text of the command line."""
+    if name in _table.MEMBERS and isinstance(got, np.integer):
+        got = str(_table.MEMBERS[name](got)) if got < 9 else ""
+    elif not isinstance(got, str):
+        got, want = SMALL[real](got), SMALL[real](math.nan if want == "" else want)
+    assert got == want or (got != got and want != want), (name, got, want)
+
+
+def same(table, real, *words, behind=0):
+    """Each column of the command line, behind so many rows."""
+    lines = [line for line in said(real, *words).splitlines()
+             if not line.startswith("#")]
+    rows = list(csv.DictReader(lines))[behind:]
+    assert len(rows) == table.size > 0, (words, len(rows), table.size)
+    for name in set(rows[0]) - {"point", "reason"}:
+        for got, row in zip(table[name].ravel(), rows):
+            if not (table[name].dtype.kind == "u" and row[name] == ""):
+                agree(real, name, got, row[name])
+
+
+for function, kind in (
+        ("tf_mode_name", Mode), ("tf_tyre_law_name", twofold.Law),
+        ("tf_rule_name", twofold.Rule), ("tf_rest_law_name", twofold.Rest),
+        ("tf_region_name", twofold.Region), ("tf_folds_name", twofold.Folds)):
+    name_of = getattr(_core._shared, f"{function}_f64")
+    name_of.restype = ctypes.c_char_p
+    assert [name_of(i).decode() for i in range(len(kind))] == [*map(str, kind)]
+    assert name_of(len(kind)).startswith(b"unknown"), function
+
+for REAL in SMALL:
+    for scene in twofold.scenes():
+        same(twofold.simulate(scene, 2, 100, real=REAL), REAL, "run", scene,
+             "--t-end", 2, "--every", 100)
+        folds = twofold.Machine(scene, real=REAL).two_folds()
+        wants = json.loads(said(REAL, "singularities", scene))["two_folds"]
+        assert len(wants) == len(folds)
+        for fold, want in zip(folds, wants):
+            want["eigenvalue_1"], want["eigenvalue_2"] = want["eigenvalues"]
+            want["case"] = want["case"] or "0"
+            for column in folds.dtype.names:
+                agree(REAL, column, fold[column], want[column])
+    for scheme in twofold.Scheme:
+        same(twofold.simulate("chaos", 0.3, 1, scheme, real=REAL, h=0, r=0.19),
+             REAL, "run", "chaos", "--t-end", 0.3, "--scheme", scheme, "--set",
+             "h=0", "--set", "r=0.19")
+    for rule, mode in (("slip+", Mode.SLIP_PLUS), ("slip-", Mode.SLIP_MINUS),
+                       ("persist", Mode.STICK_PLUS)):
+        machine = twofold.Machine(real=REAL, rule=rule, omega=-1.02, h=0)
+        futures = machine.futures()
+        assert len(futures) == 3 and machine.state.tick == 0
+        same(futures[mode].run(0.4999), REAL, "run", "chaos", "--t-end", 0.5,
+             "--set", "omega=-1.02", "--set", "h=0", "--select", rule, behind=1)
+    for axes, options in (
+            ({"kappa": np.linspace(0.25, 0.3, 3), "r": [0.18, 0.19]},
+             ["kappa=0.25:0.3:3", "--over", "r=0.18:0.19:2"]),
+            ({"gamma": [-0.5, 0, 0.5]}, ["gamma=-0.5:0.5:3"]),
+            ({"seed": [7, 8]}, ["seed=7:8:2", "--select", "random"])):
+        other = {"rule": "random"} if "seed" in axes else {}
+        same(twofold.sweep("chaos", axes, 9, real=REAL, **other), REAL,
+             "sweep", "chaos", "--t-end", 9, "--over", *options,
+             "--outcome", "modes,final," + ",".join(
+                 twofold._ensemble.NUMBERS[1:]))
+    same(twofold.Machine(real=REAL).regions(
+        np.linspace(0, 0.25, 9), np.linspace(-1.5, -0.5, 9)), REAL, "regions",
+         "chaos", "--r", "0:0.25:9", "--omega=-1.5:-0.5:9")

@@ -1,0 +1,27 @@
+"""A wheel on a turntable whose friction is not always deterministic.
+
+The core is twofold's, in C, called by ctypes: in fixed steps it finds every
+mode of contact that is possible, reports them, and takes one by a declared
+rule. Results have the bits of the command line `twofold`.
+
+    import twofold
+    rows = twofold.simulate("chaos", t_end=2.0, every=10, kappa=0.3)
+    rows["t"], rows["r"], rows["mode"] == twofold.Mode.PINNED
+    rows.plot("r", "omega")                     # by matplotlib
+    machine = twofold.Machine("chaos", omega=-1.02, h=0)
+    machine.futures()                           # one for each mode
+    twofold.sweep("chaos", {"kappa": [0.25, 0.3]}, t_end=2.0)["end_r"]
+    machine.two_folds(), machine.regions(r, omega)
+
+All numbers are in SI units. `parameters()` lists names, units and ranges.
+"""
+from ._core import parameters, scenes
+from ._ensemble import Ensemble, sweep
+from ._machine import INPUTS, Machine, simulate
+from ._names import Folds, Law, Mode, Region, Rest, Rule, Scheme, Status
+from ._table import UNITS, Table
+
+__all__ = ["Ensemble", "Folds", "INPUTS", "Law", "Machine", "Mode", "Region",
+           "Rest", "Rule", "Scheme", "Status", "Table", "UNITS", "parameters",
+           "scenes", "simulate", "sweep"]
+__version__ = "@VERSION@"

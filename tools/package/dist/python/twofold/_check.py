@@ -1,0 +1,102 @@
+"""Arguments are checked before the core has them: ctypes itself takes a bool
+for a number, and an integer modulo its size."""
+from __future__ import annotations
+
+import difflib
+import math
+import numbers
+import operator
+
+import numpy as np
+
+# Largest magnitude of a state and of an input, and number of steps at once.
+LIMIT = 1e9
+STEPS = 2 ** 53
+
+
+def refuse(name, value, low, high, unit=""):
+    raise ValueError(f"{name} is {value}, allowed is [{low}, {high}] {unit}"
+                     .rstrip())
+
+
+def integer(name, value, low, high):
+    """An integer in a range; a float is none, even where it is whole."""
+    if isinstance(value, (bool, np.bool_)):
+        raise TypeError(f"{name} is {value}, not an integer")
+    try:
+        whole = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name} is {value!r}, not an integer") from None
+    if not low <= whole <= high:
+        refuse(name, whole, low, high)
+    return whole
+
+
+def number(name, value, low=-math.inf, high=math.inf, unit=""):
+    """A real number in a range, as a float; without a range also one that is
+    not finite, which the core judges."""
+    if isinstance(value, bool) or not isinstance(value, numbers.Real):
+        raise TypeError(f"{name} is {value!r}, not a number")
+    try:
+        real = float(value)
+    except OverflowError:
+        real = math.inf if value > 0 else -math.inf
+    if low > -math.inf and not low <= real <= high:
+        refuse(name, real, low, high, unit)
+    return real
+
+
+def flag(name, value):
+    if not isinstance(value, (bool, np.bool_)):
+        raise TypeError(f"{name} is {value!r}, not True or False")
+    return bool(value)
+
+
+def word(name, value, words):
+    """One of the words; for another one, the closest."""
+    if not isinstance(value, str):
+        raise TypeError(f"{name} is {value!r}, not a str")
+    if value in words:
+        return value
+    close = difflib.get_close_matches(value, words, 1)
+    raise ValueError(f"{name} is {value!r}, not one of " + ", ".join(words)
+                     + (f"; did you mean {close[0]!r}?" if close else ""))
+
+
+def member(name, value, kind):
+    """A member of an enumeration, or its name."""
+    if isinstance(value, kind):
+        return value
+    names = {str(one): one for one in kind}
+    return names[word(name, value, names)]
+
+
+def column(name, values, kinds, low, high, unit=""):
+    """Numbers in a range, of the kinds that numpy has for them: a number, or an
+    array of one dimension."""
+    try:
+        array = np.asarray(values)
+    except ValueError:  # rows of several lengths
+        raise TypeError(f"{name} is no array of numbers") from None
+    if array.dtype.kind not in kinds:
+        raise TypeError(f"{name} is of {array.dtype}, not of "
+                        + ("numbers" if "f" in kinds else "integers"))
+    if array.ndim > 1 or array.size == 0:
+        raise ValueError(f"{name} has the shape {array.shape}, not (n,)")
+    allowed = (low <= array) & (array <= high)
+    if not allowed.all():
+        refuse(name, array.flat[np.argmin(allowed)], low, high, unit)
+    return array
+
+
+def columns(given):
+    """All with the length of those that are no single numbers."""
+    length, first = 1, None
+    for name, array in given.items():
+        if array.ndim and first is None:
+            length, first = array.size, name
+        if array.ndim and array.size != length:
+            raise ValueError(f"{name} has {array.size} values, {first} has "
+                             f"{length}")
+    return {name: np.broadcast_to(array, length)
+            for name, array in given.items()}

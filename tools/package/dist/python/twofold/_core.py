@@ -1,0 +1,142 @@
+"""The core in both real types, by ctypes: functions, structs, rows."""
+from __future__ import annotations
+
+import ctypes
+from ctypes import POINTER, c_char_p, c_double, c_int, c_size_t
+from ctypes import c_uint, c_uint8, c_uint16, c_uint32, c_uint64, c_void_p
+from pathlib import Path
+
+import numpy as np
+
+LANES = 16
+NO_MODE = 5
+# Steps of one call of the core; behind each, Python looks at its signals.
+SLICE = 2 ** 16
+LAYOUT = ("params", "law", "rule", "rest", "with_angle", "machine", "state",
+          "low", "input", "report", "state_block", "report_block", "row",
+          "fold", "place", "parameters")
+_shared = ctypes.CDLL(str(Path(__file__).with_name("_twofold.so")))
+
+
+class Core:
+    """The core in one real type."""
+
+    def __init__(self, suffix, real, dtype):
+        self.suffix, self.real, self.dtype = suffix, real, np.dtype(dtype)
+        self.size = dict(zip(LAYOUT, (c_uint32 * len(LAYOUT)).in_dll(
+            _shared, f"twofold_layout_{suffix}")))
+        self._structs()
+        self._rows()
+        self._functions()
+
+    def _struct(self, name, fields):
+        """A struct of the core; its size is compared with the compiler's."""
+        struct = type(name, (ctypes.Structure,), {"_fields_": fields})
+        if ctypes.sizeof(struct) != self.size.get(name, ctypes.sizeof(struct)):
+            raise ImportError(f"{name} is laid out in another way here")
+        return struct
+
+    def _structs(self):
+        def reals(names):
+            return [(name, self.real) for name in names.split()]
+
+        self.State = self._struct("state", reals("r v w phi") + [
+            ("tick", c_uint64), ("seed", c_uint32), ("mode", c_uint8)])
+        self.Low = self._struct("low", reals("r v w phi"))
+        self.Input = self._struct(
+            "input", reals("omega0 r0 force torque alpha"))
+        self.Motion = self._struct("motion", [
+            ("machine", c_void_p), ("scene", c_void_p), ("scheme", c_int),
+            ("state", POINTER(self.State)), ("low", POINTER(self.Low)),
+            ("report", c_void_p)])
+        self.Range = self._struct("range", [
+            ("name", c_char_p), ("unit", c_char_p), ("offset", c_uint16),
+            ("laws", c_uint16), ("low", self.real), ("high", self.real)])
+        self.ranges = (self.Range * self.size["parameters"]).in_dll(
+            _shared, f"tf_parameter_ranges_{self.suffix}")
+
+    def _dtype(self, name, reals, others, lanes=()):
+        """Of a row, or of a block of an ensemble."""
+        dtype = np.dtype([(one, self.dtype, lanes) for one in reals.split()]
+                         + [(one, kind, lanes) for one, kind in others],
+                         align=True)
+        if dtype.itemsize != self.size[name]:
+            raise ImportError(f"{name} is laid out in another way here")
+        return dtype
+
+    def _rows(self):
+        flags = [("mode", "u1"), ("set", "u1"), ("choices", "u1"),
+                 ("status", "i1")]
+        self.row = self._dtype("row", "", [("t", "f8"), *(
+            (name, self.dtype) for name in
+            "r v omega phi h g F M delassus".split()), *flags])
+        self.fold = self._dtype(
+            "fold", "r v omega g K++ K+- K-+ K-- J1 J2 eigenvalue_1 "
+            "eigenvalue_2 time_scale", [("type", "u1"), ("case", "u1")])
+        self.place = self._dtype("place", "r omega lambda delassus",
+                                 [("region", "u1")])
+        self.state_block = self._dtype(
+            "state_block", "r v w phi", [("tick", "u8"), ("seed", "u4"),
+                                         ("mode", "u1")], LANES)
+        self.report_block = self._dtype(
+            "report_block", "F M h g delassus residual", flags, LANES)
+
+    def _functions(self):
+        real, any_, motion = self.real, c_void_p, POINTER(self.Motion)
+        input_ = POINTER(self.Input)
+        for name, result, arguments in (
+                ("tf_prepare_compensated", c_int,
+                 (any_, any_, POINTER(c_int))),
+                ("tf_input_default", self.Input, (any_,)),
+                ("tf_turntable_to", None, (input_, real, real)),
+                ("tf_energy", real, (any_, POINTER(self.State), real)),
+                ("tf_status_name", c_char_p, (c_int,)),
+                ("tf_ensemble_put", None,
+                 (any_, c_size_t, POINTER(self.State))),
+                ("twofold_ensemble_run", None,
+                 (any_, any_, c_size_t, input_, any_, c_uint64)),
+                ("twofold_scene", any_, (c_uint,)),
+                ("twofold_scene_text", c_char_p, (any_, c_int)),
+                ("twofold_scene_params", any_, (any_,)),
+                ("twofold_scene_end", c_double, (any_,)),
+                ("twofold_begin", c_int, (motion, input_, any_)),
+                ("twofold_row", None, (motion, any_)),
+                ("twofold_take", c_int, (motion, input_, c_uint)),
+                ("twofold_folds", c_int, (motion, any_, POINTER(c_int))),
+                ("twofold_regions", c_int, (motion, any_, c_size_t)),
+                ("twofold_run", c_uint64,
+                 (motion, input_, *4 * [c_uint64], any_, POINTER(c_int)))):
+            function = getattr(_shared, f"{name}_{self.suffix}")
+            function.restype, function.argtypes = result, arguments
+            setattr(self, "call_" + name.split("_", 1)[1], function)
+
+    def scenes(self):
+        """Handle of each scene by name."""
+        found, index = {}, 0
+        while scene := self.call_scene(index):
+            found[self.call_scene_text(scene, 0).decode()] = scene
+            index += 1
+        return found
+
+    def fail(self, status, what):
+        """Raises for a negative status."""
+        if status < 0:
+            raise ValueError(
+                f"{what}: {self.call_status_name(status).decode()}")
+
+
+CORES = {"double": Core("f64", ctypes.c_double, "f8"),
+         "float": Core("f32", ctypes.c_float, "f4")}
+
+
+def scenes() -> dict[str, str]:
+    """Name of each scene, and what it shows."""
+    core = CORES["double"]
+    return {name: core.call_scene_text(scene, 1).decode()
+            for name, scene in core.scenes().items()}
+
+
+def parameters() -> dict[str, tuple[str, float, float]]:
+    """Name of each parameter: (unit, lowest, highest value)."""
+    return {one.name.decode(): (one.unit.decode(), one.low, one.high)
+            for one in CORES["double"].ranges}

@@ -1,0 +1,178 @@
+"""Many states of one machine, and many machines."""
+from __future__ import annotations
+
+import copy
+import math
+from ctypes import byref
+
+import numpy as np
+
+from . import _core
+from ._check import LIMIT, STEPS, column, columns, integer, word
+from ._core import LANES, NO_MODE, parameters
+from ._machine import START, Machine, placed
+from ._names import Mode, Scheme
+from ._table import Table
+
+
+class Ensemble:
+    """Many states of one machine, stepped together with the bits of single
+    steps of scheme moreau.
+
+    machine: a Machine. r [m], omega [rad/s], v [m/s] or h [m/s]: arrays of one
+    length and one dimension, or numbers. seed: of rule "random", one a state.
+    """
+
+    def __init__(self, machine: Machine, r, omega, v=None, h=None, seed=None):
+        if not isinstance(machine, Machine):
+            raise TypeError(f"machine is {machine!r}, not a Machine")
+        self.machine, self.core = machine, machine.core
+        given = {name: column(name, values, "iuf", -LIMIT, LIMIT, START[name])
+                 for name, values in placed(r, omega, v, h).items()}
+        if seed is not None:
+            given["seed"] = column("seed", seed, "iu", 0, 2 ** 32 - 1)
+        given = columns(given)
+        self.n = given["r"].size
+        seeds = given.pop("seed", np.arange(self.n))
+        blocks = -(-self.n // LANES)
+        self.states = np.zeros(blocks, self.core.state_block)
+        self.reports = np.zeros(blocks, self.core.report_block)
+        one, input_ = copy.copy(machine), byref(machine.input())
+        for i in range(self.n):
+            start = {**dict.fromkeys(START), **{
+                name: float(values[i]) for name, values in given.items()}}
+            one._begin(one._given(start.items()), f"state {i}", int(seeds[i]),
+                       input_)
+            self.core.call_ensemble_put(self.states.ctypes.data, i,
+                                        byref(one.state))
+
+    def step(self, steps: int = 1, inputs=None) -> None:
+        """Takes so many steps. inputs: of Machine.input(), held; their alpha is
+        that of the first step, and 0 behind it. A state whose step is refused
+        stays where it is; see status. Where KeyboardInterrupt ends it, all
+        states have taken as many of the steps."""
+        steps = integer("steps", steps, 0, STEPS)
+        inputs = self.machine.input() if inputs is None else inputs
+        self.machine._held(inputs)
+        most = max(1, _core.SLICE // self.n)
+        for taken in range(0, steps, most):
+            self.core.call_ensemble_run(
+                self.machine._machine, self.states.ctypes.data, self.n,
+                byref(inputs), self.reports.ctypes.data,
+                min(most, steps - taken))
+
+    def _columns(self):
+        """Home and name there of each quantity."""
+        return {**{"omega" if name == "w" else name: (self.states, name)
+                   for name in self.states.dtype.names},
+                **{name: (self.reports, name)
+                   for name in self.reports.dtype.names if name != "mode"}}
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        """An array over the states: r [m], v [m/s], omega [rad/s], phi [rad],
+        tick, seed; F [N], M [N m], h, g [m/s], delassus [1/kg], residual [N],
+        mode (of Mode), set, choices, status (< 0: refused). Forces, slips, set,
+        choices and status are those of the last step."""
+        known = self._columns()
+        home, name = known[word("name of a quantity", name, known)]
+        return home[name].reshape(-1)[:self.n].copy()
+
+    def table(self) -> Table:
+        """All of them, a row for each state."""
+        names = list(self._columns())
+        return np.rec.fromarrays([self[name] for name in names],
+                                 names=names).view(Table)
+
+    def __repr__(self):
+        return f"{self.n} states of {self.machine!r}\n{self.table()!r}"
+
+    def _repr_html_(self):
+        return self.table()._repr_html_()
+
+    def __len__(self):
+        return self.n
+
+
+def _outcomes(rows, energy, end_energy):
+    """What is left of a motion: the outcomes of `twofold sweep`, by its
+    rows."""
+    t, mode, g, A = (rows[name] for name in ("t", "mode", "g", "delassus"))
+    slip, choice = mode <= Mode.SLIP_MINUS, rows["choices"] > 1
+    stick = ~slip & (mode != Mode.PINNED)
+    steps = len(rows) - 1 or math.nan
+    moves, several = np.flatnonzero(mode != Mode.PINNED), np.flatnonzero(choice)
+    fold = np.flatnonzero(
+        stick[:-1] & (A[:-1] > 0) & ~(A[1:] > 0)
+        & np.where(stick[1:], mode[1:] == mode[:-1],
+                   slip[1:] & (np.sign(g[1:]) * np.sign(g[:-1]) >= 0))) + 1
+    since = moves[-1] + 1 if len(moves) else 0
+    return {
+        "modes": "|".join(str(one) for one in Mode if one in mode),
+        "final": mode[-1], "changes": np.count_nonzero(np.diff(mode)),
+        "rest": t[since] if since < len(t) else math.nan,
+        "arrivals": len(fold), "arrival": t[fold[0]] if len(fold) else math.nan,
+        "recurrence": ((t[fold[-1]] - t[fold[0]]) / (len(fold) - 1)
+                       if len(fold) > 1 else math.nan),
+        "ambiguous": t[several[0]] if len(several) else math.nan,
+        "ambiguous_share": np.count_nonzero(choice[1:]) / steps,
+        "stick_share": np.count_nonzero(~slip[1:]) / steps,
+        "energy": end_energy, "energy_change": end_energy - energy,
+        "r_low": rows["r"].min(), "r_high": rows["r"].max(),
+        **{f"end_{name}": rows[name][-1]
+           for name in ("r", "v", "omega", "h", "g")}}
+
+
+OTHER_AXES = ("law", "rule", "seed", *START)
+NUMBERS = ("t changes rest arrivals arrival recurrence ambiguous "
+           "ambiguous_share stick_share energy energy_change r_low r_high "
+           "end_r end_v end_omega end_h end_g").split()
+
+
+def _point(row, scene, t_end, scheme, settings):
+    """Fills in the row of a point."""
+    row["final"] = NO_MODE
+    try:
+        machine = Machine(scene, **settings)
+        machine._ready(machine._scheme(scheme))
+    except ValueError as error:
+        row["status"], row["reason"] = "refused", str(error)
+        return
+    energy = machine.energy()
+    rows, done, status = machine._rows(t_end, 1, scheme, None)
+    row["t"] = rows["t"][-1]
+    found = _outcomes(rows, energy, machine.energy())
+    for name, value in found.items():
+        row[name] = value
+    flagged = np.isin(rows["status"][1:], (1, 3, 4)).any()
+    row["status"] = ("stopped" if status < 0 else
+                     "flagged" if flagged else "done")
+    if status < 0:
+        reason = machine.core.call_status_name(status).decode()
+        row["reason"] = f"step {done + 1}: {reason}"
+
+
+def sweep(scene: str = "chaos", over: dict | None = None,
+          t_end: float | None = None, scheme: Scheme | str | None = None,
+          **settings) -> Table:
+    """Follows a motion from each point of a grid: what `twofold sweep` finds.
+
+    over: values of each axis by its name, a parameter or argument of Machine.
+    Returns: a table with an axis for each; columns: those of over, t (the time
+      that was reached), the outcomes of `twofold sweep` (NaN: it did not
+      happen), status (done; flagged, with steps that have a reservation; stopped,
+      refused) and the reason. Large ones are quicker there.
+    """
+    axes = {word("name of an axis", name, (*parameters(), *OTHER_AXES)):
+            np.atleast_1d(values) for name, values in (over or {}).items()}
+    table = np.zeros([len(values) for values in axes.values()], [
+        *((name, values.dtype) for name, values in axes.items()),
+        *((name, "f8") for name in NUMBERS), ("modes", "U48"),
+        ("final", "u1"), ("status", "U8"), ("reason", "U160")])
+    for name, grid in zip(axes, np.meshgrid(*axes.values(), indexing="ij")):
+        table[name] = grid
+    for name in NUMBERS:
+        table[name] = math.nan
+    for at in np.ndindex(table.shape):
+        point = {name: table[name][at].item() for name in axes}
+        _point(table[at], scene, t_end, scheme, {**settings, **point})
+    return table.view(Table)

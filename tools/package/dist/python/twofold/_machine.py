@@ -1,0 +1,285 @@
+"""One machine in one state."""
+from __future__ import annotations
+
+import copy
+import ctypes
+import math
+from ctypes import byref, c_int
+
+import numpy as np
+
+from . import _core
+from ._check import (LIMIT, STEPS, column, flag, integer, member, number,
+                     refuse, word)
+from ._core import CORES, NO_MODE
+from ._names import Law, Mode, Rest, Rule, Scheme
+from ._table import Table
+
+# Float loses a motion in the rounding of its state at shorter steps [s].
+SHORT_STEP = 1e-3
+INPUTS = {"omega0": "rad/s", "r0": "m", "force": "N", "torque": "N m",
+          "alpha": "rad/s^2"}
+START = {"r": "m", "v": "m/s", "omega": "rad/s", "h": "m/s", "phi": "rad"}
+
+
+def placed(r, omega, v, h):
+    """What of a place is given, by its name."""
+    if (v is None) == (h is None):
+        raise ValueError("either v or h is to be given")
+    return {"r": r, "omega": omega, **({"h": h} if v is None else {"v": v})}
+
+
+class Machine:
+    """A prepared machine, in one state.
+
+    scene: one of scenes(); gives parameters, start and inputs.
+    real: "double" or "float".
+    law, rule, rest: of Law, Rule, Rest, or a name; rate [1/s] belongs to rule
+      "random".
+    with_angle: whether the angle of the disc is integrated.
+    r, v, omega, h, phi: the start; None: that of the scene. h instead of v.
+    parameters: those to be changed, by name, in SI units (parameters()).
+    Raises ValueError that names a parameter, its value and its range.
+    """
+
+    def __init__(self, scene: str = "chaos", real: str = "double",
+                 law: Law | str | None = None, rule: Rule | str | None = None,
+                 rest: Rest | str | None = None,
+                 with_angle: bool | None = None, seed: int = 1,
+                 r: float | None = None, v: float | None = None,
+                 omega: float | None = None, h: float | None = None,
+                 phi: float | None = None, **parameters: float):
+        self.core = core = CORES[word("real", real, CORES)]
+        known = core.scenes()
+        self.scene = known[word("scene", scene, known)]
+        self.name, self.seed = scene, seed
+        self._params = ctypes.create_string_buffer(
+            ctypes.string_at(core.call_scene_params(self.scene),
+                             core.size["params"]), core.size["params"])
+        for name, value in parameters.items():
+            one = self._range(name)
+            rounded = core.real(number(name, value)).value
+            self._put(one.offset, core.real, number(
+                name, rounded, one.low, one.high, one.unit.decode()))
+        for name, value, kind in (("law", law, Law), ("rule", rule, Rule),
+                                  ("rest", rest, Rest)):
+            if value is not None:
+                self._put(core.size[name], ctypes.c_uint,
+                          member(name, value, kind))
+        if with_angle is not None or phi is not None:
+            self._put(core.size["with_angle"], ctypes.c_bool, flag(
+                "with_angle", True if with_angle is None else with_angle))
+        if v is not None and h is not None:
+            raise ValueError("either v or h is to be given, not both")
+        self._start = self._given(zip(START, (r, v, omega, h, phi)))
+        self._machine = ctypes.create_string_buffer(core.size["machine"])
+        offender = c_int(-1)
+        if core.call_prepare_compensated(self._machine, self._params,
+                                         byref(offender)) < 0:
+            bad = core.ranges[offender.value]
+            name = bad.name.decode()
+            refuse(name, self[name], bad.low, bad.high, bad.unit.decode())
+        self.start()
+
+    def _put(self, offset, type_, value):
+        ctypes.memmove(byref(self._params, offset), byref(type_(value)),
+                       ctypes.sizeof(type_))
+
+    def _get(self, name, kind):
+        return kind(ctypes.c_uint.from_buffer(self._params,
+                                              self.core.size[name]).value)
+
+    def _range(self, name):
+        known = {one.name.decode(): one for one in self.core.ranges}
+        return known[word("name of a parameter", name, known)]
+
+    def __getitem__(self, name: str) -> float:
+        """Value of a parameter in SI units, by its name."""
+        return self.core.real.from_buffer(
+            self._params, self._range(name).offset).value
+
+    def __repr__(self):
+        x, t = self.state, self.state.tick * self["dt"]
+        return (f"Machine({self.name!r}, law={self._get('law', Law)}, "
+                f"rule={self._get('rule', Rule)}) at t={t:.6g} s: r={x.r:.6g} "
+                f"m, v={x.v:.6g} m/s, omega={x.w:.6g} rad/s, "
+                f"{Mode(x.mode)}")
+
+    def _given(self, values):
+        """A start; NaN where the scene gives it."""
+        return (self.core.real * len(START))(*(
+            math.nan if value is None else
+            number(name, value, -LIMIT, LIMIT, START[name])
+            for name, value in values))
+
+    def start(self) -> None:
+        """Returns to the start of the scene, or to that given."""
+        self._begin(self._start, f"start of {self.name}")
+
+    def place(self, r: float, omega: float, v: float | None = None,
+              h: float | None = None) -> None:
+        """Starts anew at r [m] and omega [rad/s], with the speed v [m/s] of the
+        slider or, instead, the slip speed h [m/s]."""
+        given = {**dict.fromkeys(START), **placed(r, omega, v, h)}
+        for name in ("r", "omega"):  # which None does not leave to the scene
+            number(name, given[name])
+        self._begin(self._given(given.items()), "place")
+
+    def _begin(self, start, what, seed=None, input_=None, scheme=0):
+        seed = integer("seed", self.seed if seed is None else seed, 0,
+                       2 ** 32 - 1)
+        old = self.__dict__.copy()
+        self.state = self.core.State(seed=seed, mode=NO_MODE)
+        self.low = self.core.Low()
+        self.report = ctypes.create_string_buffer(self.core.size["report"])
+        status = self.core.call_begin(self._motion(scheme), input_, start)
+        if status < 0:
+            self.__dict__ = old
+        self.core.fail(status, what)
+        self._begun = start, bytes(self.state)
+
+    def _motion(self, scheme=0):
+        return self.core.Motion(
+            ctypes.addressof(self._machine), self.scene, scheme,
+            ctypes.pointer(self.state), ctypes.pointer(self.low),
+            ctypes.addressof(self.report))
+
+    def copy(self) -> Machine:
+        """One in the same state, which goes its own way."""
+        other = copy.copy(self)
+        other.state, other.low = copy.copy(self.state), copy.copy(self.low)
+        other.report = ctypes.create_string_buffer(self.report.raw,
+                                                   len(self.report))
+        return other
+
+    def input(self, **changed: float):
+        """The inputs of a machine that nothing drives, with changes: omega0
+        [rad/s], r0 [m], force [N], torque [N m], alpha [rad/s^2]."""
+        given = self.core.call_input_default(self._machine)
+        for name, value in changed.items():
+            word("name of an input", name, INPUTS)
+            setattr(given, name, number(name, value, -LIMIT, LIMIT,
+                                        INPUTS[name]))
+        return given
+
+    def turntable_to(self, inputs, omega0: float) -> None:
+        """Moves the turntable of inputs, of input(), on to omega0 [rad/s] at
+        the end of the next step: alpha becomes the mean over that step."""
+        self._held(inputs)
+        self.core.call_turntable_to(
+            byref(inputs), number("omega0", omega0, -LIMIT, LIMIT, "rad/s"),
+            self["dt"])
+
+    def _held(self, inputs):
+        """Inputs of input(), which may have been altered since."""
+        if not isinstance(inputs, self.core.Input):
+            raise TypeError(f"inputs is {inputs!r}, not of input() of a "
+                            "machine of this real type")
+        for name, unit in INPUTS.items():
+            number(f"inputs: {name}", getattr(inputs, name), -LIMIT, LIMIT,
+                   unit)
+        return byref(inputs)
+
+    def two_folds(self) -> Table:
+        """Every two-fold at g != 0, under the inputs at t = 0, with its normal
+        form in the paper's time: a row each, as `twofold singularities` has
+        them; none where the machine has none."""
+        rows = np.zeros(8, self.core.fold)
+        count = c_int(0)
+        self.core.fail(self.core.call_folds(
+            self._motion(), rows.ctypes.data, byref(count)), "two_folds")
+        return rows[:count.value].view(Table)
+
+    def regions(self, r, omega) -> Table:
+        """The regions of h = 0 over r [m] and omega [rad/s], arrays of one
+        dimension, under the inputs at t = 0: a table of the shape (len(r),
+        len(omega)); NaN where lambda or delassus is not defined."""
+        axes = [np.atleast_1d(column(name, values, "iuf", -LIMIT, LIMIT))
+                for name, values in (("r", r), ("omega", omega))]
+        rows = np.zeros([axis.size for axis in axes], self.core.place)
+        rows["r"], rows["omega"] = np.meshgrid(*axes, indexing="ij")
+        self.core.fail(self.core.call_regions(
+            self._motion(), rows.ctypes.data, rows.size), "regions")
+        return rows.view(Table)
+
+    def energy(self) -> float:
+        """Mechanical energy of the present state [J]."""
+        return self.core.call_energy(self._machine, byref(self.state),
+                                     self["r0"])
+
+    def _scheme(self, scheme):
+        if scheme is None:
+            short = self.core is CORES["float"] and self["dt"] < SHORT_STEP
+            return Scheme.COMPENSATED if short else Scheme.MOREAU
+        return member("scheme", scheme, Scheme)
+
+    def _ready(self, scheme):
+        """A start under it: compensated has the v of an h beyond rounding."""
+        start, state = self._begun
+        if bytes(self.state) == state:
+            self._begin(start, "start", self.state.seed, scheme=scheme)
+        return self._motion(scheme)
+
+    def futures(self, scheme: Scheme | str | None = None,
+                inputs=None) -> dict[Mode, Machine]:
+        """What the next step may be: for each mode that may follow, a machine
+        one step on that has taken it, whatever the rule takes. scheme and
+        inputs are those of run()."""
+        scheme = self._scheme(scheme)
+        held = None if inputs is None else self._held(inputs)
+        self._ready(scheme)
+        here, found = np.zeros(1, self.core.row), {}
+        self.core.call_row(self._motion(), here.ctypes.data)
+        for mode in Mode:
+            if here["set"][0] >> mode & 1:
+                other = self.copy()
+                if self.core.call_take(other._motion(scheme), held, mode) >= 0:
+                    found[mode] = other
+        return found
+
+    def run(self, t_end: float | None = None, every: int = 1,
+            scheme: Scheme | str | None = None, inputs=None) -> Table:
+        """Steps on for t_end [s] (default: the scene's length), the nearest
+        whole number of steps.
+
+        scheme: of Scheme, or a name; None: moreau, in float below 1 ms
+          compensated, as on the command line.
+        inputs: of input(), held; their alpha is that of the first step, behind
+          which the turntable keeps its omega0 and alpha is 0, in `inputs` too.
+          None: those of the scene.
+        Returns: a table with a row at the beginning, one after every `every`
+          steps and one at the end; t [s], r [m], v [m/s], omega [rad/s], phi
+          [rad], h, g [m/s], F [N], M [N m], delassus [1/kg], mode (of Mode),
+          set (bit 1 << mode of each that was possible), choices, status.
+        Raises ValueError where a step is refused, and KeyboardInterrupt at
+          once; `state` is the last one.
+        """
+        rows, done, status = self._rows(t_end, every, scheme, inputs)
+        self.core.fail(status, f"step {done + 1}")
+        return rows
+
+    def _rows(self, t_end, every, scheme, inputs):
+        """Rows, as far as they were reached, steps taken, last status."""
+        scheme = self._scheme(scheme)
+        every = integer("every", every, 1, STEPS)
+        if t_end is None:
+            t_end = self.core.call_scene_end(self.scene)
+        steps = round(number("t_end", t_end, 0, STEPS * self["dt"], "s")
+                      / self["dt"])
+        held = None if inputs is None else self._held(inputs)
+        motion = self._ready(scheme)
+        rows = np.zeros(1 + -(-steps // every), self.core.row)
+        self.core.call_row(motion, rows.ctypes.data)
+        done, status = 0, c_int(0)
+        while done < steps and status.value >= 0:
+            done = self.core.call_run(
+                motion, held, done, _core.SLICE, steps, every,
+                rows[1:].ctypes.data, byref(status))
+        kept = rows if status.value >= 0 else rows[:1 + done // every]
+        return kept.view(Table), done, status.value
+
+
+def simulate(scene: str = "chaos", t_end: float | None = None, every: int = 1,
+             scheme: Scheme | str | None = None, **settings) -> Table:
+    """The rows of one motion; settings are those of Machine."""
+    return Machine(scene, **settings).run(t_end, every, scheme)
