@@ -27,7 +27,8 @@ def agree(real, name, got, want):
     if name in _table.MEMBERS and isinstance(got, np.integer):
         got = str(_table.MEMBERS[name](got)) if got < 9 else ""
     elif not isinstance(got, str):
-        got, want = SMALL[real](got), SMALL[real](math.nan if want == "" else want)
+        want = math.nan if want == "" else want
+        got, want = SMALL[real](got), SMALL[real](want)
     assert got == want or (got != got and want != want), (name, got, want)
 
 

@@ -1,8 +1,10 @@
-/* What the package calls beside the public functions: the layout of
- * structs, so that the module can hold them, scenes by number, and a loop of
- * steps, which would be slow in Python. */
-#ifdef TWOFOLD_AVX2_LANES /* once more, for the vectors of AVX2 alone */
+/* What the package calls beside the public functions: the layout of structs, so
+ * that Python can hold them, and loops, which would be slow there. */
+#ifdef LANES_FOR_AVX2
 #define TF_API_STATIC
+#define LANES(name) SHARED(name##_avx2)
+#else
+#define LANES SHARED
 #endif
 #include "twofold.c"
 
@@ -14,46 +16,33 @@
 
 /* Takes so many steps of an ensemble, block by block. input: that of the first
  * of them, behind which the turntable keeps its speed. */
-typedef void ensemble_run_t(const tf_machine_t *machine,
-                            tf_state_block_t *states, size_t n,
-                            const tf_input_t *input, tf_report_block_t *reports,
-                            uint64_t steps);
-ensemble_run_t SHARED(twofold_ensemble_with_avx2);
+typedef void lanes_t(const tf_machine_t *machine, tf_state_block_t *states,
+                     size_t n, tf_input_t *input, tf_report_block_t *reports,
+                     uint64_t steps);
+lanes_t SHARED(twofold_lanes), SHARED(twofold_lanes_avx2);
 
-static void run_ensemble(const tf_machine_t *machine, tf_state_block_t *states,
-                         size_t n, const tf_input_t *input,
-                         tf_report_block_t *reports, uint64_t steps) {
+void LANES(twofold_lanes)(const tf_machine_t *machine, tf_state_block_t *states,
+                          size_t n, tf_input_t *input,
+                          tf_report_block_t *reports, uint64_t steps) {
   for (size_t at = 0; at < n; at += TF_LANES) {
-    const size_t lanes = n - at < TF_LANES ? n - at : TF_LANES;
     tf_input_t u = *input;
     for (uint64_t i = 0; i < steps; i++) {
-      tf_ensemble_step(machine, states + at / TF_LANES, lanes, &u,
+      tf_ensemble_step(machine, states + at / TF_LANES,
+                       n - at < TF_LANES ? n - at : TF_LANES, &u,
                        reports + at / TF_LANES);
       u.alpha = 0;
     }
   }
-}
-
-#ifdef TWOFOLD_AVX2_LANES
-void SHARED(twofold_ensemble_with_avx2)(const tf_machine_t *machine,
-                                        tf_state_block_t *states, size_t n,
-                                        const tf_input_t *input,
-                                        tf_report_block_t *reports,
-                                        uint64_t steps) {
-  run_ensemble(machine, states, n, input, reports, steps);
-}
-#else
-
-void SHARED(twofold_ensemble_run)(const tf_machine_t *machine,
-                                  tf_state_block_t *states, size_t n,
-                                  tf_input_t *input, tf_report_block_t *reports,
-                                  uint64_t steps) {
-  ensemble_run_t *run = run_ensemble;
-#ifdef TWOFOLD_HAS_AVX2_LANES
-  if (__builtin_cpu_supports("avx2")) run = SHARED(twofold_ensemble_with_avx2);
-#endif
-  run(machine, states, n, input, reports, steps);
   if (steps > 0) input->alpha = 0;
+}
+
+#ifndef LANES_FOR_AVX2
+int SHARED(twofold_has_avx2)(void) {
+#if defined(__GNUC__) && defined(__x86_64__)
+  return __builtin_cpu_supports("avx2") != 0;
+#else
+  return 0;
+#endif
 }
 
 /* Sizes and offsets in the order that the module knows. */
@@ -81,6 +70,7 @@ const uint32_t SHARED(twofold_layout)[] = {
     sizeof(tf_state_t),
     sizeof(tf_compensation_t),
     sizeof(tf_input_t),
+    sizeof(tf_scene_t),
     sizeof(tf_report_t),
     sizeof(tf_state_block_t),
     sizeof(tf_report_block_t),
@@ -88,23 +78,8 @@ const uint32_t SHARED(twofold_layout)[] = {
     sizeof(fold_t),
     sizeof(place_t),
     TF_PARAMETERS,
+    TF_SCENES,
 };
-
-const tf_scene_t *SHARED(twofold_scene)(unsigned index) {
-  return index < TF_SCENES ? tf_scenes[index] : NULL;
-}
-
-const char *SHARED(twofold_scene_text)(const tf_scene_t *scene, int shows) {
-  return shows ? scene->shows : scene->name;
-}
-
-const tf_params_t *SHARED(twofold_scene_params)(const tf_scene_t *scene) {
-  return &scene->params;
-}
-
-double SHARED(twofold_scene_end)(const tf_scene_t *scene) {
-  return scene->t_end;
-}
 
 /* A motion: what stays, and what a step changes. */
 typedef struct {

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import ctypes
-from ctypes import POINTER, c_char_p, c_double, c_int, c_size_t
+from ctypes import POINTER, c_bool, c_char, c_char_p, c_int, c_size_t
 from ctypes import c_uint, c_uint8, c_uint16, c_uint32, c_uint64, c_void_p
 from pathlib import Path
 
@@ -13,8 +13,8 @@ NO_MODE = 5
 # Steps of one call of the core; behind each, Python looks at its signals.
 SLICE = 2 ** 16
 LAYOUT = ("params", "law", "rule", "rest", "with_angle", "machine", "state",
-          "low", "input", "report", "state_block", "report_block", "row",
-          "fold", "place", "parameters")
+          "low", "input", "scene", "report", "state_block", "report_block", "row",
+          "fold", "place", "parameters", "scenes")
 _shared = ctypes.CDLL(str(Path(__file__).with_name("_twofold.so")))
 
 
@@ -45,13 +45,22 @@ class Core:
         self.Low = self._struct("low", reals("r v w phi"))
         self.Input = self._struct(
             "input", reals("omega0 r0 force torque alpha"))
-        self.Motion = self._struct("motion", [
-            ("machine", c_void_p), ("scene", c_void_p), ("scheme", c_int),
-            ("state", POINTER(self.State)), ("low", POINTER(self.Low)),
-            ("report", c_void_p)])
         self.Range = self._struct("range", [
             ("name", c_char_p), ("unit", c_char_p), ("offset", c_uint16),
             ("laws", c_uint16), ("low", self.real), ("high", self.real)])
+        self.Scene = self._struct("scene", [
+            ("name", c_char_p), ("shows", c_char_p), ("leaves_out", c_char_p),
+            ("params", c_char * self.size["params"]),
+            ("start", 4 * self.real), ("v_is_given", c_bool),
+            ("t_end", self.real), ("knots", c_uint8),
+            ("profile", 16 * self.real)])
+        self.scenes = {one.contents.name.decode(): one.contents for one in
+                       (POINTER(self.Scene) * self.size["scenes"]).in_dll(
+                           _shared, f"tf_scenes_{self.suffix}")}
+        self.Motion = self._struct("motion", [
+            ("machine", c_void_p), ("scene", POINTER(self.Scene)), ("scheme", c_int),
+            ("state", POINTER(self.State)), ("low", POINTER(self.Low)),
+            ("report", c_void_p)])
         self.ranges = (self.Range * self.size["parameters"]).in_dll(
             _shared, f"tf_parameter_ranges_{self.suffix}")
 
@@ -93,12 +102,8 @@ class Core:
                 ("tf_status_name", c_char_p, (c_int,)),
                 ("tf_ensemble_put", None,
                  (any_, c_size_t, POINTER(self.State))),
-                ("twofold_ensemble_run", None,
+                ("twofold_lanes", None,
                  (any_, any_, c_size_t, input_, any_, c_uint64)),
-                ("twofold_scene", any_, (c_uint,)),
-                ("twofold_scene_text", c_char_p, (any_, c_int)),
-                ("twofold_scene_params", any_, (any_,)),
-                ("twofold_scene_end", c_double, (any_,)),
                 ("twofold_begin", c_int, (motion, input_, any_)),
                 ("twofold_row", None, (motion, any_)),
                 ("twofold_take", c_int, (motion, input_, c_uint)),
@@ -106,17 +111,11 @@ class Core:
                 ("twofold_regions", c_int, (motion, any_, c_size_t)),
                 ("twofold_run", c_uint64,
                  (motion, input_, *4 * [c_uint64], any_, POINTER(c_int)))):
-            function = getattr(_shared, f"{name}_{self.suffix}")
+            avx2 = "_avx2" * (name == "twofold_lanes" and
+                              _shared.twofold_has_avx2_f64())
+            function = getattr(_shared, f"{name}{avx2}_{self.suffix}")
             function.restype, function.argtypes = result, arguments
             setattr(self, "call_" + name.split("_", 1)[1], function)
-
-    def scenes(self):
-        """Handle of each scene by name."""
-        found, index = {}, 0
-        while scene := self.call_scene(index):
-            found[self.call_scene_text(scene, 0).decode()] = scene
-            index += 1
-        return found
 
     def fail(self, status, what):
         """Raises for a negative status."""
@@ -131,9 +130,8 @@ CORES = {"double": Core("f64", ctypes.c_double, "f8"),
 
 def scenes() -> dict[str, str]:
     """Name of each scene, and what it shows."""
-    core = CORES["double"]
-    return {name: core.call_scene_text(scene, 1).decode()
-            for name, scene in core.scenes().items()}
+    return {name: scene.shows.decode()
+            for name, scene in CORES["double"].scenes.items()}
 
 
 def parameters() -> dict[str, tuple[str, float, float]]:

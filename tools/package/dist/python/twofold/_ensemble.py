@@ -56,7 +56,7 @@ class Ensemble:
         self.machine._held(inputs)
         most = max(1, _core.SLICE // self.n)
         for taken in range(0, steps, most):
-            self.core.call_ensemble_run(
+            self.core.call_lanes(
                 self.machine._machine, self.states.ctypes.data, self.n,
                 byref(inputs), self.reports.ctypes.data,
                 min(most, steps - taken))
@@ -157,10 +157,9 @@ def sweep(scene: str = "chaos", over: dict | None = None,
     """Follows a motion from each point of a grid: what `twofold sweep` finds.
 
     over: values of each axis by its name, a parameter or argument of Machine.
-    Returns: a table with an axis for each; columns: those of over, t (the time
-      that was reached), the outcomes of `twofold sweep` (NaN: it did not
-      happen), status (done; flagged, with steps that have a reservation; stopped,
-      refused) and the reason. Large ones are quicker there.
+    Returns: a table with an axis for each; columns: those of over, t (reached),
+      the outcomes of `twofold sweep` (NaN: it did not happen), status (done,
+      flagged, stopped, refused) and the reason. Large ones are quicker there.
     """
     axes = {word("name of an axis", name, (*parameters(), *OTHER_AXES)):
             np.atleast_1d(values) for name, values in (over or {}).items()}

@@ -50,11 +50,10 @@ class Machine:
                  omega: float | None = None, h: float | None = None,
                  phi: float | None = None, **parameters: float):
         self.core = core = CORES[word("real", real, CORES)]
-        known = core.scenes()
-        self.scene = known[word("scene", scene, known)]
+        self.scene = core.scenes[word("scene", scene, core.scenes)]
         self.name, self.seed = scene, seed
         self._params = ctypes.create_string_buffer(
-            ctypes.string_at(core.call_scene_params(self.scene),
+            ctypes.string_at(byref(self.scene, core.Scene.params.offset),
                              core.size["params"]), core.size["params"])
         for name, value in parameters.items():
             one = self._range(name)
@@ -140,7 +139,7 @@ class Machine:
 
     def _motion(self, scheme=0):
         return self.core.Motion(
-            ctypes.addressof(self._machine), self.scene, scheme,
+            ctypes.addressof(self._machine), ctypes.pointer(self.scene), scheme,
             ctypes.pointer(self.state), ctypes.pointer(self.low),
             ctypes.addressof(self.report))
 
@@ -263,7 +262,7 @@ class Machine:
         scheme = self._scheme(scheme)
         every = integer("every", every, 1, STEPS)
         if t_end is None:
-            t_end = self.core.call_scene_end(self.scene)
+            t_end = self.scene.t_end
         steps = round(number("t_end", t_end, 0, STEPS * self["dt"], "s")
                       / self["dt"])
         held = None if inputs is None else self._held(inputs)

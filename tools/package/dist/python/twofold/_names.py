@@ -16,74 +16,43 @@ class _Named(IntEnum):
 
 class Mode(_Named):
     """Of contact; + and - are the sign of h in slip, of g in stick."""
-    SLIP_PLUS = 0
-    SLIP_MINUS = 1
-    STICK_PLUS = 2
-    STICK_MINUS = 3
-    PINNED = 4
+    SLIP_PLUS, SLIP_MINUS, STICK_PLUS, STICK_MINUS, PINNED = range(5)
 
 
 class Law(_Named):
     """Of friction."""
-    JUMP = 0
-    COULOMB = 1
-    TWO_PIECE = 2
-    STRING = 3
-    SMOOTH = 4
-    NONE = 5
+    JUMP, COULOMB, TWO_PIECE, STRING, SMOOTH, NONE = range(6)
 
 
 class Rule(_Named):
     """Which of several modes a step takes."""
-    PERSIST = 0
-    SLIP_PLUS = 1
-    SLIP_MINUS = 2
-    RANDOM = 3
+    PERSIST, SLIP_PLUS, SLIP_MINUS, RANDOM = range(4)
 
 
 class Rest(_Named):
     """The law at h = g = 0."""
-    HULL = 0
-    SQUARE = 1
-    BOW_TIE = 2
+    HULL, SQUARE, BOW_TIE = range(3)
 
 
 class Scheme(_Named):
     """Of the steps; COMPENSATED keeps what rounding leaves out of a state."""
-    MOREAU = 0
-    LOCATED = 1
-    COMPENSATED = 2
+    MOREAU, LOCATED, COMPENSATED = range(3)
 
 
 class Status(_Named):
     """Of a step: < 0 was refused, > 0 has a reservation."""
-    STEP_TOO_LONG = -4
-    DIVERGED = -3
-    BAD_STATE = -2
-    BAD_PARAMETER = -1
-    OK = 0
-    DEGRADED = 1
-    FELL_BACK = 2
-    COARSE = 3
-    STALLED = 4
+    STEP_TOO_LONG, DIVERGED, BAD_STATE, BAD_PARAMETER = range(-4, 0)
+    OK, DEGRADED, FELL_BACK, COARSE, STALLED = range(5)
 
 
 class Region(_Named):
     """Of h = 0."""
-    SLIDING = 0
-    ESCAPING = 1
-    CROSSING_UP = 2
-    CROSSING_DOWN = 3
-    CODIM2 = 4
+    SLIDING, ESCAPING, CROSSING_UP, CROSSING_DOWN, CODIM2 = range(5)
 
 
 class Folds(_Named):
     """Which way the slips curve at a two-fold."""
-    INVISIBLE = 0
-    VISIBLE = 1
-    VISIBLE_INVISIBLE = 2
-    DEGENERATE = 3
-    CONTINUOUS = 4
+    INVISIBLE, VISIBLE, VISIBLE_INVISIBLE, DEGENERATE, CONTINUOUS = range(5)
 
     def __str__(self):
         return self.name.lower().replace("_", "-")

@@ -1,0 +1,3 @@
+/* In float. */
+#define TF_REAL_FLOAT
+#include "lanes_f64.c"
