@@ -12,9 +12,8 @@ LANES = 16
 NO_MODE = 5
 # Steps of one call of the core; behind each, Python looks at its signals.
 SLICE = 2 ** 16
-LAYOUT = ("params", "law", "rule", "rest", "with_angle", "machine", "state",
-          "low", "input", "scene", "report", "state_block", "report_block", "row",
-          "fold", "place", "parameters", "scenes")
+LAYOUT = ("params", "law", "rule", "rest", "with_angle", "machine", "report",
+          "parameters", "scenes")
 _shared = ctypes.CDLL(str(Path(__file__).with_name("_twofold.so")))
 
 
@@ -29,66 +28,52 @@ class Core:
         self._rows()
         self._functions()
 
-    def _struct(self, name, fields):
-        """A struct of the core; its size is compared with the compiler's."""
-        struct = type(name, (ctypes.Structure,), {"_fields_": fields})
-        if ctypes.sizeof(struct) != self.size.get(name, ctypes.sizeof(struct)):
-            raise ImportError(f"{name} is laid out in another way here")
-        return struct
+    def _struct(self, reals, *others):
+        """A struct of the core with fields of its real type first."""
+        return type("Struct", (ctypes.Structure,), {"_fields_": [
+            *((name, self.real) for name in reals.split()), *others]})
 
     def _structs(self):
-        def reals(names):
-            return [(name, self.real) for name in names.split()]
-
-        self.State = self._struct("state", reals("r v w phi") + [
-            ("tick", c_uint64), ("seed", c_uint32), ("mode", c_uint8)])
-        self.Low = self._struct("low", reals("r v w phi"))
-        self.Input = self._struct(
-            "input", reals("omega0 r0 force torque alpha"))
-        self.Range = self._struct("range", [
-            ("name", c_char_p), ("unit", c_char_p), ("offset", c_uint16),
-            ("laws", c_uint16), ("low", self.real), ("high", self.real)])
-        self.Scene = self._struct("scene", [
-            ("name", c_char_p), ("shows", c_char_p), ("leaves_out", c_char_p),
-            ("params", c_char * self.size["params"]),
-            ("start", 4 * self.real), ("v_is_given", c_bool),
-            ("t_end", self.real), ("knots", c_uint8),
-            ("profile", 16 * self.real)])
+        self.State = self._struct("r v w phi", ("tick", c_uint64),
+                                  ("seed", c_uint32), ("mode", c_uint8))
+        self.Low = self._struct("r v w phi")
+        self.Input = self._struct("omega0 r0 force torque alpha")
+        Range = self._struct(
+            "", ("name", c_char_p), ("unit", c_char_p), ("offset", c_uint16),
+            ("laws", c_uint16), ("low", self.real), ("high", self.real))
+        self.Scene = self._struct(
+            "", ("name", c_char_p), ("shows", c_char_p), ("leaves", c_char_p),
+            ("params", c_char * self.size["params"]), ("start", 4 * self.real),
+            ("v_is_given", c_bool), ("t_end", self.real))
+        self.Motion = self._struct(
+            "", ("machine", c_void_p), ("scene", POINTER(self.Scene)),
+            ("scheme", c_int), ("state", POINTER(self.State)),
+            ("low", POINTER(self.Low)), ("report", c_void_p))
         self.scenes = {one.contents.name.decode(): one.contents for one in
                        (POINTER(self.Scene) * self.size["scenes"]).in_dll(
                            _shared, f"tf_scenes_{self.suffix}")}
-        self.Motion = self._struct("motion", [
-            ("machine", c_void_p), ("scene", POINTER(self.Scene)), ("scheme", c_int),
-            ("state", POINTER(self.State)), ("low", POINTER(self.Low)),
-            ("report", c_void_p)])
-        self.ranges = (self.Range * self.size["parameters"]).in_dll(
+        self.ranges = (Range * self.size["parameters"]).in_dll(
             _shared, f"tf_parameter_ranges_{self.suffix}")
 
-    def _dtype(self, name, reals, others, lanes=()):
+    def _dtype(self, reals, *others, first=(), lanes=()):
         """Of a row, or of a block of an ensemble."""
-        dtype = np.dtype([(one, self.dtype, lanes) for one in reals.split()]
-                         + [(one, kind, lanes) for one, kind in others],
-                         align=True)
-        if dtype.itemsize != self.size[name]:
-            raise ImportError(f"{name} is laid out in another way here")
-        return dtype
+        return np.dtype([*first, *(
+            (name, self.dtype, lanes) for name in reals.split()), *(
+                (name, kind, lanes) for name, kind in others)], align=True)
 
     def _rows(self):
-        flags = [("mode", "u1"), ("set", "u1"), ("choices", "u1"),
-                 ("status", "i1")]
-        self.row = self._dtype("row", "", [("t", "f8"), *(
-            (name, self.dtype) for name in
-            "r v omega phi h g F M delassus".split()), *flags])
+        mode = ("mode", "u1")
+        flags = mode, ("set", "u1"), ("choices", "u1"), ("status", "i1")
+        self.row = self._dtype("r v omega phi h g F M delassus", *flags,
+                               first=[("t", "f8")])
         self.fold = self._dtype(
-            "fold", "r v omega g K++ K+- K-+ K-- J1 J2 eigenvalue_1 "
-            "eigenvalue_2 time_scale", [("type", "u1"), ("case", "u1")])
-        self.place = self._dtype("place", "r omega lambda delassus",
-                                 [("region", "u1")])
-        self.state_block = self._dtype(
-            "state_block", "r v w phi", [("tick", "u8"), ("seed", "u4"),
-                                         ("mode", "u1")], LANES)
-        self.report_block = self._dtype(
-            "report_block", "F M h g delassus residual", flags, LANES)
+            "r v omega g K++ K+- K-+ K-- J1 J2 eigenvalue_1 eigenvalue_2 "
+            "time_scale", ("type", "u1"), ("case", "u1"))
+        self.place = self._dtype("r omega lambda delassus", ("region", "u1"))
+        self.state_block = self._dtype("r v w phi", ("tick", "u8"),
+                                       ("seed", "u4"), mode, lanes=LANES)
+        self.report_block = self._dtype("F M h g delassus residual", *flags,
+                                        lanes=LANES)
 
     def _functions(self):
         real, any_, motion = self.real, c_void_p, POINTER(self.Motion)
