@@ -2,14 +2,17 @@
 with the core, sources that compile, and no memory from a heap."""
 import os
 import shutil
+import struct
 import tempfile
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
 from importer import Fmu, Refused
-from tap import ROOT, Skip, call, check
+from tap import ROOT, Skip, call, check, lacks
 
 LEFT = {"memcpy", "memset", "memcmp", "memmove", "strcmp", "strncpy", "sqrt"}
+MINGW, WINE = "x86_64-w64-mingw32-gcc", "/usr/lib/wine/wine64"
+NAMES = ["r", "v", "omega", "h", "g", "F", "M"]
 FUNCTIONS = {"2": 34, "3": 75}
 M4F = ["arm-none-eabi-gcc", "-mcpu=cortex-m4", "-mthumb", "-mfloat-abi=hard",
        "-mfpu=fpv4-sp-d16"]
@@ -126,10 +129,34 @@ class Archive:
             check(left <= LEFT, f"left to link: {left - LEFT}")
             check(f"T wheel_fmi{version}DoStep" in symbols, "prefix")
 
+    def windows_has_the_same_bits(self):
+        """Under Wine, stepped by a program that is linked with the binary."""
+        for tool, package in ((MINGW, "gcc-mingw-w64-x86-64"),
+                              (WINE, "wine64")):
+            if not shutil.which(tool):
+                lacks(package)
+        expected = self.rows("chaos", "--t-end", "3", "--every", "10")
+        prefix = self.archive("chaos", "3").parents[1] / "wine"
+        for version in "23":
+            fmu = Fmu(self.archive("chaos", version))
+            dll = next(fmu.home.glob("binaries/*/*.dll"))
+            call("-std=gnu17", f"-DFMI={version}", Path(__file__).with_name(
+                "windows.c"), dll, "-o", dll.with_name("windows.exe"),
+                 program=MINGW)
+            said, _ = call(dll.with_name("windows.exe"), fmu.token, 3000, 1e-3,
+                           *(fmu.variables[name].reference for name in NAMES),
+                           program=WINE, env={
+                               **os.environ, "WINEDEBUG": "-all",
+                               "WINEPREFIX": str(prefix)})
+            got = [[struct.unpack(">d", bytes.fromhex(f"{word:>016}"))[0]
+                    for word in line.split()] for line in said.splitlines()]
+            check(got == [row[1:len(NAMES) + 1] for row in expected], "bits")
+
+
 def tests(*arguments):
     archive = Archive(*arguments)
     return [(f"fmu_{test.__name__}", test) for test in (
         archive.descriptions_agree_with_the_core,
         archive.every_function_is_there, archive.two_builds_are_equal,
-        archive.sources_have_the_same_bits,
+        archive.sources_have_the_same_bits, archive.windows_has_the_same_bits,
         archive.compiles_for_a_microcontroller)]

@@ -84,14 +84,6 @@ fmu_status_t fmu_check_set(fmu_t *fmu, uint32_t reference, unsigned kinds,
   if (!(value >= variable.low && value <= variable.high))
     return fmu_discard(fmu, "%s = %g must lie in [%g, %g] %s", variable.name,
                        value, variable.low, variable.high, variable.unit);
-  const bool turns = variable.kind == FMU_KIND_REAL &&
-                     (slot == FMU_ALPHA || slot == FMU_OMEGA0);
-  if (moves && turns && motion->values.whole[FMU_FOLLOW_PROFILE] != 0 &&
-      value != motion->values.real[slot])
-    return fmu_error(fmu,
-                     "%s is driven by the scene: set follow_profile to false"
-                     " before the motion begins",
-                     variable.name);
   if (variable.kind == FMU_KIND_MEMBER && slot == FMU_TAKE)
     return check_take(fmu, (unsigned)value);
   return FMU_OK;
@@ -117,11 +109,12 @@ void fmu_set(fmu_t *fmu, uint32_t reference, double value) {
   fmu_motion_t *motion = &fmu->motion;
   if (fmu_variable(reference, &slot).kind == FMU_KIND_REAL) {
     motion->values.real[slot] = value;
+    motion->steered |= slot == FMU_OMEGA0 || slot == FMU_ALPHA;
   } else {
     if (slot == FMU_TAKE && (int64_t)value != motion->values.whole[slot])
       motion->takes = (int64_t)value != TF_NO_MODE;
     motion->values.whole[slot] = (int64_t)value;
   }
   if ((motion->phase & (FMU_INSTANTIATED | FMU_INITIALIZATION)) != 0)
-    motion->begun = false;
+    motion->begun = motion->steered = false;
 }

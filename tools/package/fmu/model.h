@@ -51,9 +51,10 @@ typedef struct {
   uint64_t event_tick;
   double start_time, stop_time;
   uint8_t phase;
-  bool stops; ///< stop_time is given
-  bool begun; ///< machine, state and report are those of the values
-  bool takes; ///< the next step takes the mode in FMU_TAKE
+  bool stops;   ///< stop_time is given
+  bool begun;   ///< machine, state and report are those of the values
+  bool takes;   ///< the next step takes the mode in FMU_TAKE
+  bool steered; ///< omega0 or alpha was set since the motion began
 } fmu_motion_t;
 
 typedef struct fmu fmu_t;

@@ -53,7 +53,7 @@ static tf_input_t input_at(const fmu_motion_t *motion, uint64_t tick,
                       .force = (tf_real_t)values->real[FMU_FORCE],
                       .torque = (tf_real_t)values->real[FMU_TORQUE],
                       .alpha = (tf_real_t)values->real[FMU_ALPHA]};
-  if (values->whole[FMU_FOLLOW_PROFILE] != 0) {
+  if (values->whole[FMU_FOLLOW_PROFILE] != 0 && !motion->steered) {
     const tf_input_t driven = tf_scene_input(scene, &motion->machine, tick);
     input.omega0 = driven.omega0;
     input.alpha = driven.alpha;
@@ -114,6 +114,7 @@ fmu_status_t fmu_begin(fmu_t *fmu) {
                        " start.omega and the inputs add up to more than 1e9");
   }
   motion->state = start;
+  motion->values.real[FMU_TURNTABLE] = (double)input.omega0;
   motion->begun = true;
   fmu_observe(motion);
   return FMU_OK;
@@ -183,8 +184,10 @@ static fmu_status_t find_end(fmu_t *fmu, double time, double length,
   if (whole == 0 ||
       !(off <= (rounding > LENGTH_ROUNDING ? rounding : LENGTH_ROUNDING)))
     return fmu_discard(
-        fmu, "communicationStepSize = %g s is no whole multiple of dt = %g s",
-        length, dt);
+        fmu,
+        "communicationStepSize = %g s is no whole multiple of dt = %g s; the"
+        " nearest is %g s",
+        length, dt, (double)(whole > 0 ? whole : 1) * dt);
   *end = motion->state.tick + whole;
   return FMU_OK;
 }
@@ -239,6 +242,7 @@ static fmu_status_t advance(fmu_t *fmu, uint64_t end, bool *event) {
   if (motion->takes && motion->report.mode != take)
     return refuse_take(fmu, take, motion->report.mode);
   motion->takes = false;
+  motion->values.real[FMU_TURNTABLE] = (double)input.omega0;
   tf_tally_count(&motion->tally, motion->state.tick, status);
   *event = motion->report.mode != mode || motion->report.set != set;
   if (*event) {

@@ -55,6 +55,15 @@ def page(model, version):
             f"<table>\n{rows}\n</table>\n<pre>\n{guide}</pre>\n</html>\n")
 
 
+def reference(model, csv):
+    """Results of the command line, with the names and numbers of the FMU."""
+    modes = next(v["members"] for v in model["variables"]
+                 if v["name"] == "mode")
+    for i, mode in enumerate(modes):
+        csv = csv.replace(f",{mode},", f",{i},")
+    return csv.replace("t,", "time,", 1)
+
+
 def write(path, text):
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(text)
@@ -90,6 +99,8 @@ def lay_out(model, core, directory):
         write(home / "documentation" / "index.html", page(model, face[-1]))
         write(home / "documentation" / "licenses" / "license.txt",
               (ROOT / "LICENSE").read_text())
+        write(home / "documentation" / "twofold_ref.csv",
+              reference(model, (directory / "reference.csv").read_text()))
 
 
 def pack(home, archive):

@@ -45,7 +45,9 @@
   X(RESIDUAL, "residual", "N", OUTPUT,                                         \
     "distance of F and M from the friction law")                               \
   X(ENERGY, "energy", "J", OUTPUT, "mechanical energy")                        \
-  X(EVENT_TIME, "event_time", "s", OUTPUT, "time of the last event")
+  X(EVENT_TIME, "event_time", "s", OUTPUT, "time of the last event")           \
+  X(TURNTABLE, "turntable", "rad/s", OUTPUT,                                   \
+    "speed of the turntable, by the profile or the input omega0")
 
 /// The whole variables: number, name, kind, role, the names of members, the
 /// ends of the range and what it is.
@@ -61,7 +63,7 @@
   X(START_FROM_H, "start.from_h", TRUTH, PARAMETER, NULL, 0, 1,               \
     "start.v follows from start.h")                                           \
   X(FOLLOW_PROFILE, "follow_profile", TRUTH, PARAMETER, NULL, 0, 1,           \
-    "the scene drives omega0 and alpha, not the inputs")                      \
+    "the scene drives omega0 and alpha until an input does")                  \
   X(TAKE, "take", MEMBER, INPUT, take_name, 0, TF_NO_MODE,                    \
     "the next step takes this mode, one of those in `set`")                   \
   X(MODE, "mode", MEMBER, OUTPUT, tf_mode_name, 0, TF_MODES - 1,              \
