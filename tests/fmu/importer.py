@@ -158,7 +158,7 @@ class Instance3(Instance):
     prefix, types, enumeration = "fmi3", TYPES3, "Int64"
     real, state, un_serialize = "Float64", "FMUState", "Deserialize"
 
-    def instantiate(self, token, logging, events=True, early=True):
+    def instantiate(self, token, logging, events=False, early=False):
         log_t = ctypes.CFUNCTYPE(None, c_void_p, c_int, c_char_p, c_char_p)
         self.logger = log_t(lambda _, status, category, text: self.log.append(
             (status, category.decode(), text.decode())))

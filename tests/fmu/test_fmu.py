@@ -59,8 +59,6 @@ def same_bits(wheel, expected, every, dt=DT):
 
 
 def instance(version, scene="chaos", **options):
-    if version == "3":
-        options = {"events": False, "early": False, **options}
     return Fmu(archive(scene, version)).instance(**options)
 
 
@@ -164,8 +162,7 @@ def events_in_order():
 def restored(version):
     """A state restores bit for bit, in another instance, and from bytes."""
     fmu = Fmu(archive("chaos", version))
-    options = {} if version == "2" else {"events": False, "early": False}
-    one = fmu.instance(**options).begin(rule=3, seed=5)
+    one = fmu.instance().begin(rule=3, seed=5)
     one.step(0.0, 1.9)
     handle = one.copy()
     data = one.serialize(handle)
@@ -174,11 +171,11 @@ def restored(version):
     one.restore(handle)
     one.step(1.9, 0.8)
     check(row_of(one) == expected, "same instance")
-    two = fmu.instance(**options)
+    two = fmu.instance()
     two.restore(handle)
     two.step(1.9, 0.8)
     check(row_of(two) == expected, "second instance")
-    other = Fmu(archive("chaos", version)).instance(**options)
+    other = Fmu(archive("chaos", version)).instance()
     read = other.deserialize(data)
     check(other.serialize(read) == data, "bytes of bytes")
     other.restore(read)

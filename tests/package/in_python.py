@@ -19,30 +19,21 @@ slices = _core.SLICE
 assert twofold.__version__ == sys.argv[1]
 for real in ("double", "float"):
     # An ensemble has the bits of single steps.
-    machine = twofold.Machine("chaos", real=real)
-    start = np.linspace(0.1, 0.3, 37)
-    many = twofold.Ensemble(machine, r=start, omega=-1.037, h=1e-10)
-    many.step(500)
-    for i in (0, 17, 36):
-        machine.place(r=start[i], omega=-1.037, h=1e-10)
-        last = machine.run(0.05, 500, "moreau")[-1]
-        assert last["r"] == many["r"][i] and last["omega"] == many["omega"][i]
-        assert last["mode"] == many["mode"][i] and many["status"][i] >= 0
     machine = twofold.Machine("chaos", real=real, rule="random")
-    many = twofold.Ensemble(machine, 0.18, -1.037, h=1e-10,
-                            seed=range(7, 57))
+    start = np.repeat([0.1, 0.18, 0.3], [3, 40, 4])
+    many = twofold.Ensemble(machine, start, -1.037, h=1e-10, seed=range(7, 54))
     many.step(20000)
-    for i in range(50):
+    for i, r in enumerate(start):
         machine.seed = 7 + i
-        machine.place(r=0.18, omega=-1.037, h=1e-10)
+        machine.place(r, -1.037, h=1e-10)
         last = machine.run(20000 * machine["dt"], 20000, "moreau")[-1]
         for name in ("r", "v", "omega", "h", "g", "F", "M", "mode", "set"):
             assert last[name] == many[name][i], (name, i)
-    assert len(set(many["r"])) > 1
+    assert len(set(many["r"][3:43])) > 1
     # A ramp of one step, behind which the turntable keeps its speed.
     places = set()
     for _core.SLICE, parts in ((slices, (8,)), (3, (8,)), (2, (1, 7)),
-                                 (4, (3, 5))):
+                               (4, (3, 5))):
         machine.place(0.18, -1.037, v=0)
         many = twofold.Ensemble(machine, 0.18, -1.037, v=0)
         for step in (lambda n: machine.run(n * machine["dt"], 1, "moreau",

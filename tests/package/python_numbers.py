@@ -25,7 +25,7 @@ def said(real, *words):
 def agree(real, name, got, want):
     """A number of a table and the text of the command line."""
     if name in _table.MEMBERS and isinstance(got, np.integer):
-        got = str(_table.MEMBERS[name](got)) if got < 9 else ""
+        got = str(_table.MEMBERS[name](got))
     elif not isinstance(got, str):
         want = math.nan if want == "" else want
         got, want = SMALL[real](got), SMALL[real](want)
@@ -34,13 +34,12 @@ def agree(real, name, got, want):
 
 def same(table, real, *words, behind=0):
     """Each column of the command line, behind so many rows."""
-    lines = [line for line in said(real, *words).splitlines()
-             if not line.startswith("#")]
-    rows = list(csv.DictReader(lines))[behind:]
+    rows = list(csv.DictReader(line for line in said(real, *words).splitlines()
+                               if not line.startswith("#")))[behind:]
     assert len(rows) == table.size > 0, (words, len(rows), table.size)
     for name in set(rows[0]) - {"point", "reason"}:
         for got, row in zip(table[name].ravel(), rows):
-            if not (table[name].dtype.kind == "u" and row[name] == ""):
+            if table[name].dtype.kind != "u" or row[name]:
                 agree(real, name, got, row[name])
 
 

@@ -111,6 +111,7 @@ FMU_BINARY_fmi3 := binaries/x86_64-linux
 # For Windows, where its compiler is there. Bytes depend on no time.
 MINGW := $(shell command -v x86_64-w64-mingw32-gcc)
 FMU_WINDOWS := -std=c99 -O3 -ffp-contract=off -fno-math-errno
+FMU_WINDOWS_LINK := -Wl,--no-insert-timestamp,--disable-auto-image-base
 FMU_WINDOWS_fmi2 := binaries/win64
 FMU_WINDOWS_fmi3 := binaries/x86_64-windows
 
@@ -156,7 +157,7 @@ define fmu_link
 	  $(BUILD)/fmu/twofold.o \
 	  -o $(1)/$(2)/$(FMU_BINARY_$(2))/twofold.so
 	$(if $(MINGW),@mkdir -p $(1)/$(2)/$(FMU_WINDOWS_$(2)); $(MINGW) \
-	  $(FMU_WINDOWS) -shared -s -Xlinker --no-insert-timestamp \
+	  $(FMU_WINDOWS) -shared -s $(FMU_WINDOWS_LINK) \
 	  $$(ls $(1)/$(2)/sources/*.c | grep -v /twofold.c) \
 	  $(BUILD)/fmu/windows.o -o $(1)/$(2)/$(FMU_WINDOWS_$(2))/twofold.dll)
 endef
