@@ -7,6 +7,7 @@ import tempfile
 import weakref
 import xml.etree.ElementTree as ET
 import zipfile
+from collections import namedtuple
 from ctypes import (byref, c_bool, c_char_p, c_double, c_int,
                     c_int32, c_int64, c_size_t, c_uint32, c_uint64, c_void_p)
 from pathlib import Path
@@ -28,10 +29,7 @@ class Refused(Exception):
         self.status, self.text = status, text
 
 
-class Variable:
-    def __init__(self, reference, kind, attributes):
-        self.reference, self.kind = reference, kind
-        self.attributes = attributes
+Variable = namedtuple("Variable", "reference kind attributes")
 
 
 class Fmu:

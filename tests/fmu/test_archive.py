@@ -6,8 +6,9 @@ import tempfile
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
-from importer import Fmu, Refused
+from importer import DISCARD, Fmu
 from tap import ROOT, Skip, call, check, lacks
+from test_calls import refused
 
 LEFT = {"memcpy", "memset", "memcmp", "memmove", "strcmp", "strncpy", "sqrt"}
 MINGW, WINE = "x86_64-w64-mingw32-gcc", "/usr/lib/wine/wine64"
@@ -64,12 +65,8 @@ class Archive:
             variable = fmu.variables[name].attributes
             count, start = types[variable["declaredType"]], wheel.get(name)
             wheel.set(name, count - 1)
-            try:
-                wheel.set(name, count)
-            except Refused:
-                wheel.set(name, start)
-            else:
-                raise AssertionError(f"{name}: items are missing")
+            refused(DISCARD, name, wheel.set, name, count)
+            wheel.set(name, start)
 
     def every_function_is_there(self):
         """Importers look for all of the standard."""
@@ -133,20 +130,17 @@ class Archive:
                 lacks(package)
         prefix = self.archive("chaos", "3").parents[1] / "wine"
         env = {**os.environ, "WINEDEBUG": "-all", "WINEPREFIX": str(prefix)}
-        names = ["r", "v", "omega", "h", "g", "F", "M"]
-        expected = [row[1:8] for row in
-                    self.rows("chaos", "--t-end", "3", "--every", "10")]
+        expected = [row[1] for row in
+                    self.rows("chaos", "--t-end", "3", "--every", "100")[1:]]
         for version in "23":
             fmu = Fmu(self.archive("chaos", version))
             dll = next(fmu.home.glob("binaries/*/*.dll"))
             program = dll.with_name("windows.exe")
             call("-std=gnu17", f"-DFMI={version}", "-o", program,
                  ROOT / "tests/fmu/windows.c", dll, program=MINGW)
-            said, _ = call(program, fmu.token, 3000, 1e-3, *(
-                fmu.variables[name].reference for name in names),
+            said, _ = call(program, fmu.token, fmu.variables["r"].reference,
                            program=WINE, env=env)
-            check([[*map(float.fromhex, line.split())]
-                   for line in said.splitlines()] == expected, "other bits")
+            check([*map(float.fromhex, said.split())] == expected, "bits")
 
 
 def tests(*arguments):
