@@ -307,6 +307,9 @@ class Page:
     def worst(self) -> pd.DataFrame:
         """The dearest steps that a search found."""
         rows = self.table("worst")
+        boards = rows.filter(like="stack ").drop(columns="stack x86-64")
+        rows = rows.drop(columns=boards).assign(
+            **{"stack of boards": boards.max(axis=1)})
         return whole(rows[rows.function.str.fullmatch(
             "tf_step(_located|_compensated)?")])
 

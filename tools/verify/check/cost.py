@@ -1,10 +1,10 @@
 #!/usr/bin/python3 -B
 """The most expensive calls of the public functions that were ever found
 (tools/verify/cost/worst.*) are counted again, and a short search goes on from
-them: none takes more than bounds.SLACK times the kept figure, no figure is more
-than bounds.STALE times what its call takes now, and docs/bench/worst.csv has
-the figures. The steps among them are counted on boards, too, in the emulator. A
-public function has a kept call, or is plain; each is named in a test.
+them: none takes more than bounds.SLACK times the figure of docs/bench/worst.csv
+and no figure is more than bounds.STALE times what its call takes now. The steps
+among them are counted on boards, too, in the emulator. A public function has a
+kept call, or is plain; each is named in a test.
 EVALUATIONS calls of each function (300; with FULL=yes 20000).
 """
 import os
@@ -29,27 +29,30 @@ PLAIN = re.compile(r"""tf_(?:\w+_name|wire_\w+|send_\w+|read_\w+|slip|energy|
     design_two_fold|simulation_(?:set_input|pass|start))""", re.X)
 EVALUATIONS = int(os.environ.get("EVALUATIONS") or (20000 if FULL else 300))
 PLACE = BUILD / "costs"
+FIGURES = bounds.kept()
 
 
-def judge(kept, now, on):
+def judge(column, now):
     """Figures that are kept, and what calls take now."""
-    for key in kept.index.union(now.index):
-        figure, count = kept.get(key, 0), now.get(key, 0)
+    was, now = FIGURES[column].dropna(), bounds.named(now).dropna()
+    for key in was.index.union(now.index):
+        figure, count = was.get(key, 0), now.get(key, 0)
         if count > bounds.SLACK * figure or count < figure / bounds.STALE:
-            wrong(f"{key[0]}({key[1]}), {on}: {figure} instructions are kept, "
-                  f"a call takes {count}")
+            wrong(f"{key[0]}({key[1]}), {column}: {figure:.0f} instructions are "
+                  f"kept, a call takes {count:.0f}: make bounds && make "
+                  "keep-bounds")
 
 
 def judge_real(real):
     """All calls in one real type. Returns: how many functions."""
-    kept = bounds.most(bounds.HERE / f"worst.{real}")
-    names = set(kept.index.unique("name"))
+    path = BUILD / f"cost.{real}"
+    path.write_text(bounds.cost(PLACE, real, EVALUATIONS, bounds.HERE))
+    now = bounds.most(path)
+    names = set(now.index.unique("name"))
     for name in sorted(public_functions() - names):
         if not PLAIN.fullmatch(name):
             wrong(f"{name}: no call of it is kept in worst.{real}")
-    path = BUILD / f"cost.{real}"
-    path.write_text(bounds.cost(PLACE, real, EVALUATIONS, bounds.HERE))
-    judge(kept, bounds.most(path), real)
+    judge(f"x86-64 {real}", now)
     return len(names)
 
 
@@ -64,17 +67,12 @@ if not build("CC=gcc", f"BUILD={PLACE}", "OPT=-O2", "EXTRA=-Werror",
     wrong("tools/verify/cost does not build")
     checked("nothing")
 functions = max(judge_real(real) for real in bounds.REALS)
-kept_boards = bounds.boards(bounds.HERE / "worst.boards")
-for column, counts in bounds.emulate(PLACE, bounds.HERE).items():
-    judge(kept_boards[column], counts, column)
+for board, counts in bounds.emulate(PLACE, bounds.HERE).items():
+    judge(board, counts)
 tests = "\n".join(path.read_text() for path in Path("tests").rglob("*.[ch]"))
 for one in sorted(public_functions()):
     if not re.search(rf"\b{one}\b", tests):
         wrong(f"{one}: is named in no test")
-if bounds.table(bounds.HERE).to_csv() != \
-        Path("docs/bench/worst.csv").read_text().split("\n", 1)[1]:
-    wrong("docs/bench/worst.csv has other figures than are kept: make bounds "
-          "&& make keep-bounds")
 checked(f"{functions} functions, {EVALUATIONS} calls each beside the most "
         "expensive known; gcc -O2, both real types; steps on two boards; each "
         "public function is named in a test")

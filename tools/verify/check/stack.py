@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Worst stack: no function of the core calls itself, through others or through
-a pointer, and each public one needs what tools/verify/cost/worst.stack keeps,
+a pointer, and each public one needs what docs/bench/worst.csv keeps,
 on x86-64 and the 32-bit boards as they compile: the larger of both real types.
 More is a broken promise; less by a quarter and 32 bytes a figure that no longer
 holds. What is found is in BUILD/worst.stack (`make keep-bounds` keeps it).
@@ -98,9 +98,10 @@ for target, real, command, board in targets():
     for key, depth in depths(target, real, graph, public).items():
         found[key] = max(depth, found.get(key, 0))
 pandas.Series(found).unstack().rename_axis("function").to_csv(
-    BUILD / "worst.stack", sep=" ")
+    BUILD / "worst.stack")
 
-kept = bounds.stacks(bounds.HERE / "worst.stack").stack().to_dict()
+kept = bounds.kept().filter(like="stack ").groupby("function").first()
+kept = kept.rename(columns=lambda name: name[6:]).stack().to_dict()
 for key in sorted(found.keys() | kept.keys()):
     now, was = found.get(key, 0), kept.get(key, 0)
     if now > was or was > bounds.STALE * now + 32:

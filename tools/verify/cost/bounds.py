@@ -1,15 +1,13 @@
 #!/usr/bin/python3 -B
-"""The worst calls of the public functions: what is kept of them, beside this
-script, and docs/bench/worst.csv, the table of it.
+"""The worst calls of the public functions: docs/bench/worst.csv has all figures,
+worst.double and worst.float beside this script the calls that take them.
 
     bounds.py    searches in both real types from the kept calls on, counts the
                  steps on boards, asks check `stack`, and makes BUILD/bounds/
                  (`make bounds`; `make keep-bounds` keeps it)
 
-worst.double and worst.float have lines "name units instructions genes", which
-main.c counts again and goes on from; worst.boards is a table of what steps take
-in emulators, worst.stack one of bytes, functions by targets. Environment: BUILD
-EVALUATIONS.
+The calls are lines "name units instructions genes", which main.c counts again
+and goes on from. Environment: BUILD EVALUATIONS.
 """
 from __future__ import annotations
 
@@ -30,6 +28,7 @@ REALS = "double", "float"
 BOARDS = {"M4F float": "stm32f405", "M7 double": "mps2-an500",
           "M7 float": "mps2-an500"}
 KEY = ["name", "units"]
+ROW = ["function", "of"]
 # The units of tf_step, see calls.c.
 CLASSES = "one sign of g", "both signs of g", "near h = g = 0", "rest"
 # What a call may take more, and a kept figure may be above it, without being
@@ -43,32 +42,32 @@ def most(path: Path) -> pandas.Series:
                            index_col=KEY)["count"]
 
 
-def stacks(path: Path) -> pandas.DataFrame:
-    """Bytes, functions by targets."""
-    return pandas.read_csv(path, sep=" ", index_col="function")
-
-
-def boards(path: Path) -> pandas.DataFrame:
-    """Instructions of steps, by boards."""
-    return pandas.read_csv(path, sep=" ", index_col=KEY)
-
-
-def table(place: Path) -> pandas.DataFrame:
-    """The table of the files in a folder; functions without a call are
-    plain."""
-    depth = stacks(place / "worst.stack")
-    found = pandas.DataFrame({f"x86-64 {real}": most(place / f"worst.{real}")
-                              for real in REALS})
-    found = found.join(boards(place / "worst.boards")).astype("Int64")
+def named(found: pandas.DataFrame | pandas.Series):
+    """With the rows of the table in the place of name and units."""
     of = [CLASSES[n] if name == "tf_step" else f"n = {n}" if n else ""
           for name, n in found.index]
-    found.insert(0, "of", of)
-    found = found.droplevel("units")
+    return found.set_axis(pandas.MultiIndex.from_arrays(
+        [found.index.get_level_values(0), of], names=ROW))
+
+
+def table(place: Path, depth: pandas.DataFrame,
+          on_boards: pandas.DataFrame) -> pandas.DataFrame:
+    """The table of the calls in a folder, of their steps on boards, and of the
+    stack, functions by targets; functions without a call are plain."""
+    found = pandas.DataFrame({f"x86-64 {real}": most(place / f"worst.{real}")
+                              for real in REALS})
+    found = named(found.join(on_boards)).astype("Int64").reset_index("of")
     found = pandas.concat(
         [found, pandas.DataFrame(index=depth.index.difference(found.index))])
-    found["stack x86-64"] = depth["x86-64"]
-    found["stack of boards"] = depth.drop(columns="x86-64").max(axis=1)
+    for target in sorted(depth, reverse=True):
+        found[f"stack {target}"] = depth[target]
     return found.rename_axis("function")
+
+
+def kept() -> pandas.DataFrame:
+    """The table that is kept."""
+    return pandas.read_csv(ROOT / "docs/bench/worst.csv", comment="#").fillna(
+        {"of": ""}).set_index(ROW)
 
 
 def cost(build: Path, real: str, what: object, calls: Path) -> str:
@@ -81,8 +80,8 @@ def cost(build: Path, real: str, what: object, calls: Path) -> str:
 
 
 def emulate(build: Path, calls: Path) -> pandas.DataFrame:
-    """The table of boards(): the dearest of all kept calls as a step of that
-    class, or within that budget."""
+    """Instructions of steps, by boards: the dearest of all kept calls as a step
+    of that class, or within that budget."""
     counter, found = plugin(), {}
     for column, board in BOARDS.items():
         real = column.split()[-1]
@@ -111,18 +110,17 @@ def search(build: Path, evaluations: int) -> None:
         (place / f"worst.{real}").write_text(
             cost(build, real, evaluations, HERE), "utf-8")
     print("boards ...", file=sys.stderr)
-    emulate(build, place).to_csv(place / "worst.boards", sep=" ")
+    on_boards = emulate(build, place)
     print("stack ...", file=sys.stderr)
     # What is kept may be out of date, which is what this is for.
     subprocess.run([ROOT / "tools/verify/check/stack.py"], check=False,
                    stdout=subprocess.DEVNULL,
                    env={**os.environ, "BUILD": str(build / "check")})
-    (place / "worst.stack").write_bytes(
-        (build / "check/worst.stack").read_bytes())
+    depth = pandas.read_csv(build / "check/worst.stack", index_col="function")
     core = subprocess.run([ROOT / "tools/stamp", "core"], text=True,
                           stdout=subprocess.PIPE, check=True).stdout.strip()
     (place / "worst.csv").write_text(
-        f"# {core}\n{table(place).to_csv()}", "utf-8")
+        f"# {core}\n{table(place, depth, on_boards).to_csv()}", "utf-8")
     print(f"The table is {place}/worst.csv.")
 
 
