@@ -121,14 +121,6 @@ $(BUILD)/$(1)/tests/regress/test_corpus: $(BUILD)/$(1)/libcorpus.a
 endef
 $(foreach v,$(REALS),$(eval $(call fuzz-rules,$(v))))
 
-SOAK_STEPS := $(if $(filter command line environment,$(origin STEPS)),\
-  $(STEPS),1e7)
-define soak_rules
-$(BUILD)/$(1)/soak: $(call objects_of_$(1),tools/verify/soak.c \
-    tools/cli/host/host.c) $(BUILD)/$(1)/libtwofold.a
-	$$(link)
-endef
-$(foreach v,$(REALS),$(eval $(call soak_rules,$(v))))
 soak: ## chaos for STEPS=1e9 steps, then a replay
-soak: $(VARIANTS:%=$(BUILD)/%/soak)
-	@for p in $^; do $$p $(SOAK_STEPS) || exit 1; done
+	@MAKEFLAGS= MAKELEVEL= BUILD='$(BUILD)/check' VARIANTS='$(VARIANTS)' \
+	  STEPS='$(or $(filter-out 0,$(STEPS)),1e7)' tools/verify/check/soak.py

@@ -38,9 +38,8 @@ def judge(column, now):
     for key in was.index.union(now.index):
         figure, count = was.get(key, 0), now.get(key, 0)
         if count > bounds.SLACK * figure or count < figure / bounds.STALE:
-            wrong(f"{key[0]}({key[1]}), {column}: {figure:.0f} instructions are "
-                  f"kept, a call takes {count:.0f}: make bounds && make "
-                  "keep-bounds")
+            wrong(f"{key[0]}({key[1]}), {column}: {figure:.0f} instructions "
+                  f"are kept, a call takes {count:.0f}")
 
 
 def judge_real(real):

@@ -1,6 +1,6 @@
 #!/usr/bin/python3 -B
-"""The worst calls of the public functions: docs/bench/worst.csv has all figures,
-worst.double and worst.float beside this script the calls that take them.
+"""The worst calls of the public functions: docs/bench/worst.csv has the
+figures, worst.double and worst.float beside this script the calls.
 
     bounds.py    searches in both real types from the kept calls on, counts the
                  steps on boards, asks check `stack`, and makes BUILD/bounds/
