@@ -2,10 +2,8 @@
 /// counted so far. The loop writes it, progress line and summary read it.
 #pragma once
 
-#include "../host/lateness.h"
 #include "../live/live.h"
 #include "events.h"
-#include "glance.h"
 #include "row.h"
 
 // What a board did, from a record of `monitor --record`: each command takes
@@ -84,6 +82,15 @@ int cli_state_parse(cli_stand_t *stand, const char *path, char *text,
 /// Reads it from a file, likewise.
 int cli_state_read(cli_stand_t *stand, const char *path,
                    const cli_setup_t *setup, const cli_scheme_t **scheme);
+
+#define CLI_LATENESS_BINS 10000u ///< [us]; the last one counts what is later
+
+/// How late a loop in real time is: a histogram with bins of 1 us, as
+/// cyclictest of rt-tests prints one, of each step's beginning and end.
+typedef struct {
+  uint64_t began[CLI_LATENESS_BINS + 1];
+  uint64_t ended[CLI_LATENESS_BINS + 1];
+} cli_lateness_t;
 
 /// Why a run ended.
 typedef enum {

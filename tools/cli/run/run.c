@@ -127,14 +127,23 @@ static void await_step(cli_run_t *run) {
   run->began = now - time;
 }
 
+// What is early, by the rounding of the clock, is on time.
+static unsigned lateness_bin(double late) {
+  const double us = late * 1e6;
+  if (us >= CLI_LATENESS_BINS) {
+    return CLI_LATENESS_BINS;
+  }
+  return us > 0 ? (unsigned)us : 0;
+}
+
 // A step and its row have to be done before the time of the next step. Lost
 // time is made up for: the steps after a late one do not wait.
 static void check_time(cli_run_t *run) {
   const double ended = cli_now() - run->start;
   const double late = ended - cli_run_time(run, run->done + 1);
   if (run->lateness != NULL) {
-    cli_lateness_note(run->lateness, run->began,
-                      ended - cli_run_time(run, run->done));
+    run->lateness->began[lateness_bin(run->began)]++;
+    run->lateness->ended[lateness_bin(ended - cli_run_time(run, run->done))]++;
   }
   if (late > 0) {
     run->late++;
@@ -285,9 +294,24 @@ static void write_end(cli_run_t *run) {
   }
 }
 
+static void write_lateness(const cli_lateness_t *lateness,
+                           cli_output_t *output) {
+  static const char header[] = "us,began,ended\n";
+  (void)cli_output_lines(output, header, sizeof header - 1);
+  for (unsigned us = 0; us <= CLI_LATENESS_BINS; us++) {
+    char row[64];
+    if (lateness->began[us] != 0 || lateness->ended[us] != 0) {
+      const int length =
+          snprintf(row, sizeof row, "%u,%" PRIu64 ",%" PRIu64 "\n", us,
+                   lateness->began[us], lateness->ended[us]);
+      (void)cli_output_lines(output, row, (size_t)length);
+    }
+  }
+}
+
 static int end_lateness(cli_run_t *run, int code) {
   write_provenance(run, "us us, began and ended 1 (steps)", &run->late_rows);
-  cli_lateness_write(run->lateness, &run->late_rows);
+  write_lateness(run->lateness, &run->late_rows);
   const int written = cli_output_end(&run->late_rows, CLI_DONE);
   return written == CLI_DONE ? code : written;
 }

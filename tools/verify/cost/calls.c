@@ -1,11 +1,10 @@
 // Functions of machines, states, friction and two-folds; of bytes, frames,
 // commands and text.
-#include "verify/cost/calls.h"
-
 #include <string.h>
 
 #include "../../../src/moreau/scheme.h"
 #include "verify/cost/count.h"
+#include "verify/cost/subject.h"
 
 #define GENE(n) (s->genes->gene[OWN_GENES + (n)])
 #define REAL(n) real_of(GENE(n))

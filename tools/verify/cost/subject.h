@@ -38,4 +38,22 @@ tf_real_t real_of(uint32_t gene);
 // One with a magnitude between two powers of two, or 0.
 tf_real_t sized_of(uint32_t gene, int low, int high);
 
+// The public functions whose cost depends on what they are given, with inputs
+// that a subject's genes choose: calls.c.
+
+// Counts one call, or the most expensive of a few; 0 where the subject is none
+// for it.
+typedef uint32_t (*counted_t)(const subject_t *s);
+
+typedef struct {
+  const char *name; // without the suffix of the real type
+  counted_t count;
+  long weight;    // how many of the trials it gets, 1 the usual
+  unsigned kinds; // how many `units` are looked at; of steps alone several
+  uint16_t units[4];
+} call_t;
+
+extern const call_t calls[];
+extern const unsigned call_count;
+
 #endif
