@@ -76,13 +76,19 @@ uint32_t EXPORT(load)(uint32_t number) {
   return SETUP_NUMBERS;
 }
 
-static tf_real_t *parameter_at(uint32_t number) {
-  return (tf_real_t *)(void *)((char *)&setup.params +
-                               tf_parameter_ranges[number].offset);
+// A number that is real, NULL of another one.
+static tf_real_t *real_at(uint32_t number) {
+  if (number < TF_PARAMETERS)
+    return (tf_real_t *)(void *)((char *)&setup.params +
+                                 tf_parameter_ranges[number].offset);
+  tf_real_t *const start[] = {&setup.r, &setup.omega, &setup.h, &setup.v};
+  return number >= SETUP_R && number <= SETUP_V ? start[number - SETUP_R]
+                                                : NULL;
 }
 
 double EXPORT(get)(uint32_t number) {
-  if (number < TF_PARAMETERS) return *parameter_at(number);
+  const tf_real_t *real = real_at(number);
+  if (real != NULL) return *real;
   switch (number) {
     case SETUP_LAW:
       return setup.params.law;
@@ -90,14 +96,6 @@ double EXPORT(get)(uint32_t number) {
       return setup.params.rule;
     case SETUP_REST:
       return setup.params.rest;
-    case SETUP_R:
-      return setup.r;
-    case SETUP_OMEGA:
-      return setup.omega;
-    case SETUP_H:
-      return setup.h;
-    case SETUP_V:
-      return setup.v;
     case SETUP_V_IS_GIVEN:
       return setup.v_is_given;
     case SETUP_SEED:
@@ -112,48 +110,27 @@ static bool is_whole(double value, double below) {
          (double)(uint32_t)value >= value;
 }
 
-static bool set_choice(uint32_t number, double value) {
-  static const double below[] = {TF_TYRE_LAWS, TF_RULES, TF_REST_LAWS};
-  if (!is_whole(value, below[number - SETUP_LAW])) return false;
-  if (number == SETUP_LAW) setup.params.law = (tf_tyre_law_t)(uint32_t)value;
-  if (number == SETUP_RULE) setup.params.rule = (tf_rule_t)(uint32_t)value;
-  if (number == SETUP_REST) setup.params.rest = (tf_rest_law_t)(uint32_t)value;
-  return true;
-}
-
 // Any number is taken: ranges are begin's. Returns: whether there is such a
 // number in a set-up and, if it is one of a list, in the list.
 bool EXPORT(set)(uint32_t number, double value) {
-  if (number < TF_PARAMETERS) {
-    *parameter_at(number) = value;
+  static const double below[] = {TF_TYRE_LAWS, TF_RULES, TF_REST_LAWS};
+  tf_real_t *real = real_at(number);
+  if (real != NULL) {
+    *real = value;
+    if (number == SETUP_H || number == SETUP_V)
+      setup.v_is_given = number == SETUP_V;
     return true;
   }
-  switch (number) {
-    case SETUP_LAW:
-    case SETUP_RULE:
-    case SETUP_REST:
-      return set_choice(number, value);
-    case SETUP_R:
-      setup.r = value;
-      return true;
-    case SETUP_OMEGA:
-      setup.omega = value;
-      return true;
-    case SETUP_H:
-      setup.h = value;
-      setup.v_is_given = false;
-      return true;
-    case SETUP_V:
-      setup.v = value;
-      setup.v_is_given = true;
-      return true;
-    case SETUP_SEED:
-      if (!is_whole(value, 4294967296.0)) return false;
-      seed = (uint32_t)value;
-      return true;
-    default:
-      return false;
-  }
+  if (number != SETUP_SEED && number > SETUP_REST) return false;
+  if (!is_whole(value, number == SETUP_SEED ? 4294967296.0
+                                            : below[number - SETUP_LAW]))
+    return false;
+  const uint32_t whole = (uint32_t)value;
+  if (number == SETUP_LAW) setup.params.law = (tf_tyre_law_t)whole;
+  if (number == SETUP_RULE) setup.params.rule = (tf_rule_t)whole;
+  if (number == SETUP_REST) setup.params.rest = (tf_rest_law_t)whole;
+  if (number == SETUP_SEED) seed = whole;
+  return true;
 }
 
 // The set-up as a file.
@@ -162,10 +139,6 @@ const char *EXPORT(scene_print)(void) {
   own.params.with_angle = with_angle;
   return scene_as_file(&own);
 }
-
-double EXPORT(t_end)(void) { return setup.t_end; }
-
-bool EXPORT(is_driven)(void) { return setup.knots > 0; }
 
 // Prepares the machine and starts. Returns: a tf_status_t. Where it is refused
 // the motion before goes on; after TF_BAD_PARAMETER `offending` is the number

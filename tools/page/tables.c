@@ -8,27 +8,20 @@ const char *EXPORT(parameter_name)(uint32_t number) {
   return number < TF_PARAMETERS ? tf_parameter_ranges[number].name : "";
 }
 
-// Of the others there is no more than one for each of the names.
-const char *EXPORT(parameter_unit)(uint32_t number) {
-  return tf_parameter_ranges[number].unit;
-}
-
-double EXPORT(parameter_low)(uint32_t number) {
-  return tf_parameter_ranges[number].low;
-}
-
-double EXPORT(parameter_high)(uint32_t number) {
-  return tf_parameter_ranges[number].high;
-}
+// Of the others there is no more than one for each of the names; laws: bits of
+// those that use it.
+#define COLUMN(type, member)                         \
+  type EXPORT(parameter_##member)(uint32_t number) { \
+    return tf_parameter_ranges[number].member;       \
+  }
+COLUMN(const char *, unit)
+COLUMN(double, low)
+COLUMN(double, high)
+COLUMN(uint32_t, laws)
 
 // Whether it may have a value, its range apart.
 bool EXPORT(parameter_fits)(uint32_t number, double value) {
   return cli_parameter_fits(number, value);
-}
-
-// Bits of the laws that use it.
-uint32_t EXPORT(parameter_laws)(uint32_t number) {
-  return tf_parameter_ranges[number].laws;
 }
 
 // The first scene of the core whose law uses it; TF_SCENES where none does.

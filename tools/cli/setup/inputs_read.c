@@ -236,38 +236,34 @@ static int read_line(reader_t *reader, char *line) {
                              : read_row(reader, line);
 }
 
-static int read_all(reader_t *reader, FILE *file) {
+int cli_inputs_parse(cli_inputs_t *inputs, const char *name, FILE *file) {
+  reader_t reader = {.inputs = inputs, .name = name};
   char line[LINE_ROOM];
   int code = CLI_DONE;
   bool open = false;
+  inputs->name = name;
   while (code == CLI_DONE) {
     const cli_line_t found = cli_read_line(file, line, sizeof line);
     if (found == CLI_LINE_END) {
       break;
     }
-    reader->line++;
+    reader.line++;
     open = feof(file) != 0; // what ended the line is not a newline
     code = found == CLI_LINE
-               ? read_line(reader, line)
+               ? read_line(&reader, line)
                : cli_message(CLI_USAGE,
                              "%s:%llu: a zero, or a line of more than %d "
                              "characters",
-                             reader->name, reader->line, LINE_ROOM - 1);
+                             name, reader.line, LINE_ROOM - 1);
   }
   if (code == CLI_DONE && ferror(file) != 0) {
-    return cli_message(CLI_USAGE, "%s: %s", reader->name, strerror(errno));
+    return cli_message(CLI_USAGE, "%s: %s", name, strerror(errno));
   }
-  if (code == CLI_DONE && reader->inputs->count == 0) {
-    return cli_message(CLI_USAGE, "%s: no %s", reader->name,
-                       reader->fields == 0 ? "header" : "row");
+  if (code == CLI_DONE && inputs->count == 0) {
+    return cli_message(CLI_USAGE, "%s: no %s", name,
+                       reader.fields == 0 ? "header" : "row");
   }
-  return code == CLI_DONE ? check_length(reader, open) : code;
-}
-
-int cli_inputs_parse(cli_inputs_t *inputs, const char *name, FILE *file) {
-  inputs->name = name;
-  reader_t reader = {.inputs = inputs, .name = name};
-  return read_all(&reader, file);
+  return code == CLI_DONE ? check_length(&reader, open) : code;
 }
 
 static int read_file(cli_inputs_t *inputs, const char *path) {

@@ -146,13 +146,10 @@ def included(file, files):
 
 def cli_allows(file, target):
     """Whether a file of the command line may include another one of it."""
-    parts, other = file[len(CLI):].split("/"), target[len(CLI):].split("/")
-    if len(parts) == 1:
-        return True
-    return parts[0] in CLI_INCLUDES and (
-        other[0] == parts[0] or
-        len(other) > 1 and other[0] in CLI_INCLUDES[parts[0]] or
-        "/".join(other) in CLI_INCLUDES[parts[0]])
+    room, name, _ = f"{file[len(CLI):]}/".split("/", 2)
+    return not name or room in CLI_INCLUDES and any(
+        f"{target}/".startswith(f"{CLI}{one}/")
+        for one in (room, *CLI_INCLUDES[room]))
 
 
 def port_allows(file, target):

@@ -5,11 +5,12 @@
 # builds for double and for float cannot be linked by mistake.
 . "$(dirname "$0")/lib.sh"
 need objdump binutils
+setting gcc -O3
 for real in double float; do
   suffix=_f64
   [ "$real" = double ] || suffix=_f32
-  core_library "$real" ||
-    wrong "$library does not compile"
+  library=$place/$real/libtwofold.a
+  in_common "$library" || wrong "$library does not compile"
   objdump -t "$library" | awk -v library="$library" '
     { section = ""
       for (i = 2; i <= NF; i++)

@@ -33,14 +33,19 @@ def wrong(text):
     count += 1
 
 
+def asked(*command, **options):
+    """What a command prints, and its code."""
+    done = subprocess.run([str(word) for word in command], text=True,
+                          stdout=subprocess.PIPE, check=False, **options)
+    return done.stdout, done.returncode
+
+
 def quietly(*command, **options):
     """Whether a command succeeds; its output only where it fails."""
-    done = subprocess.run([str(word) for word in command], text=True,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                          check=False, **options)
-    if done.returncode:
-        print(done.stdout, end="", flush=True)
-    return done.returncode == 0
+    said, code = asked(*command, stderr=subprocess.STDOUT, **options)
+    if code:
+        print(said, end="", flush=True)
+    return code == 0
 
 
 def build(*arguments):

@@ -61,13 +61,6 @@ in_common() {
     OPT="$opt" BUILD="$place" EXTRA=-Werror "$@"
 }
 
-# core_library REAL: sets `library` to the core's, by gcc.
-core_library() {
-  setting gcc -O3
-  library=$place/$1/libtwofold.a
-  in_common "$library"
-}
-
 # files_in PATTERN ROOM...: files of the rooms that exist, one a line, sorted.
 files_in() {
   files_pattern=$1
@@ -76,9 +69,4 @@ files_in() {
     [ -e "$room" ] || continue
     find "$room" -type f -name "$files_pattern"
   done | sort
-}
-
-# Every C file of the project, one a line.
-c_files() {
-  files_in '*.[ch]' include src port tests tools
 }

@@ -5,7 +5,7 @@ import re
 import subprocess
 from pathlib import Path
 
-from findings import checked, need, wrong
+from findings import asked, checked, need, wrong
 
 PYTHON = re.compile(r"#!.*\bpython3?\b")
 
@@ -21,9 +21,7 @@ need("pyflakes3", "pyflakes3")
 programs = sorted(path for room in (".ci", "port", "tests", "tools")
                   for path in Path(room).rglob("*")
                   if path.is_file() and is_python(path))
-said = subprocess.run(["pyflakes3", *map(str, programs)], text=True,
-                      stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                      check=False).stdout
+said, _ = asked("pyflakes3", *programs, stderr=subprocess.STDOUT)
 for line in said.splitlines():
     wrong(line)
 checked(f"{len(programs)} programs and modules")

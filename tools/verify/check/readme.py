@@ -13,7 +13,8 @@ import subprocess
 import sys
 from pathlib import Path
 
-from findings import BUILD, DEFINES, FULL, checked, in_common, quietly, wrong
+from findings import (BUILD, DEFINES, FULL, asked, checked, in_common,
+                      quietly, wrong)
 
 PLACE = BUILD / "gcc-O3"  # that of `setting gcc -O3` in lib.sh
 STRICT = ("-std=c99 -O2 -Wall -Wextra -pedantic -Wconversion "
@@ -37,9 +38,8 @@ def make(*arguments):
 
 def printed(program):
     """What a program prints; None where it fails."""
-    done = subprocess.run([program], stdout=subprocess.PIPE, text=True,
-                          check=False)
-    return None if done.returncode else done.stdout
+    said, code = asked(program)
+    return None if code else said
 
 
 def section(begin, end):
@@ -80,8 +80,8 @@ def need_for_python():
     """Of Debian's Python, what the line of README.md needs."""
     for module, package in (("ensurepip", "python3-venv"),
                             ("numpy", "python3-numpy")):
-        if subprocess.run(["/usr/bin/python3", "-c", f"import {module}"],
-                          check=False, stderr=subprocess.DEVNULL).returncode:
+        if asked("/usr/bin/python3", "-c", f"import {module}",
+                 stderr=subprocess.DEVNULL)[1]:
             print(f"missing: {package} (apt-get install {package})")
             sys.exit(3)
 
@@ -173,10 +173,9 @@ def wrong_places(cell):
 def wrong_evidence(cell):
     """Tests that are not run, and commands that fail or print otherwise."""
     for command, text in COMMAND.findall(cell):
-        done = subprocess.run([PLACE / "double/twofold", *command.split()],
-                              stdout=subprocess.PIPE, text=True, check=False,
-                              stderr=subprocess.STDOUT)
-        if done.returncode or text not in done.stdout:
+        said, code = asked(PLACE / "double/twofold", *command.split(),
+                           stderr=subprocess.STDOUT)
+        if code or text not in said:
             yield f"twofold {command} does not print {text}"
     for name in re.findall(r"`(\w+)`", COMMAND.sub("", cell)):
         if not re.search(rf"^TEST\({name}\)", TESTS, re.M):
@@ -207,10 +206,9 @@ def judge_tutorial():
     script = MAKE + "".join(
         "printf '\\0'\n" + re.sub("^> ?", "", command, flags=re.M)
         for command, _ in steps).replace("build/", f"{PLACE}/")
-    done = subprocess.run(["bash", "-c", script], text=True, check=False,
-                          stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT)
-    prints = done.stdout.split("\0")[1:]
+    said, _ = asked("bash", "-c", script, stdin=subprocess.DEVNULL,
+                    stderr=subprocess.STDOUT)
+    prints = said.split("\0")[1:]
     for (command, expected), text in zip(steps, prints):
         pattern = re.escape(expected).replace(r"\.\.\.", ".*")
         if not re.fullmatch(pattern, text, re.S):

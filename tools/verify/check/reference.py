@@ -5,10 +5,9 @@ say TF_OK among a few hundred random machines, of which every other one of
 `path` is driven, than docs/VERIFICATION.md has among thousands: at most 1 % of
 a row."""
 import re
-import subprocess
 import sys
 
-from findings import BUILD, build, checked, need, wrong
+from findings import BUILD, asked, build, checked, need, wrong
 
 # Class, its options, and the rows that count what no step may do.
 CLASSES = [
@@ -26,18 +25,13 @@ WORST = 1e-7  # of 40 machines on inputs that move, from SUNDIALS
 ROW = re.compile(r"(.*?) +(\d+) of +(\d+)(?: .*)?")
 
 
-def asked(*words):
-    """What the reference prints in lines, and its code."""
-    done = subprocess.run(
-        [str(word) for word in (BUILD / "reference/reference/reference", *words)],
-        text=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
-        check=False)
-    return done.stdout, done.returncode
+def reference(*words):
+    return asked(BUILD / "reference/reference/reference", *words)
 
 
 def judge_class(name, options, what):
     """Returns how many steps and motions there were."""
-    said, code = asked(name, "--show", 0, *options)
+    said, code = reference(name, "--show", 0, *options)
     rows = [ROW.fullmatch(line) for line in said.splitlines()]
     rows = [row for row in rows if row and re.search(what, row[1])]
     if code or not rows:
@@ -50,8 +44,8 @@ def judge_class(name, options, what):
 
 def judge_table(name, steps, machines):
     """Returns how many runs a class of the table has."""
-    said, code = asked("table", "--class", name, "--dt", steps, "--machines",
-                       machines, "--show", 0)
+    said, code = reference("table", "--class", name, "--dt", steps,
+                           "--machines", machines, "--show", 0)
     lines = [LINE.fullmatch(line) for line in said.splitlines()]
     runs = sum(int(line[1]) for line in lines if line)
     if code or not runs:
@@ -68,7 +62,7 @@ if not build("CC=gcc", "OPT=-O2", f"BUILD={BUILD / 'reference'}",
 kinds = [(name, *row[1:]) for row in TABLE for name in row[0].split()]
 judged = sum(judge_class(*kind) for kind in CLASSES) + \
     sum(judge_table(*kind) for kind in kinds)
-second, failed = asked("second", "--machines", 40)
+second, failed = reference("second", "--machines", 40)
 if failed == 3:
     print(second, end="")
     sys.exit(3)

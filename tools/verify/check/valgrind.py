@@ -9,10 +9,13 @@ random machines, are stopped and named.
 import os
 import subprocess
 import sys
-from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from findings import BUILD, DEFINES, FULL, build, checked, need, wrong
+from findings import (BUILD, DEFINES, FULL, ROOT, asked, build, checked, need,
+                      wrong)
+
+sys.path.insert(0, str(ROOT / "tools"))
+import driven  # noqa: E402
 
 # Program, or program:test.
 FEW = """unit/link/test_protocol unit/link/test_link unit/link/test_text
@@ -38,20 +41,18 @@ def run(real, test):
     """Whether a test was stopped; what is found is printed."""
     program, _, name = test.partition(":")
     only = ["--only", name] if name else []
-    done = subprocess.run(
-        ["timeout", LIMIT, *MEMCHECK, "--leak-check=full",
-         ROOM / real / "tests" / program, *only], text=True, check=False,
-        stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+    said, code = asked(
+        "timeout", LIMIT, *MEMCHECK, "--leak-check=full",
+        ROOM / real / "tests" / program, *only, stdin=subprocess.DEVNULL,
         stderr=subprocess.STDOUT)
-    lines = done.stdout.splitlines()
-    if done.returncode not in (0, 124) or any(
-            line.startswith("==") for line in lines):
+    lines = said.splitlines()
+    if code not in (0, 124) or any(line.startswith("==") for line in lines):
         wrong("\n".join([f"{real}: {test}: found by memcheck, or failed",
                          *lines[-40:]]))
         return False
-    if done.returncode == 124:
+    if code == 124:
         print(f"stopped after {LIMIT} s, nothing found: {real} {test}")
-    return done.returncode == 124
+    return code == 124
 
 
 need("valgrind", "valgrind")
@@ -65,9 +66,7 @@ if not build("CC=gcc", f"BUILD={ROOM}", "OPT=-O1 -g", *sorted({
         f"{ROOM}/{real}/tests/{test.partition(':')[0]}"
         for real, test in runs})):
     sys.exit(1)
-with ThreadPoolExecutor(int(os.environ.get("JOBS") or
-                            len(os.sched_getaffinity(0)))) as pool:
-    stopped = sum(pool.map(lambda pair: run(*pair), runs))
+stopped = sum(driven.side_by_side(lambda pair: run(*pair), runs))
 if stopped == len(runs):
     wrong("nothing was done in time")
 checked(f"{len(runs)} runs of tests under memcheck, {' and '.join(reals)}; "
