@@ -146,8 +146,8 @@ def included(file, files):
 
 def cli_allows(file, target):
     """Whether a file of the command line may include another one of it."""
-    room, name, _ = f"{file[len(CLI):]}/".split("/", 2)
-    return not name or room in CLI_INCLUDES and any(
+    room, below, _ = file[len(CLI):].partition("/")
+    return not below or room in CLI_INCLUDES and any(
         f"{target}/".startswith(f"{CLI}{one}/")
         for one in (room, *CLI_INCLUDES[room]))
 
