@@ -7,12 +7,12 @@
 //                          run say and how far it ends from the motion, over
 //                          the step and one parameter
 //
-// In the map the error is the distance of the end x from the end y of the motion
-// in the norm of the energy, sqrt(E(x - y) / max(E(y), E(start))). So a spring
-// that loses its energy is wrong, and one that loses its phase as well. y is the
-// end of the located step where that of half its step is within a thousandth of
-// it; where none is, the error is not a number. The verdict is the worst that a
-// step said; of a refusal the error is 1.
+// In the map the error is the distance of the end x from the end y of the
+// motion in the norm of the energy, sqrt(E(x - y) / max(E(y), E(start))). So a
+// spring that loses its energy is wrong, and one that loses its phase as well.
+// y is the end of the located step where that of half its step is within a
+// thousandth of it; where none is, the error is not a number. The verdict is
+// the worst that a step said; of a refusal the error is 1.
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
