@@ -1,5 +1,7 @@
-// From a command line to a command. Reading is the same for all that take
-// options; what they give is checked together by the command itself.
+// The program `twofold`, which links libc, libm and the core: from a command
+// line to a command. Reading is the same for all that take options; what they
+// give is checked together by the command itself. commands.c has the table of
+// the commands and lists the folders.
 
 #include "command.h"
 
@@ -7,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "host/host.h"
 #include "host/output.h"
 #include "setup/scene_file.h"
 #include "text/summary.h"
@@ -170,7 +173,7 @@ static int perform(const cli_command_t *command, int argc, char *const argv[]) {
   return code;
 }
 
-int cli_command(int argc, char *const argv[]) {
+static int choose(int argc, char *const argv[]) {
   if (argc < 1) {
     return cli_message(CLI_USAGE, "which command? ('twofold help' lists them)");
   }
@@ -188,4 +191,13 @@ int cli_command(int argc, char *const argv[]) {
   }
   return command != NULL ? perform(command, argc - 1, argv + 1)
                          : unknown_command(&closest);
+}
+
+// What a command reports is part of what it was asked for: where it could not
+// be written, on a full disk, the command was not done. Standard output is
+// looked after by each command, which names it.
+int main(int argc, char *argv[]) {
+  cli_guard_descriptors();
+  const int code = choose(argc - 1, argv + 1);
+  return code == CLI_DONE && ferror(stderr) ? CLI_STOPPED : code;
 }

@@ -43,9 +43,6 @@ typedef struct {
 extern const cli_command_t cli_commands[];
 extern const size_t cli_command_count;
 
-/// Performs the words after the program's name.
-int cli_command(int argc, char *const argv[]);
-
 int cli_help(int argc, char *const argv[]);
 int cli_completions(int argc, char *const argv[]);
 int cli_scenes(int argc, char *const argv[]);

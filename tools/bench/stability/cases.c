@@ -1,7 +1,7 @@
 // The sweeps, as data: which parameter or start is driven to its extreme. SI.
-#include "cases.h"
-
 #include <math.h>
+
+#include "cell.h"
 
 static void set_k2(case_t *c, tf_real_t y) { c->params.k2 = y; }
 

@@ -5,9 +5,9 @@ In front of every stretch that is run as a whole stands one instruction that
 adds the length of the stretch to register mm7. Nothing else uses the MMX
 registers, and that addition changes neither flags nor other registers, so the
 code does what it did, in the same instructions. A repeated string instruction
-counts as one. What is in count.h opens and closes a window. The memory
-functions that a compiler may call get names of their own: those that the rest
-of a program calls are not counted.
+counts as one. calls.c opens and closes a window. The memory functions that a
+compiler may call get names of their own: those that the rest of a program calls
+are not counted.
 """
 from __future__ import annotations
 
