@@ -137,7 +137,7 @@ class Archive:
             dll = next(fmu.home.glob("binaries/*/*.dll"))
             program = dll.with_name("windows.exe")
             call("-std=gnu17", f"-DFMI={version}", "-o", program,
-                 ROOT / "tests/fmu/windows.c", dll, program=MINGW)
+                 ROOT / "tools/package/dist/test/windows.c", dll, program=MINGW)
             said, _ = call(program, fmu.token, fmu.variables["r"].reference,
                            program=WINE, env=env)
             check([*map(float.fromhex, said.split())] == expected, "bits")

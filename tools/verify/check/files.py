@@ -23,11 +23,11 @@ name              most   goal
 tools            43000  40000
 tools/cli        15470  14500
 tools/board       1390   1200
-tools/package     5245   5200
+tools/package     5740   5200
 tools/page        4370   4200
 tools/bench       4410   4200
 tools/study       5360   4200
-tools/verify      6080   6500
+tools/verify      6100   6500
 tests            28000  25000
 include           1950   1700
 documents         5500   5000

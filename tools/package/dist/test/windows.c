@@ -1,5 +1,6 @@
-// Steps the FMU of -DFMI=2 or 3 under Windows and prints r every 10 ms: windows
-// TOKEN REFERENCE. What FMI 3 has behind the arguments of FMI 2 is there unused.
+// Steps the FMU of -DFMI=2 or 3 under Windows and prints r every 10 ms:
+// windows TOKEN REFERENCE. What FMI 3 has behind the arguments of FMI 2 is
+// there unused.
 #define __USE_MINGW_ANSI_STDIO 1
 #include <stdint.h>
 #include <stdio.h>
