@@ -1,7 +1,7 @@
 /// What is swept: one parameter or start each, from the mild to the extreme,
-/// all else as in scene `chaos` unless the sweep says otherwise. And one cell of
-/// the map: one case, one scheme, one step size, and what is to be said about
-/// the run.
+/// all else as in scene `chaos` unless the sweep says otherwise. And one cell
+/// of the map: one case, one scheme, one step size, and what is to be said
+/// about the run.
 #pragma once
 
 #include "twofold.h"
