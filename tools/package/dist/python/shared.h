@@ -6,6 +6,8 @@
 #else
 #define LANES SHARED
 #endif
+#include <math.h>
+
 #include "twofold.c"
 
 #ifdef TF_REAL_FLOAT
@@ -95,7 +97,7 @@ tf_status_t SHARED(twofold_begin)(const motion_t *to, const tf_input_t *input,
   const tf_input_t u = input ? *input : tf_scene_input(scene, machine, 0);
   const tf_real_t v = or_else(given[1], scene->v);
   const tf_real_t h = or_else(given[3], scene->h);
-  const bool has_v = given[1] == given[1], has_h = given[3] == given[3];
+  const bool has_v = !isnan(given[1]), has_h = !isnan(given[3]);
   tf_state_t *x = to->state;
   *to->low = (tf_compensation_t){0};
   x->r = or_else(given[0], scene->r);
@@ -212,7 +214,6 @@ tf_status_t SHARED(twofold_regions)(const motion_t *of, place_t *places,
                                     size_t n) {
   const tf_machine_t *machine = &of->machine->machine;
   const tf_input_t u = tf_scene_input(of->scene, machine, 0);
-  const tf_real_t none = 0;
   tf_status_t status = TF_OK;
   for (size_t i = 0; status >= 0 && i < n; i++) {
     place_t *at = &places[i];
@@ -221,9 +222,9 @@ tf_status_t SHARED(twofold_regions)(const motion_t *of, place_t *places,
     status = tf_speed_for_slip(machine, at->r, at->omega, u.omega0, 0, &v);
     if (status >= 0)
       status = tf_surface_at(machine, &u, at->r, v, at->omega, &found);
-    at->lambda = found.lambda_is_given ? found.lambda : none / none;
+    at->lambda = found.lambda_is_given ? found.lambda : (tf_real_t)NAN;
     at->delassus =
-        found.region == TF_REGION_CODIM2 ? none / none : found.delassus;
+        found.region == TF_REGION_CODIM2 ? (tf_real_t)NAN : found.delassus;
     at->region = found.region;
   }
   return status;
