@@ -1,9 +1,8 @@
 """The Python package, from its source archive, without a network."""
 import importlib.util
-import json
 import sys
 
-from harness import BUILD, DIST, ROOT, check, equal, folder, lacks, run, version
+from harness import BUILD, DIST, ROOT, equal, folder, lacks, run, version
 
 PROGRAM = """\
 import signal, sys
@@ -45,8 +44,8 @@ for real in ("double", "float"):
             for part in parts:
                 step(part)
                 assert inputs.alpha == 0
-        places = {(machine.state.r, machine.state.v), (many["r"][0],
-                                                       many["v"][0])}
+        places = {(machine.state.r, machine.state.v),
+                  (many["r"][0], many["v"][0])}
         ends.add((*places, *(machine.run(50 * machine["dt"], every).tobytes()
                              for every in (1, 3, 20, 100))))
     assert len(places) == 1 == len(ends), ends
@@ -89,22 +88,17 @@ def python():
     python3 = place / "venv/bin/python"
     run(python3, "-m", "pip", "install", "--no-build-isolation", archive,
         env=ALONE, cwd=place)
-    (place / "program.py").write_text(PROGRAM)
     # The kernel of the notebook is Debian's, and not that of the environment.
     site, = (place / "venv").glob("lib/*/site-packages")
     env = {"PYTHONPATH": str(site)}
-    run(python3, place / "program.py", version(), env=env)
+    run(python3, "-c", PROGRAM, version(), env=env)
     run(python3, ROOT / "tests/package/python_numbers.py", BUILD, env=env)
-    said = run(python3, ROOT / "tools/package/dist/test/arguments.py", env=env)
-    check(said.endswith("bad values are refused\n"), f"arguments.py: {said}")
-    print(f"# {said.strip()}")
+    run(python3, ROOT / "tools/package/dist/test/arguments.py", env=env)
     run(python3, "-m", "nbconvert", "--to", "notebook", "--execute",
         "--output-dir", place, DIST / f"python/twofold-{version()}/examples/"
         "figures.ipynb", env=env)
-    shown = json.loads((place / "figures.ipynb").read_text())
-    equal("pictures", sum("image/png" in output.get("data", {})
-                          for cell in shown["cells"]
-                          for output in cell.get("outputs", ())), 3)
+    equal("pictures", (place / "figures.ipynb").read_text().count(
+        '"image/png":'), 3)
 
 
 TESTS = {"python": python}

@@ -85,7 +85,7 @@ typedef struct {
 } motion_t;
 
 static tf_real_t or_else(tf_real_t given, tf_real_t usual) {
-  return given == given ? given : usual;
+  return isnan(given) ? usual : given;
 }
 
 /* Begins a motion whose state holds seed and mode. given: r, v, omega, h, phi;

@@ -19,8 +19,8 @@ void *fmi3InstantiateCoSimulation();
   fmi3InstantiateCoSimulation("", token, "", 0, 0, 0, 0, NULL, (size_t)0, \
                               NULL, NULL, NULL)
 #endif
-int F(EnterInitializationMode)(), F(ExitInitializationMode)(), F(DoStep)();
-int REALS();
+int F(EnterInitializationMode)(), F(ExitInitializationMode)(), F(DoStep)(),
+    REALS();
 
 int main(int n, char *word[]) {
   void *x = NEW(word[1]);
