@@ -115,7 +115,7 @@ TEST(random_machines_are_followed_or_say_why) {
     drawn++;
     const cli_canard_status_t status =
         cli_canard_solve(&c.machine, &through, &canard);
-    CHECK(status == CLI_CANARD_SOLVED || through.ratio > 1000);
+    CHECK(status != CLI_CANARD_ENTERS || through.ratio > 1000);
     if (status != CLI_CANARD_SOLVED) continue;
     solved++;
     for (int i = 1; i < 8; i++) {
@@ -128,6 +128,7 @@ TEST(random_machines_are_followed_or_say_why) {
       CHECK(fabs(f.N / A) < 1.001 * (double)c.machine.contact.tyre.mu);
     }
   }
+  CHECK(solved > 95);
   printf("# random machines: %d of %d followed\n", solved, drawn);
 }
 

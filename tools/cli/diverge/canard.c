@@ -166,8 +166,10 @@ static bool comes_from_two_fold(cli_canard_t *canard, cli_canard_node_t at,
   return canard->nodes > 0 && left >= 0;
 }
 
-// Whether stick from the two-fold tends to rest at r, a saddle.
-static bool tends_to(cli_canard_t *canard, double r, double ratio) {
+// Stick from the two-fold that tends to rest at r, a saddle.
+// Returns: CLI_CANARD_ENTERS where there is none.
+static cli_canard_status_t tends_to(cli_canard_t *canard, double r,
+                                    double ratio) {
   const double dr = LINEAR * (canard->r - r), dz = LINEAR * canard->z;
   const cli_canard_node_t up = rates(canard, r, dz), in = rates(canard, r, -dz);
   const double rz = (up.r - in.r) / (2 * dz), zz = (up.z - in.z) / (2 * dz);
@@ -177,9 +179,16 @@ static bool tends_to(cli_canard_t *canard, double r, double ratio) {
   canard->rest = r;
   canard->decay = root - 0.5 * zz;
   const cli_canard_node_t at = {0, r + dr, -canard->decay / rz * dr};
-  return rz * zr > 0 &&
-         comes_from_two_fold(canard, at,
-                             fmax(ratio, 2 * root * time_since(canard, at)));
+  const double left = time_since(canard, at);
+  const double fastest = fmax(ratio, 2 * root * left);
+  if (!(rz * zr > 0 && left > 0 && is_escaping(canard, at))) {
+    return CLI_CANARD_ENTERS;
+  }
+  if (fastest > MOST_RATIO) {
+    return CLI_CANARD_STIFF;
+  }
+  return comes_from_two_fold(canard, at, fastest) ? CLI_CANARD_SOLVED
+                                                  : CLI_CANARD_ENTERS;
 }
 
 // What is left of the moment where stick holds the slider at rest [N m]: a
@@ -189,13 +198,14 @@ static double moment_at_rest(const cli_canard_t *canard, double r) {
   return f.J * f.rate.z - f.rate.p / f.p_F * f.stick_arm[canard->s < 0];
 }
 
-static bool never_ends(cli_canard_t *canard, double ratio) {
+static cli_canard_status_t never_ends(cli_canard_t *canard, double ratio) {
   const double r = canard->r, c = moment_at_rest(canard, 0);
   const double up = moment_at_rest(canard, r), in = moment_at_rest(canard, -r);
   const double a = 0.5 * (up + in) - c, b = 0.5 * (up - in);
   const double q = -0.5 * (b + copysign(sqrt(b * b - 4 * a * c), b));
-  return tends_to(canard, r * c / q, ratio) ||
-         tends_to(canard, r * q / a, ratio);
+  const cli_canard_status_t first = tends_to(canard, r * c / q, ratio);
+  return first == CLI_CANARD_ENTERS ? tends_to(canard, r * q / a, ratio)
+                                    : first;
 }
 
 cli_canard_status_t cli_canard_solve(const tf_machine_t *k,
@@ -212,8 +222,9 @@ cli_canard_status_t cli_canard_solve(const tf_machine_t *k,
     return CLI_CANARD_STIFF;
   }
   polish(canard);
-  if (never_ends(canard, ratio)) {
-    return CLI_CANARD_SOLVED;
+  const cli_canard_status_t status = never_ends(canard, ratio);
+  if (status != CLI_CANARD_ENTERS) {
+    return status;
   }
   canard->decay = 0;
   // Where the tangent leaves the region, no farther than half way to r = 0.
@@ -237,7 +248,8 @@ cli_canard_status_t cli_canard_solve(const tf_machine_t *k,
 
 const char *cli_canard_failure(cli_canard_status_t status) {
   return status == CLI_CANARD_STIFF
-             ? "the ratio of its eigenvalues is too large for the solver"
+             ? "the ratio of its eigenvalues is too large for the solver, or "
+               "the rest that stick tends to is too fast for it"
              : "no point of its tangent is reached by stick from it";
 }
 
