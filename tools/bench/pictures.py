@@ -87,7 +87,7 @@ def panel(axis: pyplot.Axes, rows: pd.DataFrame, problem: str) -> None:
         if len(line):
             axis.plot(line.ns / 1e3, line.error.clip(lower=1e-14),
                       color=colour, marker=symbol, label=name,
-                      markevery=max(1, len(line) // 5))
+                      markevery=max(1, len(line) // 4))
     axis.set(title=problem, xscale="log", yscale="log", ylim=(5e-15, 1),
              xlabel="time of the run [us]",
              ylabel="error at the end [m, m/s, rad/s]")
