@@ -9,7 +9,7 @@ says why.
 import re
 from pathlib import Path
 
-from findings import BUILD, checked, wrong
+from findings import BUILD, checked, files_in, wrong
 
 ROOMS = ("Makefile", ".ci", "include", "src", "port", "tests", "tools")
 MAX_PICTURE = 100000
@@ -44,13 +44,6 @@ MACHINE = re.compile(r"(?:^|[^\w.}])/(?:[w]ork|[h]ome|[r]oot|[U]sers)/")
 RETURNS = re.compile(r"if \s*\([^;{}]*(?:IS_DOUBLE|IS_FLOAT|tf_real_t)[^;{}]*\)"
                      r"\s*(?:\{\s*)?return\s*;"
                      r"|#if\w*[^\n]*TF_REAL_FLOAT[^\n]*\n\s*return\s*;")
-
-
-def files_in(*rooms):
-    """Files below folders, and those that are named."""
-    for room in map(Path, rooms):
-        yield from sorted(path for path in ([room] if room.is_file() else
-                                            room.rglob("*")) if path.is_file())
 
 
 def text_of(path):

@@ -1,7 +1,7 @@
-"""What checks in Python share; lib.sh is the same for those in shell. A check
-runs from the root of the project, calls `wrong` for each thing that is wrong
-and ends with `checked`, which says what was looked at. A missing tool ends it
-with code 3: what was not checked is not known to hold."""
+"""What checks share. A check runs from the root of the project, calls `wrong`
+for each thing that is wrong and ends with `checked`, which says what was looked
+at. A missing tool ends it with code 3: what was not checked is not known to
+hold."""
 import os
 import re
 import shutil
@@ -18,13 +18,19 @@ DEFINES = {"double": "-UTF_REAL_FLOAT", "float": "-DTF_REAL_FLOAT"}
 DECLARED = re.compile(r"^(?:TF_API|TF_INLINE|static inline)\b[^;{(]*?"
                       r"\b(tf_\w+)\(", re.M)
 BUILD.mkdir(parents=True, exist_ok=True)
+os.environ["LC_ALL"] = "C"
+sys.path.insert(0, str(ROOT / "tools"))
 count = 0
+
+
+def missing(what, package):
+    print(f"missing: {what} (apt-get install {package})")
+    sys.exit(3)
 
 
 def need(tool, package):
     if not shutil.which(tool):
-        print(f"missing: {tool} (apt-get install {package})")
-        sys.exit(3)
+        missing(tool, package)
 
 
 def wrong(text):
@@ -48,17 +54,47 @@ def quietly(*command, **options):
     return code == 0
 
 
+def passes(what, *command):
+    """A command, which is wrong where it fails."""
+    if not quietly(*command):
+        wrong(what)
+
+
+def version(tool):
+    """The first line; nothing where it is not installed."""
+    return shutil.which(tool) and asked(tool, "--version")[0].splitlines()[0]
+
+
+def commit():
+    """As a number."""
+    return int(asked("git", "rev-parse", "--short=7", "HEAD",
+                     stderr=subprocess.DEVNULL)[0] or "1", 16)
+
+
 def build(*arguments):
-    """make, as in lib.sh."""
     return quietly(MAKE, "--no-print-directory", *arguments)
 
 
-def in_common(place, compiler, opt, *arguments):
+def place_of(compiler, opt):
+    """Where what is compiled so is."""
+    return BUILD / re.sub("[ =]", "", compiler + opt)
+
+
+def in_common(compiler, opt, *arguments):
     """make in a folder that checks share. They run side by side: one of them
     builds, the others wait."""
+    place = place_of(compiler, opt)
     return quietly("flock", f"{place}.lock", MAKE, "--no-print-directory",
                    f"CC={compiler}", f"OPT={opt}", f"BUILD={place}",
                    "EXTRA=-Werror", *arguments)
+
+
+def files_in(*rooms, pattern="*"):
+    """Files below folders, and those that are named."""
+    for room in map(Path, rooms):
+        yield from sorted(path for path in (
+            [room] if room.is_file() else room.rglob(pattern))
+            if path.is_file())
 
 
 def public_functions():

@@ -13,11 +13,11 @@ from pathlib import Path
 import pandas
 from scipy import stats
 
-from findings import (BUILD, FULL, ROOT, checked, in_common, need, quietly,
-                      wrong)
+from findings import (BUILD, FULL, ROOT, checked, in_common, need, place_of,
+                      quietly, wrong)
 
-sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tools/study")]
-PLACE = BUILD / "gcc-O3"
+sys.path.insert(0, str(ROOT / "tools/study"))
+PLACE = place_of("gcc", "-O3")
 TWOFOLD = PLACE / "double/twofold"
 CHANCE = 5e-4
 SAMPLES, SEED = "1000" if FULL else "60", 77  # of the first run
@@ -57,7 +57,7 @@ def judge_sides(run, options, kept, seed):
 
 
 need("gcc", "gcc")
-if not in_common(PLACE, "gcc", "-O3", TWOFOLD):
+if not in_common("gcc", "-O3", TWOFOLD):
     wrong("the command line does not build")
     checked("nothing")
 import exits  # noqa: E402

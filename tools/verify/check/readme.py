@@ -14,9 +14,9 @@ import sys
 from pathlib import Path
 
 from findings import (BUILD, DEFINES, FULL, asked, checked, in_common,
-                      quietly, wrong)
+                      missing, place_of, quietly, wrong)
 
-PLACE = BUILD / "gcc-O3"  # that of `setting gcc -O3` in lib.sh
+PLACE = place_of("gcc", "-O3")
 STRICT = ("-std=c99 -O2 -Wall -Wextra -pedantic -Wconversion "
           "-Wdouble-promotion -Werror -ffp-contract=off -Iinclude").split()
 PROGRAM, DEMO = BUILD / "readme.c", BUILD / "demo"
@@ -33,7 +33,7 @@ text = Path("README.md").read_text()
 
 
 def make(*arguments):
-    return in_common(PLACE, "gcc", "-O3", *arguments)
+    return in_common("gcc", "-O3", *arguments)
 
 
 def printed(program):
@@ -82,8 +82,7 @@ def need_for_python():
                             ("numpy", "python3-numpy")):
         if asked("/usr/bin/python3", "-c", f"import {module}",
                  stderr=subprocess.DEVNULL)[1]:
-            print(f"missing: {package} (apt-get install {package})")
-            sys.exit(3)
+            missing(package, package)
 
 
 def judge_uses(said):

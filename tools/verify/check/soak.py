@@ -10,13 +10,13 @@ import os
 import re
 import subprocess
 
-from findings import BUILD, FULL, checked, in_common, wrong
+from findings import BUILD, FULL, checked, in_common, place_of, wrong
 
 STEPS = round(float(os.environ.get("STEPS") or (1e8 if FULL else 2e6)))
 PIECE = min(10**7, STEPS // 10 + 1)  # steps; its events are told together
 LONGEST_STAY = 5  # in one mode [s]: it sticks for 2, rests for 0.1
 EPSILON = {"double": 2.0**-52, "float": 2.0**-23}
-PLACE = BUILD / "gcc-O3"
+PLACE = place_of("gcc", "-O3")
 
 
 def run(real, scheme, tick, path, *more):
@@ -78,8 +78,7 @@ def soak(real, scheme):
               "steps replayed from the snapshot, bit for bit", STEPS - half)
 
 
-if not in_common(PLACE, "gcc", "-O3", *(PLACE / real / "twofold"
-                                        for real in EPSILON)):
+if not in_common("gcc", "-O3", *(PLACE / real / "twofold" for real in EPSILON)):
     wrong("the command line does not build")
     checked("nothing")
 SCENE = subprocess.run([PLACE / "double/twofold", "scene", "chaos"], text=True,

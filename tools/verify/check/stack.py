@@ -17,8 +17,7 @@ import pandas
 from findings import (BUILD, DEFINES, ROOT, checked, need, public_functions,
                       wrong)
 
-sys.path[:0] = [str(ROOT / "tools"), str(ROOT / "tools/bench"),
-                str(ROOT / "tools/verify/cost")]
+sys.path[:0] = [str(ROOT / "tools/bench"), str(ROOT / "tools/verify/cost")]
 import bounds  # noqa: E402
 from boards import Board  # noqa: E402
 from callgraph import FLAT, Graph  # noqa: E402

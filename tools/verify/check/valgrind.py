@@ -11,11 +11,8 @@ import subprocess
 import sys
 from pathlib import Path
 
-from findings import (BUILD, DEFINES, FULL, ROOT, asked, build, checked, need,
-                      wrong)
-
-sys.path.insert(0, str(ROOT / "tools"))
-import driven  # noqa: E402
+from findings import BUILD, DEFINES, FULL, asked, build, checked, need, wrong
+import driven
 
 # Program, or program:test.
 FEW = """unit/link/test_protocol unit/link/test_link unit/link/test_text
