@@ -146,13 +146,13 @@ static int read_args(const cli_command_t *command, cli_args_t *args, int argc,
   int code = cli_read_words(&syntax, args, argc, argv, files);
   code = code == CLI_DONE ? check_files(files, words) : code;
   free(files);
-  if (code == CLI_DONE && of_scene && args->scene == NULL) {
+  CLI_TRY(code);
+  if (of_scene && args->scene == NULL) {
     return cli_message(CLI_USAGE,
                        "%s: which scene? ('twofold scenes' lists them)",
                        command->name);
   }
-  return code == CLI_DONE && command->check != NULL ? command->check(args)
-                                                    : code;
+  return command->check != NULL ? command->check(args) : CLI_DONE;
 }
 
 // A program that has asked for JSON gets it also where the command ends before

@@ -28,24 +28,20 @@ int cli_scenes(int argc, char *const argv[]) {
 // The scene with what the command line has changed of it.
 static int apply(const cli_args_t *args, tf_scene_t *scene) {
   cli_setup_t setup;
-  int code = cli_setup_read(&setup, args->scene, &args->settings, args->select);
-  if (code == CLI_DONE && args->select != NULL &&
-      strchr(args->select, ':') != NULL) {
+  CLI_TRY(cli_setup_read(&setup, args->scene, &args->settings, args->select));
+  if (args->select != NULL && strchr(args->select, ':') != NULL) {
     return cli_message(CLI_USAGE,
                        "--select %s: a scene has no seed; give it to 'run'",
                        args->select);
   }
-  if (code == CLI_DONE && setup.set_start[CLI_START_PHI] != NULL) {
+  if (setup.set_start[CLI_START_PHI] != NULL) {
     return cli_message(CLI_USAGE,
                        "--set %s: a scene starts with phi = 0; give it to "
                        "'run'",
                        setup.set_start[CLI_START_PHI]->text);
   }
-  code = code == CLI_DONE ? cli_setup_machine(&setup) : code;
-  code = code == CLI_DONE ? cli_setup_start(&setup) : code;
-  if (code != CLI_DONE) {
-    return code;
-  }
+  CLI_TRY(cli_setup_machine(&setup));
+  CLI_TRY(cli_setup_start(&setup));
   *scene = *args->scene;
   scene->params = setup.params;
   scene->r = setup.start[CLI_START_R];
@@ -61,10 +57,7 @@ int cli_scene(const cli_args_t *args) {
   char text[CLI_SCENE_BYTES];
   cli_buffer_t buffer = {text, 0, sizeof text, false};
   tf_scene_t scene;
-  const int code = apply(args, &scene);
-  if (code != CLI_DONE) {
-    return code;
-  }
+  CLI_TRY(apply(args, &scene));
   cli_add(&buffer, CLI_SCENE_TITLE);
   cli_scene_print(&scene, &scene.params, &buffer);
   return cli_output_write(&output, "--out", args->out, text, buffer.used);

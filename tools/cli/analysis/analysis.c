@@ -52,16 +52,14 @@ static void print_notes(const analysis_t *a, bool finds_kappa) {
 static int prepare(analysis_t *a, const cli_args_t *args, bool finds_kappa) {
   memset(a, 0, sizeof *a);
   a->args = args;
-  int code = cli_setup_read(&a->setup, args->scene, &args->settings, NULL);
-  if (code == CLI_DONE && finds_kappa && !(a->setup.params.kappa > 0) &&
+  CLI_TRY(cli_setup_read(&a->setup, args->scene, &args->settings, NULL));
+  if (finds_kappa && !(a->setup.params.kappa > 0) &&
       cli_settings_find(&args->settings, "kappa") == NULL) {
     a->setup.params.kappa = 1; // any value in its range
   }
-  code = code == CLI_DONE ? cli_setup_machine(&a->setup) : code;
-  if (code == CLI_DONE) {
-    print_notes(a, finds_kappa);
-  }
-  return code;
+  CLI_TRY(cli_setup_machine(&a->setup));
+  print_notes(a, finds_kappa);
+  return CLI_DONE;
 }
 
 // Where a value came from: "--set NAME=VALUE" or "scene NAME".
@@ -89,10 +87,7 @@ static int check_design(const analysis_t *a) {
   const tf_machine_t *k = &a->setup.machine;
   const cli_given_t mu = origin_of(a, "mu");
   const cli_given_t gamma = origin_of(a, "gamma");
-  const int code = needs_jump(a, true);
-  if (code != CLI_DONE) {
-    return code;
-  }
+  CLI_TRY(needs_jump(a, true));
   if (!(k->contact.tyre.mu > 0)) {
     return cli_message(CLI_REFUSED, "%s %s: %s needs mu > 0", mu.name, mu.value,
                        a->args->command);
@@ -217,14 +212,11 @@ static int write_json(const cli_args_t *args, bool finds_kappa,
   analysis_t a;
   char room[ROOM];
   cli_buffer_t text = {room, 0, sizeof room, false};
-  int code = prepare(&a, args, finds_kappa);
-  code = code == CLI_DONE ? describe(&a, &text) : code;
-  if (code == CLI_DONE && text.truncated) {
-    code = cli_message(CLI_STOPPED, "%s: out of room", args->command);
-  }
-  return code == CLI_DONE
-             ? cli_output_write(&a.output, "--out", args->out, room, text.used)
-             : code;
+  CLI_TRY(prepare(&a, args, finds_kappa));
+  CLI_TRY(describe(&a, &text));
+  return text.truncated
+             ? cli_message(CLI_STOPPED, "%s: out of room", args->command)
+             : cli_output_write(&a.output, "--out", args->out, room, text.used);
 }
 
 int cli_singularities(const cli_args_t *args) {
@@ -274,10 +266,7 @@ static int refuse(const analysis_t *a, const tf_design_t *design) {
 
 static int describe_design(const analysis_t *a, cli_buffer_t *text) {
   tf_design_t design;
-  const int code = check_design(a);
-  if (code != CLI_DONE) {
-    return code;
-  }
+  CLI_TRY(check_design(a));
   if (tf_design_two_fold(&a->setup.machine, &a->setup.input,
                          (tf_real_t)a->args->r.from,
                          (tf_real_t)a->args->omega.from, &design) != TF_OK) {
@@ -319,10 +308,7 @@ static int write_line(analysis_t *a, uint64_t i, row_t row,
       return cli_message(CLI_STOPPED, "interrupted at r = %g m", (double)r);
     }
     const tf_real_t omega = (tf_real_t)cli_range_at(&a->args->omega, j);
-    const int code = row(a, r, omega, &text);
-    if (code != CLI_DONE) {
-      return code;
-    }
+    CLI_TRY(row(a, r, omega, &text));
     if (!cli_output_lines(&a->output, row_text, text.used)) {
       return CLI_STOPPED; // the message is that of cli_output_end
     }
@@ -343,10 +329,8 @@ static int write_line(analysis_t *a, uint64_t i, row_t row,
 static int write_grid(analysis_t *a, const char *header, const char *units,
                       row_t row) {
   char lines[CLI_PROVENANCE_ROOM];
-  int code = cli_output_begin(&a->output, "--out", a->args->out, false);
-  if (code != CLI_DONE) {
-    return code;
-  }
+  int code = CLI_DONE;
+  CLI_TRY(cli_output_begin(&a->output, "--out", a->args->out, false));
   if (a->args->provenance) {
     const size_t length =
         cli_provenance(&a->setup, "inputs at t = 0, no motion", units, lines);
@@ -407,14 +391,11 @@ static int check_gamma(const analysis_t *a) {
 
 int cli_regions(const cli_args_t *args) {
   analysis_t a;
-  int code = prepare(&a, args, false);
-  code = code == CLI_DONE ? needs_jump(&a, false) : code;
-  code = code == CLI_DONE ? check_gamma(&a) : code;
-  return code == CLI_DONE
-             ? write_grid(&a, "r,omega,region,lambda,delassus\n",
-                          "r m, omega rad/s, lambda N, delassus 1/kg",
-                          regions_row)
-             : code;
+  CLI_TRY(prepare(&a, args, false));
+  CLI_TRY(needs_jump(&a, false));
+  CLI_TRY(check_gamma(&a));
+  return write_grid(&a, "r,omega,region,lambda,delassus\n",
+                    "r m, omega rad/s, lambda N, delassus 1/kg", regions_row);
 }
 
 static const char atlas_header[] =
@@ -464,12 +445,10 @@ static int atlas_row(const analysis_t *a, tf_real_t r, tf_real_t omega,
 
 int cli_atlas(const cli_args_t *args) {
   analysis_t a;
-  int code = prepare(&a, args, true);
-  code = code == CLI_DONE ? check_design(&a) : code;
-  return code == CLI_DONE
-             ? write_grid(&a, atlas_header,
-                          "r m, omega rad/s, v m/s, g m/s, kappa m, k2 N/m, K "
-                          "in rescaled time, others 1",
-                          atlas_row)
-             : code;
+  CLI_TRY(prepare(&a, args, true));
+  CLI_TRY(check_design(&a));
+  return write_grid(&a, atlas_header,
+                    "r m, omega rad/s, v m/s, g m/s, kappa m, k2 N/m, K in "
+                    "rescaled time, others 1",
+                    atlas_row);
 }

@@ -321,32 +321,24 @@ typedef struct {
 } merge_t;
 
 static int read_all(const cli_args_t *args, merge_t *merge) {
-  int code = cli_counts_read(&merge->sum, args->files[0]);
-  for (size_t i = 1; i < args->count && code == CLI_DONE; i++) {
+  CLI_TRY(cli_counts_read(&merge->sum, args->files[0]));
+  for (size_t i = 1; i < args->count; i++) {
     memset(&merge->next, 0, sizeof merge->next);
-    code = cli_counts_read(&merge->next, args->files[i]);
-    if (code == CLI_DONE) {
-      code = add_counts(&merge->sum, &merge->next, args->files[i]);
-    }
+    CLI_TRY(cli_counts_read(&merge->next, args->files[i]));
+    CLI_TRY(add_counts(&merge->sum, &merge->next, args->files[i]));
   }
-  return code;
+  return CLI_DONE;
 }
 
 int cli_merge(const cli_args_t *args) {
   static merge_t merge;
-  int code = read_all(args, &merge);
-  if (code == CLI_DONE) {
-    code = cli_output_begin(&merge.output, "--out", args->out, false);
-  }
-  if (code == CLI_DONE) {
-    (void)cli_counts_put(&merge.sum, &merge.output);
-    code = cli_output_end(&merge.output, code);
-  }
-  if (code == CLI_DONE) {
-    cli_say("shards     %" PRIu64 " of %" PRIu64 "\n",
-            cli_counts_shards(&merge.sum), merge.sum.of);
-  }
-  return code;
+  CLI_TRY(read_all(args, &merge));
+  CLI_TRY(cli_output_begin(&merge.output, "--out", args->out, false));
+  (void)cli_counts_put(&merge.sum, &merge.output);
+  CLI_TRY(cli_output_end(&merge.output, CLI_DONE));
+  cli_say("shards     %" PRIu64 " of %" PRIu64 "\n",
+          cli_counts_shards(&merge.sum), merge.sum.of);
+  return CLI_DONE;
 }
 
 int cli_merge_check(cli_args_t *args) {

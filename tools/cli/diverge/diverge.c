@@ -203,10 +203,7 @@ static int perform(work_t *work, const cli_args_t *args) {
     return cli_message(CLI_DONE, "all of the %" PRIu64 " samples are there",
                        work->last - work->first);
   }
-  int code = cli_files_open(work->files, work->at.at);
-  if (code != CLI_DONE) {
-    return code;
-  }
+  CLI_TRY(cli_files_open(work->files, work->at.at));
   work->flushed = work->saved = cli_now();
   work->progress = cli_progress_start(work->flushed, -1);
   for (uint64_t i = work->first + work->at.samples;
@@ -219,8 +216,8 @@ static int perform(work_t *work, const cli_args_t *args) {
     save(work);
   }
   // Where the output failed, the message is that of cli_files_close.
-  code = work->unwritten || work->stopped ? CLI_STOPPED : CLI_DONE;
-  code = cli_files_close(work->files, code);
+  const bool ended = !work->unwritten && !work->stopped;
+  const int code = cli_files_close(work->files, ended ? CLI_DONE : CLI_STOPPED);
   if (args->resume && code == CLI_DONE) {
     cli_checkpoint_remove(work->files);
   }
@@ -299,9 +296,9 @@ int cli_diverge(const cli_args_t *args) {
   static cli_job_t job;
   static work_t work;
   static cli_files_t files;
-  const int code = cli_job_prepare(&job, args);
-  if (code != CLI_DONE || args->exhaustive) {
-    return code != CLI_DONE ? code : cli_exhaustive(&job);
+  CLI_TRY(cli_job_prepare(&job, args));
+  if (args->exhaustive) {
+    return cli_exhaustive(&job);
   }
   work.job = files.job = &job;
   work.files = &files;

@@ -95,12 +95,10 @@ static int open_file(cli_files_t *files, int i, const cli_file_place_t *at) {
   if (path == NULL || file->is_whole) {
     return CLI_DONE;
   }
-  const int code = cli_output_begin(&file->output, kinds[i].option, path, true);
-  file->is_open = code == CLI_DONE;
-  if (file->is_open) {
-    cli_output_go_on(&file->output, (size_t)at->bytes);
-  }
-  return code;
+  CLI_TRY(cli_output_begin(&file->output, kinds[i].option, path, true));
+  file->is_open = true;
+  cli_output_go_on(&file->output, (size_t)at->bytes);
+  return CLI_DONE;
 }
 
 // What stands before the first row: the comments of --provenance, which the
@@ -138,10 +136,9 @@ static int begin_counts(cli_files_t *files) {
   counts->run = files->run;
   counts->of = args->shard.of;
   (void)cli_counts_shard(counts, args->shard.index);
-  const int code =
-      cli_output_begin(&files->counted, "--counts", args->counts, false);
-  files->counts_are_open = code == CLI_DONE;
-  return code;
+  CLI_TRY(cli_output_begin(&files->counted, "--counts", args->counts, false));
+  files->counts_are_open = true;
+  return CLI_DONE;
 }
 
 int cli_files_open(cli_files_t *files, const cli_file_place_t at[CLI_FILES]) {
@@ -180,11 +177,9 @@ bool cli_files_flush(cli_files_t *files) {
 int cli_files_close(cli_files_t *files, int code) {
   for (int i = 0; i < CLI_FILES && code == CLI_DONE; i++) {
     cli_diverge_file_t *file = &files->file[i];
-    char text[CLI_TRAILER_ROOM];
     if (file->is_open) {
-      (void)cli_output_lines(
-          &file->output, text,
-          cli_trailer_line(&file->trailer, &files->job->args->shard, text));
+      cli_output_trailer(&file->output, &file->trailer,
+                         &files->job->args->shard);
     }
   }
   // None gets its name where the other's rows could not be written; the

@@ -41,8 +41,8 @@ static int refuse_scene(const cli_setup_t *setup) {
 // A start that was typed must have several consistent modes.
 static int prepare_start(cli_job_t *job) {
   cli_setup_t *setup = &job->setup;
-  const int code = cli_setup_start(setup);
-  if (code == CLI_DONE && setup->report.choices < 2) {
+  CLI_TRY(cli_setup_start(setup));
+  if (setup->report.choices < 2) {
     return cli_message(
         CLI_REFUSED,
         "the start r = %g m, v = %g m/s, omega = %g rad/s has %s future "
@@ -51,7 +51,7 @@ static int prepare_start(cli_job_t *job) {
         setup->report.choices == 1 ? "one" : "no",
         tf_mode_name(setup->state.mode));
   }
-  return code;
+  return CLI_DONE;
 }
 
 static int prepare_two_fold(cli_job_t *job) {
@@ -87,16 +87,13 @@ static int prepare_two_fold(cli_job_t *job) {
 
 int cli_job_prepare(cli_job_t *job, const cli_args_t *args) {
   cli_setup_t *setup = &job->setup;
-  int code = cli_setup_read(setup, args->scene, &args->settings, NULL);
   job->args = args;
-  if (code == CLI_DONE && cli_settings_find(&args->settings, "dt") == NULL) {
+  CLI_TRY(cli_setup_read(setup, args->scene, &args->settings, NULL));
+  if (cli_settings_find(&args->settings, "dt") == NULL) {
     setup->params.dt = (tf_real_t)cli_mechanisms[args->mechanism].dt;
   }
-  code = code == CLI_DONE ? cli_setup_machine(setup) : code;
-  code = code == CLI_DONE ? refuse_scene(setup) : code;
-  if (code != CLI_DONE) {
-    return code;
-  }
+  CLI_TRY(cli_setup_machine(setup));
+  CLI_TRY(refuse_scene(setup));
   job->params = setup->params;
   job->params.rule =
       args->codim2 == CLI_CODIM2_ATTRACTING ? TF_RULE_PERSIST : TF_RULE_RANDOM;
@@ -110,8 +107,8 @@ int cli_job_prepare(cli_job_t *job, const cli_args_t *args) {
   for (int i = 0; i < CLI_STARTS; i++) {
     job->at_two_fold &= setup->set_start[i] == NULL;
   }
-  code = job->at_two_fold ? CLI_DONE : prepare_start(job);
-  return code == CLI_DONE ? prepare_two_fold(job) : code;
+  CLI_TRY(job->at_two_fold ? CLI_DONE : prepare_start(job));
+  return prepare_two_fold(job);
 }
 
 // The members of the start count only where it was given: a sample from the

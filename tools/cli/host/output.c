@@ -29,7 +29,6 @@
 #include <unistd.h>
 
 #include "../text/message.h"
-#include "../text/trailer.h"
 #include "host.h"
 
 #define MAX_LINKS 40 // as many as Linux follows
@@ -462,12 +461,15 @@ int cli_output_end(cli_output_t *output, int code) {
   return code != CLI_DONE || closed ? code : CLI_STOPPED;
 }
 
+void cli_output_trailer(cli_output_t *output, const cli_trailer_t *trailer,
+                        const cli_shard_t *shard) {
+  char line[CLI_TRAILER_ROOM];
+  (void)cli_output_lines(output, line, cli_trailer_line(trailer, shard, line));
+}
+
 int cli_output_write(cli_output_t *output, const char *option, const char *path,
                      const char *text, size_t length) {
-  const int code = cli_output_begin(output, option, path, false);
-  if (code != CLI_DONE) {
-    return code;
-  }
+  CLI_TRY(cli_output_begin(output, option, path, false));
   (void)cli_output_lines(output, text, length);
   return cli_output_end(output, CLI_DONE);
 }

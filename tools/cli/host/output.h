@@ -9,6 +9,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "../text/trailer.h"
+
 #define CLI_PATH_ROOM 4096
 typedef struct {
   int descriptor;
@@ -57,6 +59,10 @@ int cli_output_refuse_other(const char *path, const char *what);
 /// gets its name, otherwise a message says where its rows are.
 /// Returns: the code, or CLI_STOPPED in place of CLI_DONE.
 int cli_output_end(cli_output_t *output, int code);
+
+/// Writes the line that counts the rows of a shard.
+void cli_output_trailer(cli_output_t *output, const cli_trailer_t *trailer,
+                        const cli_shard_t *shard);
 
 /// Begins a file, writes one text, and ends it.
 int cli_output_write(cli_output_t *output, const char *option, const char *path,

@@ -145,11 +145,9 @@ int cli_board_commands_add(cli_board_commands_t *commands, const char *text) {
 int cli_read_send(void *to, const cli_given_t *given) {
   cli_args_t *args = to;
   cli_board_commands_t one = {.count = args->sends + 1}; // with `describe`
-  const int code = cli_board_commands_add(&one, given->value);
-  if (code == CLI_DONE) {
-    args->send[args->sends++] = given->value;
-  }
-  return code;
+  CLI_TRY(cli_board_commands_add(&one, given->value));
+  args->send[args->sends++] = given->value;
+  return CLI_DONE;
 }
 
 static uint8_t *put_number(uint8_t *at, const char *text, bool is_float) {
@@ -347,13 +345,11 @@ int cli_session_record_open(cli_session_record_t *record, const char *path) {
   static const char title[] =
       "# Record of a board's session, for 'twofold run SCENE --replay'.\n";
   static const char header[] = "tick,type,data,command\n";
-  const int code = cli_output_begin(&record->output, "--record", path, false);
-  record->is_open = code == CLI_DONE;
-  if (record->is_open) {
-    (void)cli_output_lines(&record->output, title, sizeof title - 1);
-    put(record, header, sizeof header - 1, 0);
-  }
-  return code;
+  CLI_TRY(cli_output_begin(&record->output, "--record", path, false));
+  record->is_open = true;
+  (void)cli_output_lines(&record->output, title, sizeof title - 1);
+  put(record, header, sizeof header - 1, 0);
+  return CLI_DONE;
 }
 
 void cli_session_record_frame(cli_session_record_t *record,
@@ -396,10 +392,7 @@ int cli_session_record_close(cli_session_record_t *record, int code) {
             "state");
   }
   if (code == CLI_DONE) {
-    char line[CLI_TRAILER_ROOM];
-    (void)cli_output_lines(
-        &record->output, line,
-        cli_trailer_line(&record->trailer, &cli_whole_shard, line));
+    cli_output_trailer(&record->output, &record->trailer, &cli_whole_shard);
   }
   return cli_output_end(&record->output, code);
 }

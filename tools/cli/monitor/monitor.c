@@ -183,10 +183,7 @@ static int follow_stream(monitor_t *monitor) {
   const cli_board_commands_t *commands = &monitor->commands;
   while (!cli_stop_asked()) {
     size_t count = 0;
-    const int sent = send_commands(monitor);
-    if (sent != CLI_DONE) {
-      return sent;
-    }
+    CLI_TRY(send_commands(monitor));
     if (commands->count > 0 && commands->next == commands->count &&
         monitor->as == NULL && monitor->live == NULL) {
       return CLI_DONE; // every command is answered, and nothing is shown
@@ -215,10 +212,7 @@ static int follow_stream(monitor_t *monitor) {
     if (found == CLI_SOURCE_END) {
       cli_sleep(WAIT); // a file may still grow
     } else if (found == CLI_SOURCE_GONE) {
-      const int code = wait_for_device(monitor);
-      if (code != CLI_DONE) {
-        return code;
-      }
+      CLI_TRY(wait_for_device(monitor));
     }
   }
   return CLI_DONE;
@@ -233,19 +227,18 @@ static int open_both(monitor_t *monitor) {
                            ? "the device does not take this --baud"
                            : strerror(monitor->source.error));
   }
-  int code = CLI_DONE;
   if (monitor->as != NULL) {
-    code = cli_output_begin(&monitor->output, "--out", args->out, false);
+    CLI_TRY(cli_output_begin(&monitor->output, "--out", args->out, false));
   }
   if (args->format == CLI_FORMAT_FRAMES) {
     monitor->output.last = '\0';
   }
-  if (code == CLI_DONE && monitor->as != NULL && !args->provenance) {
+  if (monitor->as != NULL && !args->provenance) {
     (void)begin_rows(monitor);
   }
-  return code == CLI_DONE && args->record != NULL
+  return args->record != NULL
              ? cli_session_record_open(&monitor->record, args->record)
-             : code;
+             : CLI_DONE;
 }
 
 // What is wrong with the stream as a whole, NULL: nothing. Where all frames are
@@ -280,9 +273,8 @@ static int judge_stream(monitor_t *monitor, int code) {
   const cli_seen_t *seen = &monitor->seen;
   const tf_tally_t flagged = cli_seen_flagged(seen);
   const char *fault = fault_of(monitor);
-  if (code != CLI_DONE || monitor->commands.refused > 0) {
-    return code != CLI_DONE ? code : CLI_REFUSED;
-  }
+  CLI_TRY(code);
+  CLI_TRY(monitor->commands.refused > 0 ? CLI_REFUSED : CLI_DONE);
   const tf_decoder_t *decoder = &seen->decoder;
   if (decoder->frames == 0 && decoder->bad_version > 0) {
     return cli_message(CLI_STOPPED,
@@ -403,10 +395,7 @@ int cli_monitor(const cli_args_t *args) {
   monitor.args = args;
   monitor.as =
       args->format != CLI_NOT_GIVEN ? &cli_streams[args->format] : NULL;
-  const int code = take_commands(&monitor.commands, args);
-  if (code != CLI_DONE) {
-    return code;
-  }
+  CLI_TRY(take_commands(&monitor.commands, args));
   tf_decoder_init(&monitor.seen.decoder, monitor.buffer, sizeof monitor.buffer);
   cli_catch_signals();
   return perform(&monitor);

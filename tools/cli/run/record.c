@@ -152,11 +152,8 @@ int cli_run_check_start(const cli_args_t *args, const cli_setup_t *setup,
 
 int cli_run_go_on(cli_run_t *run, const cli_args_t *args, cli_setup_t *setup) {
   const cli_stand_t *stand = &run->from;
-  const int code =
-      cli_run_check_start(args, setup, "--from", args->from, stand->state.seed);
-  if (code != CLI_DONE) {
-    return code;
-  }
+  CLI_TRY(cli_run_check_start(args, setup, "--from", args->from,
+                              stand->state.seed));
   if (stand->state.tick > run->steps) {
     return cli_message(CLI_REFUSED,
                        "--from %s: it stands at t = %.9g s, after the end at "

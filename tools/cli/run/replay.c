@@ -137,23 +137,19 @@ static int take_line(reader_t *reader, char *line) {
 static int parse(cli_replay_t *replay, FILE *file) {
   char line[LINE_ROOM];
   reader_t reader = {.replay = replay};
-  int code = CLI_DONE;
-  while (code == CLI_DONE) {
-    const cli_line_t found = cli_read_line(file, line, sizeof line);
-    if (found == CLI_LINE_END) {
-      break;
-    }
+  cli_line_t found;
+  while ((found = cli_read_line(file, line, sizeof line)) != CLI_LINE_END) {
     reader.line++;
-    code = found == CLI_LINE ? take_line(&reader, line) : no_record(&reader);
+    CLI_TRY(found == CLI_LINE ? take_line(&reader, line) : no_record(&reader));
   }
-  if (code == CLI_DONE && ferror(file) != 0) {
+  if (ferror(file) != 0) {
     return cli_message(CLI_USAGE, "%s: %s", replay->name, strerror(errno));
   }
-  if (code == CLI_DONE && !reader.has_schema) {
+  if (!reader.has_schema) {
     return no_record(&reader);
   }
   replay->hash = reader.sum.crc;
-  return code == CLI_DONE && !reader.is_whole ? cut_off(&reader) : code;
+  return reader.is_whole ? CLI_DONE : cut_off(&reader);
 }
 
 int cli_replay_read(cli_replay_t *replay, const char *path,
@@ -165,11 +161,12 @@ int cli_replay_read(cli_replay_t *replay, const char *path,
   replay->name = path;
   const int code = parse(replay, file);
   (void)fclose(file);
+  CLI_TRY(code);
   const uint8_t there = replay->schema.data[SCHEMA_SCHEME];
-  if (code == CLI_DONE && *scheme == NULL && there < CLI_SCHEMES) {
+  if (*scheme == NULL && there < CLI_SCHEMES) {
     *scheme = &cli_schemes[there];
   }
-  return code;
+  return CLI_DONE;
 }
 
 // The tick after a command, of which the tick before it is known.
@@ -242,11 +239,8 @@ static int compare(const cli_replay_t *replay, const cli_setup_t *setup,
 int cli_replay_begin(cli_replay_t *replay, cli_setup_t *setup,
                      const cli_scheme_t *scheme, uint64_t *steps) {
   const uint8_t *schema = replay->schema.data;
-  int code = compare(replay, setup, scheme);
-  code = code == CLI_DONE ? count_steps(replay, steps) : code;
-  if (code != CLI_DONE) {
-    return code;
-  }
+  CLI_TRY(compare(replay, setup, scheme));
+  CLI_TRY(count_steps(replay, steps));
   setup->seed = (uint32_t)tf_wire_get(schema + SCHEMA_SEED, 4);
   setup->state.seed = setup->seed;
   tf_link_open(&replay->link, setup->scene, &setup->params);

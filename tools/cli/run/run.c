@@ -317,25 +317,21 @@ static int end_lateness(cli_run_t *run, int code) {
 }
 
 static int open_files(cli_run_t *run, const cli_args_t *args) {
-  int code = CLI_DONE;
   if (args->save != NULL) {
-    code = cli_output_begin(&run->saved, "--save", args->save, false);
+    CLI_TRY(cli_output_begin(&run->saved, "--save", args->save, false));
   }
-  if (code == CLI_DONE && args->lateness != NULL) {
+  if (args->lateness != NULL) {
     static cli_lateness_t lateness;
     run->lateness = &lateness;
-    code =
-        cli_output_begin(&run->late_rows, "--lateness", args->lateness, false);
+    CLI_TRY(
+        cli_output_begin(&run->late_rows, "--lateness", args->lateness, false));
   }
-  return code;
+  return CLI_DONE;
 }
 
 static int perform(cli_run_t *run, const cli_args_t *args) {
-  int code = cli_output_begin(&run->output, "--out", args->out, false);
-  if (code != CLI_DONE) {
-    return code;
-  }
-  code = open_files(run, args);
+  CLI_TRY(cli_output_begin(&run->output, "--out", args->out, false));
+  int code = open_files(run, args);
   if (code != CLI_DONE) {
     return cli_output_end(&run->output, code);
   }
@@ -371,37 +367,29 @@ static int perform(cli_run_t *run, const cli_args_t *args) {
 }
 
 static int prepare(const cli_args_t *args, cli_setup_t *setup, cli_run_t *run) {
-  int code = cli_setup_read(setup, args->scene, &args->settings, args->select);
-  if (code == CLI_DONE && args->scheme != CLI_NOT_GIVEN) {
+  CLI_TRY(cli_setup_read(setup, args->scene, &args->settings, args->select));
+  if (args->scheme != CLI_NOT_GIVEN) {
     run->scheme = &cli_schemes[args->scheme];
   }
-  if (code == CLI_DONE && args->from != NULL) {
-    code = cli_state_read(&run->from, args->from, setup, &run->scheme);
-  } else if (code == CLI_DONE && args->replay != NULL) {
-    code = cli_replay_read(&run->replay, args->replay, &run->scheme);
+  if (args->from != NULL) {
+    CLI_TRY(cli_state_read(&run->from, args->from, setup, &run->scheme));
+  } else if (args->replay != NULL) {
+    CLI_TRY(cli_replay_read(&run->replay, args->replay, &run->scheme));
   }
-  if (code == CLI_DONE) {
-    run->scheme = cli_scheme_for(args, setup->params.dt, run->scheme);
-    code = cli_check_law(run->scheme, setup->params.law);
-  }
-  if (code == CLI_DONE && args->accuracy > 0 && run->scheme->code != 0) {
-    code = cli_message(CLI_REFUSED,
+  run->scheme = cli_scheme_for(args, setup->params.dt, run->scheme);
+  CLI_TRY(cli_check_law(run->scheme, setup->params.law));
+  if (args->accuracy > 0 && run->scheme->code != 0) {
+    return cli_message(CLI_REFUSED,
                        "--accuracy: not with --scheme %s: only the steps of "
                        "moreau are taken in halves",
                        run->scheme->name);
   }
-  code = code == CLI_DONE ? cli_setup_machine(setup) : code;
-  code = code == CLI_DONE
-             ? cli_drive_read(&run->drive, args->scene, &args->drive)
-             : code;
-  if (code == CLI_DONE) {
-    setup->input = cli_drive_begin(&run->drive, &setup->machine, 0);
-    cli_drive_notes(&run->drive, setup);
-    code = cli_setup_start(setup);
-  }
-  return code == CLI_DONE
-             ? cli_count_steps(args, setup->machine.dt, &run->steps)
-             : code;
+  CLI_TRY(cli_setup_machine(setup));
+  CLI_TRY(cli_drive_read(&run->drive, args->scene, &args->drive));
+  setup->input = cli_drive_begin(&run->drive, &setup->machine, 0);
+  cli_drive_notes(&run->drive, setup);
+  CLI_TRY(cli_setup_start(setup));
+  return cli_count_steps(args, setup->machine.dt, &run->steps);
 }
 
 // The step after the last one of the record is never taken; what stands at the
@@ -409,24 +397,18 @@ static int prepare(const cli_args_t *args, cli_setup_t *setup, cli_run_t *run) {
 static int prepare_replay(cli_run_t *run, const cli_args_t *args,
                           cli_setup_t *setup) {
   const cli_setup_t asked = *setup;
-  int code = cli_replay_begin(&run->replay, setup, run->scheme, &run->steps);
-  if (code == CLI_DONE) {
-    code = cli_run_check_start(args, &asked, "--replay", args->replay,
-                               setup->seed);
-  }
+  CLI_TRY(cli_replay_begin(&run->replay, setup, run->scheme, &run->steps));
   run->steps++;
-  return code;
+  return cli_run_check_start(args, &asked, "--replay", args->replay,
+                             setup->seed);
 }
 
 static int prepare_and_perform(cli_run_t *run, cli_setup_t *setup,
                                const cli_args_t *args) {
-  int code = prepare(args, setup, run);
+  CLI_TRY(prepare(args, setup, run));
   run->replays = args->replay != NULL;
-  if (code == CLI_DONE && run->replays) {
-    code = prepare_replay(run, args, setup);
-  }
-  if (code != CLI_DONE) {
-    return code;
+  if (run->replays) {
+    CLI_TRY(prepare_replay(run, args, setup));
   }
   run->setup = setup;
   run->args = args;
@@ -436,10 +418,7 @@ static int prepare_and_perform(cli_run_t *run, cli_setup_t *setup,
   run->events.limit = args->listed;
   run->end = CLI_ENDED;
   if (args->from != NULL) {
-    code = cli_run_go_on(run, args, setup);
-  }
-  if (code != CLI_DONE) {
-    return code;
+    CLI_TRY(cli_run_go_on(run, args, setup));
   }
   cli_ambiguity_begin(&run->ambiguity, run->first == 0 ? &run->report : NULL);
   cli_setup_notes(setup, run->scheme->unused, run->scheme->why);

@@ -196,12 +196,10 @@ static int compare_scene(reader_t *reader, const cli_setup_t *setup) {
     return no_state(reader, "no file of --save");
   }
   const char *text = reader->at + 6;
-  int code = cli_scene_parse(&file, reader->path, text, strlen(text));
-  if (code == CLI_DONE) {
-    code = compare_params(reader, &file.scene.params, &setup->params);
-  }
-  return code != CLI_DONE || same_profile(&file.scene, setup->scene)
-             ? code
+  CLI_TRY(cli_scene_parse(&file, reader->path, text, strlen(text)));
+  CLI_TRY(compare_params(reader, &file.scene.params, &setup->params));
+  return same_profile(&file.scene, setup->scene)
+             ? CLI_DONE
              : differs(reader, "the profile of the turntable",
                        "that of its scene", "another one");
 }
@@ -303,14 +301,16 @@ int cli_state_parse(cli_stand_t *stand, const char *path, char *text,
                    version, VERSION);
   }
   const char *number = next_value(&reader, "number");
-  int code = number == NULL ? no_state(&reader, "no file of --save")
-             : strcmp(number, CLI_NUMBER_TYPE) == 0
-                 ? CLI_DONE
-                 : differs(&reader, "number", number, CLI_NUMBER_TYPE);
-  code = code == CLI_DONE ? read_scheme(&reader, scheme) : code;
-  code = code == CLI_DONE ? read_values(&reader, stand) : code;
-  code = code == CLI_DONE ? check_stand(&reader, stand) : code;
-  return code == CLI_DONE ? compare_scene(&reader, setup) : code;
+  if (number == NULL) {
+    return no_state(&reader, "no file of --save");
+  }
+  if (strcmp(number, CLI_NUMBER_TYPE) != 0) {
+    return differs(&reader, "number", number, CLI_NUMBER_TYPE);
+  }
+  CLI_TRY(read_scheme(&reader, scheme));
+  CLI_TRY(read_values(&reader, stand));
+  CLI_TRY(check_stand(&reader, stand));
+  return compare_scene(&reader, setup);
 }
 
 int cli_state_read(cli_stand_t *stand, const char *path,

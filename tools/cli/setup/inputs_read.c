@@ -122,11 +122,8 @@ static int read_row(reader_t *reader, char *line) {
   size_t field = 0;
   for (; line != NULL && field < reader->fields; field++) {
     const size_t kind = reader->kind[field];
-    const int code = read_field(reader, field, next_field(&line),
-                                kind < CLI_INPUTS ? &row.value[kind] : &row.t);
-    if (code != CLI_DONE) {
-      return code;
-    }
+    CLI_TRY(read_field(reader, field, next_field(&line),
+                       kind < CLI_INPUTS ? &row.value[kind] : &row.t));
   }
   if (line != NULL || field < reader->fields) {
     return cli_message(CLI_USAGE,
@@ -239,31 +236,27 @@ static int read_line(reader_t *reader, char *line) {
 int cli_inputs_parse(cli_inputs_t *inputs, const char *name, FILE *file) {
   reader_t reader = {.inputs = inputs, .name = name};
   char line[LINE_ROOM];
-  int code = CLI_DONE;
+  cli_line_t found;
   bool open = false;
   inputs->name = name;
-  while (code == CLI_DONE) {
-    const cli_line_t found = cli_read_line(file, line, sizeof line);
-    if (found == CLI_LINE_END) {
-      break;
-    }
+  while ((found = cli_read_line(file, line, sizeof line)) != CLI_LINE_END) {
     reader.line++;
     open = feof(file) != 0; // what ended the line is not a newline
-    code = found == CLI_LINE
-               ? read_line(&reader, line)
-               : cli_message(CLI_USAGE,
-                             "%s:%llu: a zero, or a line of more than %d "
-                             "characters",
-                             name, reader.line, LINE_ROOM - 1);
+    if (found != CLI_LINE) {
+      return cli_message(
+          CLI_USAGE, "%s:%llu: a zero, or a line of more than %d characters",
+          name, reader.line, LINE_ROOM - 1);
+    }
+    CLI_TRY(read_line(&reader, line));
   }
-  if (code == CLI_DONE && ferror(file) != 0) {
+  if (ferror(file) != 0) {
     return cli_message(CLI_USAGE, "%s: %s", name, strerror(errno));
   }
-  if (code == CLI_DONE && inputs->count == 0) {
+  if (inputs->count == 0) {
     return cli_message(CLI_USAGE, "%s: no %s", name,
                        reader.fields == 0 ? "header" : "row");
   }
-  return code == CLI_DONE ? check_length(&reader, open) : code;
+  return check_length(&reader, open);
 }
 
 static int read_file(cli_inputs_t *inputs, const char *path) {
@@ -283,9 +276,9 @@ static int read_file(cli_inputs_t *inputs, const char *path) {
 int cli_drive_read(cli_drive_t *drive, const tf_scene_t *scene,
                    const cli_drive_args_t *args) {
   memset(drive, 0, sizeof *drive);
-  int code = cli_inputs_of_scene(&drive->profile, scene);
-  if (code != CLI_DONE || args->inputs == NULL) {
-    return code;
+  CLI_TRY(cli_inputs_of_scene(&drive->profile, scene));
+  if (args->inputs == NULL) {
+    return CLI_DONE;
   }
   if (args->between == CLI_NOT_GIVEN) {
     return cli_message(CLI_USAGE,
@@ -294,7 +287,7 @@ int cli_drive_read(cli_drive_t *drive, const tf_scene_t *scene,
                        args->inputs);
   }
   drive->table.linear = args->between == 1;
-  code = read_file(&drive->table, args->inputs);
+  const int code = read_file(&drive->table, args->inputs);
   if (drive->table.given[CLI_INPUT_OMEGA0]) {
     cli_inputs_free(&drive->profile);
   }

@@ -104,15 +104,15 @@ int cli_set_word(tf_params_t *params, const char *what, const char *option,
                        "alone here, and --select %s to 'run'",
                        option, text, name);
   }
-  const int code = find_name(kind, option, text, name, &found);
-  if (code == CLI_DONE && kind == 0) {
+  CLI_TRY(find_name(kind, option, text, name, &found));
+  if (kind == 0) {
     params->law = (tf_tyre_law_t)found;
-  } else if (code == CLI_DONE && kind == 1) {
+  } else if (kind == 1) {
     params->rest = (tf_rest_law_t)found;
-  } else if (code == CLI_DONE) {
+  } else {
     params->rule = (tf_rule_t)found;
   }
-  return code;
+  return CLI_DONE;
 }
 
 int cli_find_scene(const char *place, const char *name, const char *besides,
@@ -134,9 +134,9 @@ int cli_read_rule(const char *select, tf_params_t *params, uint32_t *seed) {
   char name[NAME_ROOM];
   const size_t length = strcspn(select, ":");
   (void)snprintf(name, sizeof name, "%.*s", (int)length, select);
-  const int code = cli_set_word(params, "rule", "--select", select, name);
-  if (code != CLI_DONE || select[length] == '\0') {
-    return code;
+  CLI_TRY(cli_set_word(params, "rule", "--select", select, name));
+  if (select[length] == '\0') {
+    return CLI_DONE;
   }
   if (params->rule != TF_RULE_RANDOM) {
     return cli_message(

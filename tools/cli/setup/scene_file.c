@@ -65,9 +65,9 @@ static int read_speed_of_knot(reader_t *reader, const char *text,
                               tf_real_t *value) {
   const tf_parameter_range_t *range =
       &tf_parameter_ranges[cli_parameter_index("omega0")];
-  const int code = cli_read_number(reader->place, "profile", text, value);
-  return code != CLI_DONE || (*value >= range->low && *value <= range->high)
-             ? code
+  CLI_TRY(cli_read_number(reader->place, "profile", text, value));
+  return *value >= range->low && *value <= range->high
+             ? CLI_DONE
              : cli_message(CLI_REFUSED,
                            "%s profile: omega0 = %s must lie in [%g, %g] %s",
                            reader->place, text, (double)range->low,
@@ -80,9 +80,9 @@ static int read_number(const reader_t *reader, const scene_key_t *key,
   const double low =
       strcmp(key->name, "t-end") == 0 ? 0 : -(double)TF_STATE_LIMIT;
   const double high = (double)TF_STATE_LIMIT;
-  const int code = cli_read_number(reader->place, key->name, text, value);
-  return code != CLI_DONE || ((double)*value >= low && (double)*value <= high)
-             ? code
+  CLI_TRY(cli_read_number(reader->place, key->name, text, value));
+  return (double)*value >= low && (double)*value <= high
+             ? CLI_DONE
              : refuse_range(reader->place, key->name, key->unit, *value, low,
                             high);
 }
@@ -101,13 +101,8 @@ static int read_knot(reader_t *reader, const scene_key_t *key, char *text) {
                        reader->place, text);
   }
   *colon = '\0';
-  int code = read_number(reader, key, text, &knot.t);
-  if (code == CLI_DONE) {
-    code = read_speed_of_knot(reader, colon + 1, &knot.omega0);
-  }
-  if (code != CLI_DONE) {
-    return code;
-  }
+  CLI_TRY(read_number(reader, key, text, &knot.t));
+  CLI_TRY(read_speed_of_knot(reader, colon + 1, &knot.omega0));
   if (scene->knots == TF_SCENE_KNOTS) {
     return cli_message(CLI_USAGE,
                        "%s profile: more than %d knots; a table of any length "
@@ -126,20 +121,19 @@ static int read_knot(reader_t *reader, const scene_key_t *key, char *text) {
 }
 
 static int read_profile(reader_t *reader, const scene_key_t *key, char *text) {
-  int code = CLI_DONE;
   reader->file->scene.knots = 0;
   memset(reader->file->scene.profile, 0, sizeof reader->file->scene.profile);
   if (strcmp(text, "none") == 0) {
     return CLI_DONE;
   }
-  while (*text != '\0' && code == CLI_DONE) {
+  while (*text != '\0') {
     char *end = text + strcspn(text, " \t");
     const size_t blanks = strspn(end, " \t");
     *end = '\0';
-    code = read_knot(reader, key, text);
+    CLI_TRY(read_knot(reader, key, text));
     text = end + blanks;
   }
-  return code;
+  return CLI_DONE;
 }
 
 static int read_base(reader_t *reader, const scene_key_t *key, char *text) {
@@ -152,16 +146,14 @@ static int read_base(reader_t *reader, const scene_key_t *key, char *text) {
   char place[PLACE_ROOM + 16];
   const tf_scene_t *base = NULL;
   (void)snprintf(place, sizeof place, "%s %s: ", reader->place, key->name);
-  const int code = cli_find_scene(place, text, "", &base);
-  if (code == CLI_DONE) {
-    cli_scene_file_t *file = reader->file;
-    file->scene = *base;
-    (void)snprintf(file->shows, sizeof file->shows, "%s", base->shows);
-    (void)snprintf(file->leaves_out, sizeof file->leaves_out, "%s",
-                   base->leaves_out);
-    reader->is_based = true;
-  }
-  return code;
+  CLI_TRY(cli_find_scene(place, text, "", &base));
+  cli_scene_file_t *file = reader->file;
+  file->scene = *base;
+  (void)snprintf(file->shows, sizeof file->shows, "%s", base->shows);
+  (void)snprintf(file->leaves_out, sizeof file->leaves_out, "%s",
+                 base->leaves_out);
+  reader->is_based = true;
+  return CLI_DONE;
 }
 
 // Text that others put between quotes.
@@ -283,10 +275,7 @@ static int read_line(reader_t *reader, char *line) {
   rest += strspn(rest, " \t");
   *value = '\0';
   size_t key = 0;
-  const int code = find_key(reader, line, &key);
-  if (code != CLI_DONE) {
-    return code;
-  }
+  CLI_TRY(find_key(reader, line, &key));
   if (*rest == '\0') {
     return cli_message(CLI_USAGE, "%s %s: expected a value", reader->place,
                        line);
@@ -301,8 +290,7 @@ static int read_line(reader_t *reader, char *line) {
 
 static int read_lines(reader_t *reader, const char *text, size_t size) {
   char line[LINE_ROOM];
-  int code = CLI_DONE;
-  while (size > 0 && code == CLI_DONE) {
+  while (size > 0) {
     const char *newline = memchr(text, '\n', size);
     const size_t length = newline != NULL ? (size_t)(newline - text) : size;
     const size_t taken = newline != NULL ? length + 1 : length;
@@ -322,11 +310,11 @@ static int read_lines(reader_t *reader, const char *text, size_t size) {
     }
     memcpy(line, text, length);
     line[length] = '\0';
-    code = read_line(reader, line);
+    CLI_TRY(read_line(reader, line));
     text += taken;
     size -= taken;
   }
-  return code;
+  return CLI_DONE;
 }
 
 // A parameter that the law does not use may be 0: it means "none".
@@ -407,14 +395,14 @@ int cli_scene_parse(cli_scene_file_t *file, const char *path, const char *text,
                        CLI_SCENE_BYTES);
   }
   const size_t skipped = cli_utf8_mark(text, size);
-  int code = read_lines(&reader, text + skipped, size - skipped);
-  code = code == CLI_DONE ? check_start(&reader) : code;
-  code = code == CLI_DONE ? check_parameters(&reader) : code;
-  code = code == CLI_DONE ? name_it(&reader) : code;
+  CLI_TRY(read_lines(&reader, text + skipped, size - skipped));
+  CLI_TRY(check_start(&reader));
+  CLI_TRY(check_parameters(&reader));
+  CLI_TRY(name_it(&reader));
   file->scene.name = file->name;
   file->scene.shows = file->shows;
   file->scene.leaves_out = file->leaves_out;
-  return code;
+  return CLI_DONE;
 }
 
 static int read_file(cli_scene_file_t *file, const char *path) {
@@ -429,9 +417,8 @@ static int read_file(cli_scene_file_t *file, const char *path) {
   if (error != 0) {
     return cli_message(CLI_USAGE, "%s: %s", path, strerror(error));
   }
-  const int code = cli_scene_parse(file, path, text, size);
-  return code == CLI_DONE && text[size - 1] != '\n' ? cli_note_open(path)
-                                                    : code;
+  CLI_TRY(cli_scene_parse(file, path, text, size));
+  return text[size - 1] != '\n' ? cli_note_open(path) : CLI_DONE;
 }
 
 // Scenes by name, or from a file. A word with a point or a slash names a file,
@@ -445,9 +432,9 @@ int cli_take_scene(const tf_scene_t **scene, const char *word) {
   // One scene at a time, so one place is enough.
   static cli_scene_file_t file;
   if (strpbrk(word, "./") != NULL) {
-    const int code = read_file(&file, word);
-    *scene = code == CLI_DONE ? &file.scene : NULL;
-    return code;
+    CLI_TRY(read_file(&file, word));
+    *scene = &file.scene;
+    return CLI_DONE;
   }
   return cli_find_scene("", word, "; a file has a . or a / in its name", scene);
 }

@@ -82,11 +82,8 @@ static int read_setting(cli_setup_t *setup, const cli_setting_t *setting) {
     return cli_message(CLI_USAGE, "%s %s: unknown name '%s'%s", setting->option,
                        setting->text, setting->name, closest.hint);
   }
-  const int code =
-      cli_read_number(setting->option, setting->text, setting->value, &value);
-  if (code != CLI_DONE) {
-    return code;
-  }
+  CLI_TRY(
+      cli_read_number(setting->option, setting->text, setting->value, &value));
   if (parameter < TF_PARAMETERS && !cli_parameter_fits(parameter, value)) {
     return cli_message(CLI_REFUSED, "%s %s: %s must be a whole number",
                        setting->option, setting->text, setting->name);
@@ -112,13 +109,11 @@ int cli_setup_read(cli_setup_t *setup, const tf_scene_t *scene,
   setup->start[CLI_START_V] = scene->v;
   setup->start[CLI_START_OMEGA] = scene->omega;
   setup->start[CLI_START_H] = scene->h;
-  int code = CLI_DONE;
-  for (size_t i = 0; i < settings->count && code == CLI_DONE; i++) {
-    code = read_setting(setup, &settings->list[i]);
+  for (size_t i = 0; i < settings->count; i++) {
+    CLI_TRY(read_setting(setup, &settings->list[i]));
   }
-  return code == CLI_DONE && select != NULL
-             ? cli_read_rule(select, &setup->params, &setup->seed)
-             : code;
+  return select != NULL ? cli_read_rule(select, &setup->params, &setup->seed)
+                        : CLI_DONE;
 }
 
 static bool is_used(const cli_setup_t *setup, int i) {
@@ -232,8 +227,8 @@ static int refuse_start(cli_setup_t *setup, tf_status_t status) {
 int cli_setup_start(cli_setup_t *setup) {
   const bool v_typed = setup->set_start[CLI_START_V] != NULL;
   const bool h_typed = setup->set_start[CLI_START_H] != NULL;
-  const int code = cli_setup_check_starts(setup);
   tf_state_t *state = &setup->state;
+  CLI_TRY(cli_setup_check_starts(setup));
   state->r = setup->start[CLI_START_R];
   state->v = setup->start[CLI_START_V];
   state->w = setup->start[CLI_START_OMEGA];
@@ -241,9 +236,6 @@ int cli_setup_start(cli_setup_t *setup) {
   state->seed = setup->seed;
   state->mode = TF_NO_MODE;
   setup->v_from_h = !v_typed && (h_typed || !setup->scene->v_is_given);
-  if (code != CLI_DONE) {
-    return code;
-  }
   const tf_status_t status =
       setup->v_from_h
           ? tf_begin_with_slip(&setup->machine, state, &setup->input,

@@ -228,18 +228,12 @@ static int read_setup(point_t *point) {
 
 static int prepare(point_t *point, uint64_t *steps) {
   const cli_sweep_t *sweep = point->sweep;
-  int code = read_setup(point);
-  code = code == CLI_DONE
-             ? cli_check_law(sweep->scheme, point->setup.params.law)
-             : code;
-  code = code == CLI_DONE ? cli_setup_machine(&point->setup) : code;
-  if (code == CLI_DONE) {
-    point->drive = sweep->drive;
-    point->setup.input =
-        cli_drive_begin(&point->drive, &point->setup.machine, 0);
-    code = cli_count_steps(sweep->args, point->setup.machine.dt, steps);
-  }
-  return code;
+  CLI_TRY(read_setup(point));
+  CLI_TRY(cli_check_law(sweep->scheme, point->setup.params.law));
+  CLI_TRY(cli_setup_machine(&point->setup));
+  point->drive = sweep->drive;
+  point->setup.input = cli_drive_begin(&point->drive, &point->setup.machine, 0);
+  return cli_count_steps(sweep->args, point->setup.machine.dt, steps);
 }
 
 // An end of every axis, by a message that names the axis and its range.
@@ -255,24 +249,24 @@ static int check_end(cli_sweep_t *sweep, bool last, uint32_t *hash) {
       setting->text = args->axis[i].range.text;
     }
   }
-  int code = read_setup(&point);
-  if (code == CLI_DONE && sweep->scheme == NULL) {
+  CLI_TRY(read_setup(&point));
+  if (sweep->scheme == NULL) {
     sweep->scheme = cli_scheme_for(args, point.setup.params.dt, NULL);
   }
   sweep->jumps = point.setup.params.law == TF_TYRE_JUMP;
-  code = code == CLI_DONE ? prepare(&point, &steps) : code;
-  code = code == CLI_DONE ? cli_setup_check_starts(&point.setup) : code;
-  if (code == CLI_DONE && !last) {
+  CLI_TRY(prepare(&point, &steps));
+  CLI_TRY(cli_setup_check_starts(&point.setup));
+  if (!last) {
     *hash = cli_scene_hash(&point.setup);
     cli_setup_notes(&point.setup, sweep->scheme->unused, sweep->scheme->why);
     cli_drive_notes(&sweep->drive, &point.setup);
   }
-  return code;
+  return CLI_DONE;
 }
 
 int cli_point_check(cli_sweep_t *sweep, uint32_t *hash) {
-  const int code = check_end(sweep, false, hash);
-  return code == CLI_DONE ? check_end(sweep, true, hash) : code;
+  CLI_TRY(check_end(sweep, false, hash));
+  return check_end(sweep, true, hash);
 }
 
 static double energy_of(const point_t *point) {

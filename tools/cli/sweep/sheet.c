@@ -222,15 +222,13 @@ int cli_sheet_open(cli_sheet_t *sheet, const cli_sweep_t *sweep,
   if (!make_prologue(sheet, hash)) {
     return cli_message(CLI_USAGE, "sweep: the command line is too long");
   }
-  int code = args->resume ? look_at_file(sheet) : CLI_DONE;
-  if (code != CLI_DONE || sheet->whole) {
-    return code;
+  CLI_TRY(args->resume ? look_at_file(sheet) : CLI_DONE);
+  if (sheet->whole) {
+    return CLI_DONE;
   }
-  code = cli_output_begin(&sheet->output, "--out", args->out, true);
-  if (code != CLI_DONE) {
-    return code;
-  }
-  code = sheet->output.to.beside ? look_at_part(sheet, &kept) : CLI_DONE;
+  CLI_TRY(cli_output_begin(&sheet->output, "--out", args->out, true));
+  const int code =
+      sheet->output.to.beside ? look_at_part(sheet, &kept) : CLI_DONE;
   if (code != CLI_DONE) {
     (void)cli_output_close(&sheet->output, false);
     return code;
@@ -244,23 +242,16 @@ int cli_sheet_open(cli_sheet_t *sheet, const cli_sweep_t *sweep,
   return CLI_DONE;
 }
 
-static void put_trailer(cli_sheet_t *sheet) {
-  char line[CLI_TRAILER_ROOM];
-  (void)cli_output_lines(
-      &sheet->output, line,
-      cli_trailer_line(&sheet->trailer, &sheet->args->shard, line));
-}
-
 bool cli_sheet_flush(cli_sheet_t *sheet) {
   if (sheet->output.checked) {
-    put_trailer(sheet);
+    cli_output_trailer(&sheet->output, &sheet->trailer, &sheet->args->shard);
   }
   return cli_output_flush(&sheet->output);
 }
 
 int cli_sheet_close(cli_sheet_t *sheet, int code) {
   if (code == CLI_DONE || sheet->output.checked) {
-    put_trailer(sheet);
+    cli_output_trailer(&sheet->output, &sheet->trailer, &sheet->args->shard);
   }
   return cli_output_end(&sheet->output, code);
 }

@@ -96,10 +96,7 @@ static void summarise_json(const work_t *work, double seconds, int code) {
 
 static int perform(work_t *work, uint32_t hash) {
   cli_sheet_t *sheet = work->sheet;
-  int code = cli_sheet_open(sheet, &work->sweep, hash);
-  if (code != CLI_DONE) {
-    return code;
-  }
+  CLI_TRY(cli_sheet_open(sheet, &work->sweep, hash));
   if (sheet->whole) {
     (void)cli_message(CLI_DONE, "%s has all of its %" PRIu64 " points",
                       work->sweep.args->out, sheet->kept);
@@ -109,7 +106,7 @@ static int perform(work_t *work, uint32_t hash) {
     return CLI_DONE;
   }
   work->progress = cli_progress_start(cli_now(), sheet->output.to.descriptor);
-  code = do_points(work);
+  int code = do_points(work);
   cli_progress_clear(&work->progress);
   code = cli_sheet_close(sheet, code);
   const double seconds = cli_now() - work->progress.started;
@@ -181,26 +178,24 @@ int cli_read_over(void *to, const cli_given_t *option) {
   cli_axis_t *axis = &args->axis[args->axes];
   const size_t length = (size_t)(equals - text);
   const bool is_seed = length == 4 && strncmp(text, "seed", 4) == 0;
-  int code = cli_read_range(option->name, text, equals + 1, MAX_VALUES, is_seed,
-                            &axis->range);
-  if (code == CLI_DONE && is_seed) {
+  CLI_TRY(cli_read_range(option->name, text, equals + 1, MAX_VALUES, is_seed,
+                         &axis->range));
+  if (is_seed) {
     memcpy(axis->name, "seed", 5);
-    code = add_seed(args, axis);
-  } else if (code == CLI_DONE) {
+    CLI_TRY(add_seed(args, axis));
+  } else {
     axis->setting = args->settings.count;
-    code = cli_settings_add(&args->settings, option->name, text);
+    CLI_TRY(cli_settings_add(&args->settings, option->name, text));
     memcpy(axis->name, args->settings.list[axis->setting].name,
            sizeof axis->name);
   }
-  if (code == CLI_DONE && args->points > MAX_POINTS / axis->range.count) {
-    code = cli_message(CLI_REFUSED, "--over %s: more than %llu points", text,
+  if (args->points > MAX_POINTS / axis->range.count) {
+    return cli_message(CLI_REFUSED, "--over %s: more than %llu points", text,
                        MAX_POINTS);
   }
-  if (code == CLI_DONE) {
-    args->points *= axis->range.count;
-    args->axes++;
-  }
-  return code;
+  args->points *= axis->range.count;
+  args->axes++;
+  return CLI_DONE;
 }
 
 static int add_measure(cli_args_t *args, const char *name, const char *text) {
@@ -230,9 +225,9 @@ int cli_read_outcome(void *to, const cli_given_t *option) {
     char name[32];
     const size_t length = strcspn(at, ",");
     (void)snprintf(name, sizeof name, "%.*s", (int)length, at);
-    const int code = add_measure(args, name, option->value);
-    if (code != CLI_DONE || at[length] == '\0') {
-      return code;
+    CLI_TRY(add_measure(args, name, option->value));
+    if (at[length] == '\0') {
+      return CLI_DONE;
     }
     at += length + 1;
   }

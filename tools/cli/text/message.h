@@ -30,6 +30,13 @@ enum {
 /// Returns: code, so that a failing path is a single return statement.
 int cli_message(int code, const char *format, ...) CLI_PRINTF(2, 3);
 
+/// Leaves the function with the code of a call where that is not CLI_DONE.
+#define CLI_TRY(call)                            \
+  do {                                           \
+    const int cli_tried = (call);                \
+    if (cli_tried != CLI_DONE) return cli_tried; \
+  } while (0)
+
 /// The last message of a code other than CLI_DONE, cut off where it is long;
 /// empty: there was none.
 const char *cli_last_message(void);

@@ -155,16 +155,14 @@ int cli_read_range(const char *option, const char *whole, const char *text,
                        "%s %s: N must be a whole number in [1, %" PRIu64 "]",
                        option, whole, most);
   }
-  int code = read_end(option, whole, parts[0], exact, &range->from);
-  if (code == CLI_DONE) {
-    code = read_end(option, whole, parts[1], exact, &range->to);
-  }
-  if (code == CLI_DONE && range->count == 1 &&
-      (range->to > range->from || range->to < range->from)) {
-    code = cli_message(CLI_USAGE, "%s %s: one value cannot be both %s and %s",
-                       option, whole, parts[0], parts[1]);
-  }
-  return code;
+  CLI_TRY(read_end(option, whole, parts[0], exact, &range->from));
+  CLI_TRY(read_end(option, whole, parts[1], exact, &range->to));
+  return range->count > 1 ||
+                 !(range->to > range->from || range->to < range->from)
+             ? CLI_DONE
+             : cli_message(CLI_USAGE,
+                           "%s %s: one value cannot be both %s and %s", option,
+                           whole, parts[0], parts[1]);
 }
 
 static bool is_whole(double value) {

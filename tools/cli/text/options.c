@@ -73,18 +73,17 @@ static int read_whole(const cli_option_t *option, const cli_given_t *given,
 static int read_real(const cli_option_t *option, const cli_given_t *given,
                      double *out) {
   tf_real_t value = 0;
-  const int code =
-      cli_read_number(given->name, given->value, given->value, &value);
+  CLI_TRY(cli_read_number(given->name, given->value, given->value, &value));
   const bool open = (option->how & CLI_OPEN) != 0;
   *out = (double)value;
-  if (code == CLI_DONE && (!(*out >= option->low && *out <= option->high) ||
-                           (open && !(*out > option->low)))) {
+  if (!(*out >= option->low && *out <= option->high) ||
+      (open && !(*out > option->low))) {
     return cli_message(CLI_REFUSED, "%s %s: must lie in %s%g, %g]%s%s",
                        given->name, given->value, open ? "(" : "[", option->low,
                        option->high, option->unit != NULL ? " " : "",
                        option->unit != NULL ? option->unit : "");
   }
-  return code;
+  return CLI_DONE;
 }
 
 static bool lies_in(const cli_option_t *option, double value) {
@@ -93,20 +92,19 @@ static bool lies_in(const cli_option_t *option, double value) {
 
 static int read_range(const cli_option_t *option, const cli_given_t *given,
                       cli_range_t *out) {
-  int code = CLI_DONE;
   if (option->kind == CLI_RANGE) {
-    code = cli_read_range(given->name, given->value, given->value, MAX_VALUES,
-                          false, out);
+    CLI_TRY(cli_read_range(given->name, given->value, given->value, MAX_VALUES,
+                           false, out));
   } else {
     out->text = given->value;
     out->count = 1;
     tf_real_t value = 0;
-    code = cli_read_number(given->name, given->value, given->value, &value);
+    CLI_TRY(cli_read_number(given->name, given->value, given->value, &value));
     out->from = out->to = (double)value;
   }
-  return code != CLI_DONE || !(option->low < option->high) ||
+  return !(option->low < option->high) ||
                  (lies_in(option, out->from) && lies_in(option, out->to))
-             ? code
+             ? CLI_DONE
              : cli_message(CLI_REFUSED, "%s %s: %s must lie in [%g, %g] %s",
                            given->name, given->value, given->name + 2,
                            option->low, option->high, option->unit);
@@ -239,15 +237,14 @@ static int check_needs(const cli_syntax_t *syntax, const bool seen[CLI_ROWS]) {
 int cli_read_words(const cli_syntax_t *syntax, void *args, int argc,
                    char *const argv[], cli_file_t *files) {
   bool seen[CLI_ROWS] = {false};
-  int code = CLI_DONE;
-  for (int at = 0; at < argc && code == CLI_DONE; at++) {
+  for (int at = 0; at < argc; at++) {
     const char *word = argv[at];
     if (is_option(word)) {
-      code = read_option(syntax, args, argc, argv, &at, seen, files++);
+      CLI_TRY(read_option(syntax, args, argc, argv, &at, seen, files++));
     } else {
       *files++ = (cli_file_t){{"", word}, is_built_in(word) ? 0 : CLI_READS};
-      code = syntax->take(args, word);
+      CLI_TRY(syntax->take(args, word));
     }
   }
-  return code == CLI_DONE ? check_needs(syntax, seen) : code;
+  return check_needs(syntax, seen);
 }
