@@ -2,11 +2,13 @@
 """Packs the page into one file that needs no server and asks for nothing: the
 style, the modules in the order of their imports, and the simulator.
 
-    pack.py MODULE.wasm PAGE.html
+    pack.py MODULE.wasm PAGE.html SOURCE...
+    pack.py sources SOURCE...    only prints the hash of the sources
 
 Names at the top of a module are unique over all of them, so the modules can
 stand in one scope, without their lines of import and export. The page's policy
-allows this very style and this very script, and no connection at all.
+allows this very style and this very script, and no connection at all. It names
+the hash of what it is made of, by which `make stale` knows it.
 """
 import base64
 import gzip
@@ -52,7 +54,15 @@ def digest(text):
     return base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()
 
 
-def main(module, page):
+def hashed(sources):
+    """Of their names and contents."""
+    found = hashlib.sha256()
+    for source in sorted(sources):
+        found.update(source.encode() + b"\0" + Path(source).read_bytes())
+    return found.hexdigest()[:16]
+
+
+def main(module, page, *sources):
     style = (HERE / "page.css").read_text()
     # In hexadecimal, where a byte is two characters wherever it stands, so that
     # gzip finds what is repeated: 9 kB less than in base64.
@@ -63,7 +73,7 @@ def main(module, page):
               "img-src data:; base-uri 'none'; form-action 'none'")
     text = (HERE / "page.html").read_text()
     for key, value in (("@POLICY@", policy), ("@STYLE@", style),
-                       ("@SCRIPT@", program)):
+                       ("@SCRIPT@", program), ("@SOURCES@", hashed(sources))):
         if text.count(key) != 1:
             sys.exit(f"pack.py: page.html has {text.count(key)} of {key}")
         text = text.replace(key, value)
@@ -72,4 +82,7 @@ def main(module, page):
           f"{len(gzip.compress(text.encode(), 9, mtime=0))} bytes gzipped")
 
 
-main(*sys.argv[1:])
+if sys.argv[1] == "sources":
+    print(hashed(sys.argv[2:]))
+else:
+    main(*sys.argv[1:])

@@ -16,8 +16,13 @@ PAGE_CORE := $(wildcard src/*/*.c) tools/cli/monitor/receiver.c \
   $(addprefix tools/cli/setup/,scene_file.c scene_print.c names.c) \
   $(addprefix tools/cli/text/,buffer.c closest.c number.c) \
   port/arch/memory.c $(wildcard tools/page/*.c tools/page/libc/*.c)
+PAGE_C := $(PAGE_CORE) $(wildcard tools/page/*.h tools/page/libc/*.h \
+  tools/cli/monitor/receiver.h tools/cli/setup/*.h tools/cli/text/*.h \
+  src/*/*.h include/*.h include/twofold/*.h) tools/page/page.mk
+PAGE_SOURCES := $(PAGE_C) tools/page/pack.py \
+  $(wildcard tools/page/*.mjs tools/page/*.html tools/page/*.css)
 
-.PHONY: page test-page
+.PHONY: page test-page keep-page page-sources
 page: ## the simulator as a page: build/page/index.html
 page: $(PAGE)/index.html
 
@@ -26,17 +31,19 @@ test-page: $(PAGE)/index.html $(BUILD)/double/twofold
 	@MAKEFLAGS= MAKELEVEL= MAKE='$(MAKE)' BUILD='$(BUILD)' OPT='$(OPT)' \
 	  CC='$(CC)' tests/page/test_page.py $(ONLY)
 
-$(PAGE)/core.wasm: $(PAGE_CORE) $(wildcard tools/page/*.h tools/page/libc/*.h \
-    tools/cli/monitor/receiver.h tools/cli/setup/*.h tools/cli/text/*.h \
-    src/*/*.h include/*.h include/twofold/*.h) \
-    tools/page/page.mk
+$(PAGE)/core.wasm: $(PAGE_C)
 	@command -v clang wasm-ld >/dev/null || { echo 'make page needs clang' \
 	  'and wasm-ld (Debian: apt-get install clang lld)' >&2; exit 3; }
 	@mkdir -p $(@D)
 	@echo '  WASM  $@'
 	@clang $(PAGE_FLAGS) $(PAGE_CORE) $(PAGE_LINK) -o $@
 
-$(PAGE)/index.html: tools/page/pack.py $(PAGE)/core.wasm \
-    $(wildcard tools/page/*.mjs tools/page/*.html tools/page/*.css)
-	@tools/page/pack.py $(PAGE)/core.wasm $@
+$(PAGE)/index.html: $(PAGE)/core.wasm $(PAGE_SOURCES)
+	@tools/page/pack.py $(PAGE)/core.wasm $@ $(PAGE_SOURCES)
 	@echo "The page is in $@."
+
+keep-page: page ## copy it to docs/page/
+	@mkdir -p docs/page
+	@cp $(PAGE)/index.html docs/page/
+page-sources:
+	@tools/page/pack.py sources $(PAGE_SOURCES)

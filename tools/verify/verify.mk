@@ -23,7 +23,7 @@ valgrind: ## nearly every test under memcheck (valgrind)
 	  tools/verify/run valgrind
 
 stale: ## which reports of docs/ are of an older core
-	@tools/verify/stale
+	@MAKEFLAGS= MAKELEVEL= tools/verify/stale
 
 eva: ## all entries of Frama-C Eva (minutes)
 	@BUILD='$(BUILD)' tools/verify/eva/eva.py $(ENTRIES)

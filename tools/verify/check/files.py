@@ -24,7 +24,7 @@ tools            43000  40000
 tools/cli        15490  14500
 tools/board       1390   1200
 tools/package     5750   5200
-tools/page        4370   4200
+tools/page        4390   4200
 tools/bench       4410   4200
 tools/study       5360   4200
 tools/verify      6100   6500
