@@ -30,7 +30,7 @@ PLOTS = {
     "precision": (),  # as many as there are peers
     "regions": (9, 6),
     "return": (4, 3, 8),
-    "set": (7, 7, 7),
+    "set": (11, 11, 8),
     "surface": (3, 3, 3, 4),
     "tyre": (2, 3, 4),
 }

@@ -148,6 +148,8 @@ $(eval $(call by-command,regions,regions chaos $(WINDOW)))
 $(eval $(call by-command,atlas,atlas chaos $(ATLAS)))
 $(eval $(call by-command,branches,diverge chaos --exhaustive --depth 1 \
   --grid 0.005 --patience 2.4 --branches -))
+$(eval $(call by-command,futures,diverge chaos --exhaustive --depth 8 \
+  --grid 0.06 --patience 2.4 --count 5000 --branches -))
 
 # Returns and exits at random.
 $(figdir)/returns-random.csv: $(two) tools/study/study.mk | figures-gnuplot
@@ -163,8 +165,8 @@ $(figdir)/$(1).dat: $(curves) $(two) $(5:%=$(figdir)/%) tools/study/study.mk \
 	$$(call quietly,$$< $(2) $(figdir) $(two) $(3) $(4))
 endef
 $(eval $(call by-list,fans,fans,2e-5,0))
-$(eval $(call by-list,set,leavers,2e-4,0.09,branches.csv))
-$(eval $(call by-list,loop,loop,2e-4,0.01,branches.csv))
+$(eval $(call by-list,set,futures,5e-5,0.001,futures.csv))
+$(eval $(call by-list,loop,loop,2e-4,0.001,branches.csv))
 define by-curves
 $(figdir)/$(1).curves.dat: $(curves) $(2:%=$(figdir)/%) tools/study/study.mk
 	$$(call quietly,$$< $(1) $(figdir))

@@ -10,13 +10,13 @@ gnuplot finds it by `index 'NAME'`; an empty line within it is a gap.
 
 Trajectories are t,r,omega,h,g,mode by `twofold run` with steps of DT; mode is
 its number, 1 to 5. One that has reached the two-fold again ends there: behind
-it all is open. THIN: 0 for every row, else rows that lie so many windows apart,
-the window being what the set of the trajectories takes of r, omega and h. LIST
-is one of
+it all is open. THIN: 0 for every row, else as few as leave no other one more
+than so many windows off the lines between them, the window being what figure
+`set` shows of r, omega and h. LIST is one of
   fans      starts near h = 0 at three places of the surface of the scene
             `chaos` near its two-fold, over 2 ms
-  leavers   slips that leave the escaping region one after the other: exits 40
-            ms apart, to either side, as long as they lie off h = g = 0
+  futures   branches from the two-fold back to it: exits 40 ms apart, to either
+            side, and from each the fewest choices at h = g = 0 that lead back
   loop      two cycles that begin at the two-fold: `straight` is the first
             future that lands so far down that it comes back to the two-fold at
             once, `winding` one that winds much and lands higher
@@ -38,9 +38,11 @@ Curves = Iterator[tuple[str, list[str]]]
 Start = tuple[str, float, float, str, str, str]
 MODES = {"slip+": 1, "slip-": 2, "stick+": 3, "stick-": 4, "pinned": 5}
 PATH = ["t", "r", "omega", "h", "g", "mode"]
-WINDOW = {"r": 0.012, "omega": 0.06, "h": 1.4e-4}
+WINDOW = {"r": 0.007, "omega": 0.07, "h": 3.6e-4}
+SHEET = (0.1812, 0.188), (-1.056, -0.99)  # of h = 0 that is drawn: r, omega
 OFF = 1e-12  # so far beside the surface a slip begins [m/s]
 END = 2e-3   # of the fans [s]
+AWAY = {"slip-": ("-1.0000001", "-1e-10"), "stick-": ("-0.9999999", "0")}
 
 
 def read(folder: Path, name: str) -> pd.DataFrame:
@@ -87,12 +89,30 @@ def start(name: str, end: float, row: tuple) -> Start:
     return name, 0, end, row.exit_r, row.exit_omega, f"{h:g}"
 
 
-def leavers(folder: Path) -> Iterator[Start]:
-    """Exits 40 ms apart."""
-    rows = branches_of(folder)
-    for row in rows[rows.end == "codim2"].itertuples():
-        if row.stick <= 0.4 and round(row.stick * 1000) % 40 == 0:
-            yield start(f"t={row.stick_time}", 2.3, row)
+def from_corner(row: tuple) -> Start:
+    """A branch from h = g = 0: slip- next to the direction in which it leaves,
+    or stick-."""
+    omega, h = AWAY[row.mode]
+    return row.mode, 0, float(row.time), row.exit_r, omega, h
+
+
+def futures(folder: Path) -> Iterator[Start]:
+    """The branches that lead back, each once: they join."""
+    rows = read(folder, "futures")
+    rows = rows[rows.to != ""]
+    inner, level, back = rows[rows.node != "0"], {"0"}, {}
+    while level:  # the nodes from which so many branches lead back, and these
+        found = inner[inner.to.isin(level) & ~inner.node.isin(back)]
+        found = found.drop_duplicates("node")
+        back.update((row.node, row) for row in found.itertuples())
+        level = set(found.node)
+    drawn = set()
+    for row in rows[(rows.node == "0")
+                    & (pd.to_numeric(rows.stick_time) <= 0.4)].itertuples():
+        yield start(f"t={row.stick_time}", float(row.time), row)
+        while (row := back.get(row.to)) and row.node not in drawn:
+            drawn.add(row.node)
+            yield from_corner(row)
 
 
 def loop(folder: Path) -> Iterator[Start]:
@@ -108,24 +128,21 @@ def loop(folder: Path) -> Iterator[Start]:
         yield start(name, end, row)
 
 
-def thinned(rows: Iterable[tuple], thin: float) -> Iterator[tuple]:
-    """Rows that lie `thin` windows apart, and all ends of a mode."""
-    def apart(a: tuple, b: tuple) -> float:
-        return math.hypot(*((getattr(a, name) - getattr(b, name)) / size
-                            for name, size in WINDOW.items()))
-
-    last = held = None
-    for row in rows:
-        if last and row.mode == last.mode and apart(row, last) < thin:
-            held = row
-            continue
-        # The last row before a change of mode is kept, lest a switch is cut.
-        if held and row.mode != last.mode:
-            yield held
-        yield row
-        last, held = row, None
-    if held:
-        yield held
+def thinned(rows: pd.DataFrame, thin: float) -> pd.DataFrame:
+    """Rows between which lines are off all others by `thin` windows at most."""
+    at = (rows[list(WINDOW)] / pd.Series(WINDOW)).to_numpy()
+    ends = (rows["mode"] != rows["mode"].shift(-1)).to_numpy().nonzero()[0]
+    kept, open_ = {0, *ends}, list(zip([0, *ends + 1], ends))
+    while open_:  # Douglas and Peucker
+        first, last = open_.pop()
+        off = at[first:last + 1] - at[first]
+        way = off[-1] / max(math.hypot(*off[-1]), 1e-9)
+        off = ((off - (off @ way)[:, None] * way) ** 2).sum(axis=1)
+        if off.max() > thin ** 2:
+            far = first + int(off.argmax())
+            kept.add(far)
+            open_ += [(first, far), (far, last)]
+    return rows.iloc[sorted(kept)]
 
 
 def trajectory(twofold: str, dt: str, thin: float,
@@ -146,9 +163,9 @@ def trajectory(twofold: str, dt: str, thin: float,
     again = re.findall(r"^ *(\d\S*) .*two-fold reached", done.stderr, re.M)
     last = min((float(t) for t in again if float(t) > 0), default=math.inf)
     rows = rows[rows.t <= last + 1e-9]
-    for row in thinned(rows.itertuples(), thin):
-        yield (f"{begin + row.t:.6g} {row.r:.6g} {row.omega:.6g} "
-               f"{row.h:.4g} {row.g:.4g} {MODES[row.mode]}")
+    for row in (thinned(rows, thin) if thin else rows).itertuples():
+        yield (f"{begin + row.t:.6g} {row.r:.6g} {row.omega:.6g} {row.h:.4g} "
+               f"{row.g:.4g} {MODES[row.mode]}")
 
 
 def trajectories(path: Path) -> Iterator[tuple[str, list[list[str]]]]:
@@ -211,7 +228,8 @@ def returns(folder: Path) -> Curves:
 
 
 def motions(folder: Path) -> Curves:
-    """The trajectories of the set by mode, each with the row it ends in."""
+    """The trajectories of the set by mode, each with the row it ends in, and
+    the stick from the two-fold that they leave: r omega v - v on h = 0."""
     paths = list(trajectories(folder / "set.dat"))
     for mode in "1234":
         lines = []
@@ -219,12 +237,41 @@ def motions(folder: Path) -> Curves:
             last = None
             for _, r, omega, h, _, now in rows:
                 if mode in (now, last):
-                    lines.append(f"{r} {omega} {float(h) * 1e6:.6g}")
+                    lines.append(f"{r} {omega} {h}")
                 if last == mode != now:
                     lines.append("")
                 last = now
             lines.append("")
         yield f"mode {mode}", lines
+    stick = branches_of(folder)
+    stick = stick[stick.stick <= 0.4]
+    yield "stick", joined(stick.r[:1], stick.omega[:1]) + joined(
+        stick.exit_r[::8], stick.exit_omega[::8])
+    yield from sheet(folder, float(stick.r.iloc[0]),
+                     float(stick.omega.iloc[0]))
+
+
+def sheet(folder: Path, r: float, omega: float) -> Curves:
+    """The regions of h = 0 around the two-fold as polygons, by borders.dat."""
+    (left, right), (bottom, top) = SHEET
+    plus, minus = (
+        [at for at in (tuple(map(float, line.split()))
+                       for line in part.splitlines())
+         if left < at[0] < right and at[1] > bottom]
+        for part in (folder / "borders.dat").read_text(
+            encoding="utf-8").split("\n\n\n")[:2])
+    corner = [(r, omega)]
+    west = [at for at in minus if at[0] < r] + corner
+    east = corner + [at for at in minus if at[0] > r]
+    north = corner + [at for at in plus if at[1] > omega]
+    south = [at for at in plus if at[1] < omega] + corner
+    for name, outline in (
+            ("sliding", east + [(right, bottom)] + south),
+            ("escaping", west + north + [(left, -1)]),
+            ("crossing_up", west + south[::-1] + [(left, bottom)]),
+            ("crossing_down", north[::-1] + east + [(right, -1)]),
+            ("sliding", [(left, -1), (right, -1), (right, top), (left, top)])):
+        yield name, [f"{x:.6g} {y:.6g}" for x, y in outline]
 
 
 def surface(folder: Path) -> Curves:
@@ -244,7 +291,7 @@ FIGURES: dict[str, Callable[[Path], Curves]] = {
     "exits": exits, "normal": normal,
     "regions": regions, "return": returns, "set": motions, "surface": surface}
 LISTS: dict[str, Callable[[Path], Iterator[Start]]] = {
-    "fans": fans, "leavers": leavers, "loop": loop}
+    "fans": fans, "futures": futures, "loop": loop}
 
 
 def main() -> int:
