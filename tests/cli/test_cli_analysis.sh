@@ -113,6 +113,13 @@ check 'conditions are those of the numbers' awk -F, '
     if ($18 != ($5 > 0) || $19 != ($6 > 0)) bad = 1 }
   END { exit bad }' out
 
+# tyre
+runs tyre chaos --angle=-45:90:4
+equal 'its header' "$(head -n 1 out)" angle,F,M
+within 'M at 0 is mu kappa, for h > 0' "$(row 3 3 out)" 0.2724115371406203 $close
+within 'F at 90 degrees' "$(row 5 2 out)" 1.3333333333333333 $close
+within 'F for h < 0 is opposite' "$(row 2 2 out)" "-$(row 4 2 out)" $close
+
 # Refusals.
 grid='--r 0:1:2 --omega 0:1:2'
 expectations <<END
@@ -123,6 +130,7 @@ expectations <<END
 3 atlas gamma_zero $grid|gamma_zero: atlas needs |sin(gamma)|
 3 atlas chaos --set law=coulomb $grid|--set law=coulomb: atlas needs law jump
 2 design chaos --r 1|--omega W is missing
+3 tyre chaos --angle 0:181:2|--angle 0:181:2&[-180, 180] degrees
 2 singularities chaos --r 1|unknown option --r
 0 singularities chaos --set r=1|--set r=1 has no effect
 END

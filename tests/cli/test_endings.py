@@ -139,7 +139,8 @@ def test_hil():
 def test_tables_and_scenes():
     for words in (["regions", "chaos", *GRID], ["atlas", "chaos", *GRID],
                   ["singularities", "chaos"], ["scene", "chaos"],
-                  ["design", "chaos", "--r", "0.1859", "--omega=-1.037"]):
+                  ["design", "chaos", "--r", "0.1859", "--omega=-1.037"],
+                  ["tyre", "chaos"]):
         ends_well([*words, "--out", "x"])
 
 

@@ -248,6 +248,7 @@ def test_provenance():
                   ["regions", "chaos", "--r", "0.1:0.2:2", "--omega=-1:1:2"],
                   ["atlas", "chaos", "--r", "0.1:0.2:2",
                    "--omega=-1.1:-1.05:2"],
+                  ["tyre", "chaos"],
                   ["diverge", "chaos", "--samples", "3", "--returns", "-"],
                   ["diverge", "chaos", "--samples", "3", "--by", "noise",
                    "--size", "1e-4", "--patience", "0.1", "--exits", "-"],

@@ -14,7 +14,8 @@ enum {
   CLI_ATLAS = 64,
   CLI_DIVERGE = 128,
   CLI_MERGE = 256,
-  CLI_SWEEP = 512
+  CLI_SWEEP = 512,
+  CLI_TYRE = 1024
 };
 
 /// The table of all options: table.c.

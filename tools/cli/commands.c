@@ -6,7 +6,7 @@
 //              completions, the commands `scenes` and `scene`
 //   monitor/   the command `monitor`; takes only row.h of run/
 //   run/       the command `run`: loop, rows, frames, events, summary
-//   analysis/  singularities, regions, design and atlas
+//   analysis/  singularities, regions, design, atlas and tyre
 //   diverge/   the commands `diverge` and `merge`. Bottom up: canard, tracker,
 //              job, motion (with noise and smoothing), the steppers random and
 //              lagged, counts, diverge
@@ -201,6 +201,12 @@ const cli_command_t cli_commands[] = {
          "all columns but r, omega and overlap are empty.",
      .notes = AT_START, .bit = CLI_ATLAS, .check = cli_analysis_check,
      .perform = cli_atlas},
+    {"tyre", "SCENE [OPTION]...", "force and moment over the slip angle",
+     .about =
+         "Friction force and moment over the slip angle atan2(h, g), as "
+         "CSV: angle,F,M in degrees, N, N m. At 0 they are the limits from "
+         "h > 0. The slip is 1 m/s; only law smooth asks for it.",
+     .bit = CLI_TYRE, .perform = cli_tyre},
     {"diverge", "SCENE [OPTION]...",
      "what can follow a two-fold: exits, returns, samples",
      .about =

@@ -13,7 +13,7 @@
 #include "text/number.h"
 
 #define GRIDS (CLI_REGIONS | CLI_ATLAS)
-#define ANALYSES (GRIDS | CLI_DESIGN | CLI_SINGULARITIES)
+#define ANALYSES (GRIDS | CLI_DESIGN | CLI_SINGULARITIES | CLI_TYRE)
 #define MOTIONS (CLI_RUN | CLI_SWEEP)
 
 // A member of the arguments, which has to be of the type of its kind.
@@ -173,6 +173,8 @@ const cli_option_t cli_options[] = {
      .what = "N values of r from A to B [m]"},
     {"--omega", "A:B:N", GRIDS, RANGE(omega), .low = -REACH, .high = REACH,
      .unit = "rad/s", .what = "N values of omega from A to B [rad/s]"},
+    {"--angle", "A:B:N", CLI_TYRE, RANGE(r), .low = -180, .high = 180,
+     .unit = "degrees", .what = "N angles from A to B; default 0:90:91"},
     {"--t-end", "S", MOTIONS, NUMBER(t_end),
      .what = "length [s]; default: the scene's own"},
     {"--dt", "S", MOTIONS | CLI_SCENE, OTHER, .read = read_named,
@@ -265,8 +267,8 @@ const cli_option_t cli_options[] = {
     {"--resume", NULL, CLI_SWEEP, FLAG(resume),
      .what = "continues FILE.part of a sweep that was stopped; does nothing "
              "where FILE is complete"},
-    {"--provenance", NULL, CLI_RUN | GRIDS | CLI_DIVERGE | CLI_MONITOR,
-     FLAG(provenance),
+    {"--provenance", NULL,
+     CLI_RUN | GRIDS | CLI_TYRE | CLI_DIVERGE | CLI_MONITOR, FLAG(provenance),
      .what = "four comment lines before the header of CSV (diverge: of "
              "--branches, too): version, commit, scene, scheme, units: "
              "'twofold help provenance'"},

@@ -164,12 +164,12 @@ static const topic_t topics[] = {
      "expire after so many ticks; then the safe ones hold, those of a machine "
      "that nothing drives: docs/PROTOCOL.md."},
     {"provenance unit units commit hash parameters number",
-     "--provenance of 'run', 'diverge', 'regions', 'atlas' and 'monitor': four "
-     "'# ' lines before the header with version, commit and checksum of the "
-     "sources, number type; scene, its hash, that of the parameters, law, "
-     "rule, seed; scheme, dt, hash of the inputs; units of the columns. The "
-     "file of 'sweep' always has such lines, and the JSON of 'singularities' "
-     "and 'design' has them as members. All numbers are in SI units."},
+     "--provenance of 'run', 'diverge', 'regions', 'atlas', 'tyre' and "
+     "'monitor': four '# ' lines before the header with version, commit and "
+     "checksum of the sources, number type; scene, its hash, that of the "
+     "parameters, law, rule, seed; scheme, dt, hash of the inputs; units of "
+     "the columns. The file of 'sweep' always has them, and the JSON of "
+     "'singularities' and 'design' as members. All numbers are in SI units."},
     {"region lambda delassus",
      "Columns of 'regions': what becomes of motions at a point of the "
      "surface h = 0; the force [N] that holds h = 0 there; how much a force "

@@ -135,8 +135,8 @@ endef
 
 $(fields): %: %.o $(BUILD)/double/libtwofold.a
 	$(link)
-$(foreach n,borders flow orbits straight numbers directions angular corner \
-  tyre,$(figdir)/$(n).dat): $(figdir)/%.dat: $(fields) | figures-gnuplot
+$(foreach n,borders flow orbits straight numbers directions angular corner, \
+  $(figdir)/$(n).dat): $(figdir)/%.dat: $(fields) | figures-gnuplot
 	$(call quietly,$< $*)
 
 # NAME.csv of a command: $(call by-command,NAME,ARGS)
@@ -150,6 +150,12 @@ $(eval $(call by-command,branches,diverge chaos --exhaustive --depth 1 \
   --grid 0.005 --patience 2.4 --branches -))
 $(eval $(call by-command,futures,diverge chaos --exhaustive --depth 8 \
   --grid 0.06 --patience 2.4 --count 5000 --branches -))
+STRING := tyre chaos --set law=string --set a=1 --set rho=0.6666666666666667
+$(eval $(call by-command,string,$(STRING) --set k=1 --set delta=1 \
+  --set sigma=1 --angle 0:90:181))
+$(eval $(call by-command,stiff,$(STRING) --set k=1e3 --set delta=1e-3 \
+  --set sigma=1e-3 --angle 1:90:2))
+$(eval $(call by-command,tyre,tyre chaos))
 
 # Returns and exits at random.
 $(figdir)/returns-random.csv: $(two) tools/study/study.mk | figures-gnuplot
@@ -185,5 +191,5 @@ $(call needs,atlas,atlas.csv numbers.dat)
 $(call needs,normal,orbits.dat straight.dat numbers.dat loop.dat)
 $(call needs,regions,regions.csv borders.dat flow.dat numbers.dat)
 $(call needs,set,borders.dat numbers.dat)
-$(call needs,tyre,tyre.dat)
+$(call needs,tyre,string.csv stiff.csv tyre.csv)
 $(call needs,portrait,directions.dat angular.dat corner.dat)

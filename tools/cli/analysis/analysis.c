@@ -1,5 +1,5 @@
 // The commands that examine a machine without running it: singularities and
-// design, which write two-folds, regions and atlas, which write grids.
+// design, which write two-folds, regions, atlas and tyre, which write tables.
 
 #include <inttypes.h>
 #include <math.h>
@@ -288,8 +288,8 @@ int cli_design(const cli_args_t *args) {
   return write_json(args, true, describe_design);
 }
 
-// The commands that write a grid of (r, omega) as CSV. `atlas` has the
-// conditions of the paper's figure 4, panel by panel, and their overlap.
+// The commands that write a grid of (r, omega), or angles, as CSV. `atlas` has
+// the conditions of the paper's figure 4, panel by panel, and their overlap.
 
 #define FLUSH_EVERY 0.2 // [s]
 #define ROW_ROOM 768
@@ -305,7 +305,8 @@ static int write_line(analysis_t *a, uint64_t i, row_t row,
   for (uint64_t j = 0; j < a->args->omega.count; j++) {
     cli_buffer_t text = {row_text, 0, ROW_ROOM, false};
     if (cli_stop_asked()) {
-      return cli_message(CLI_STOPPED, "interrupted at r = %g m", (double)r);
+      return cli_message(CLI_STOPPED, "interrupted at point %" PRIu64,
+                         i * a->args->omega.count + j);
     }
     const tf_real_t omega = (tf_real_t)cli_range_at(&a->args->omega, j);
     CLI_TRY(row(a, r, omega, &text));
@@ -451,4 +452,25 @@ int cli_atlas(const cli_args_t *args) {
                     "r m, omega rad/s, v m/s, g m/s, kappa m, k2 N/m, K in "
                     "rescaled time, others 1",
                     atlas_row);
+}
+
+// The angles are those of a slip of 1 m/s, which law smooth alone asks for.
+static int tyre_row(const analysis_t *a, tf_real_t angle, tf_real_t other,
+                    cli_buffer_t *text) {
+  const double degree = acos(-1.0) / 180, phi = (double)angle;
+  const tf_force_t f = tf_tyre_force(
+      &a->setup.machine.contact.tyre, angle < 0 ? TF_R(-1.0) : TF_R(1.0),
+      (tf_real_t)sin(degree * phi), (tf_real_t)sin(degree * (90 - fabs(phi))));
+  (void)other;
+  cli_add_form(text, "%g,%g,%g\n", phi, (double)f.F, (double)f.M);
+  return CLI_DONE;
+}
+
+int cli_tyre(const cli_args_t *args) {
+  cli_args_t angles = *args;
+  analysis_t a;
+  angles.r = args->r.text != NULL ? args->r : (cli_range_t){"", 0, 90, 91};
+  angles.omega.count = 1;
+  CLI_TRY(prepare(&a, &angles, false));
+  return write_grid(&a, "angle,F,M\n", "angle degrees, F N, M N m", tyre_row);
 }

@@ -31,7 +31,7 @@ typedef struct {
   const char *select;      ///< RULE[:SEED], NULL: the scene's own rule
   cli_range_t t_end;       ///< one number; text NULL: the scene's own [s]
   cli_drive_args_t drive;
-  cli_range_t r, omega; ///< a point or a grid
+  cli_range_t r, omega; ///< a point or a grid; of tyre r is the angle
 
   // What is written.
   const char *out;
@@ -95,6 +95,7 @@ int cli_regions(const cli_args_t *args);
 int cli_design(const cli_args_t *args);
 int cli_atlas(const cli_args_t *args);
 int cli_analysis_check(cli_args_t *args);
+int cli_tyre(const cli_args_t *args);
 int cli_run(const cli_args_t *args);
 int cli_run_check(cli_args_t *args);
 int cli_monitor(const cli_args_t *args);

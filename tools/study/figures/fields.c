@@ -18,10 +18,6 @@
 //   angular     r, phi, 1 or -1 as phi grows or falls, over a grid
 //   corner      orbits next to h = g = 0 at r = 0.17: g, h, an arrow, 0; within
 //               the unit circle, for all circles are alike
-//   tyre        the paper's figure 8: angle [degrees], F / mu and M / mu of the
-//               stretched string with the parameters of the left panel, and
-//               with those of the right panel, then F / mu and M / (mu kappa)
-//               of the law with a jump that takes its place
 //
 // Orbits are one a block; the arrow is the way to the next point where it is in
 // the middle of an orbit, else 0.
@@ -395,41 +391,13 @@ static void corner(void) {
   }
 }
 
-static void tyre(void) {
-  enum { ROWS = 300, LAWS = 3 };
-  const tf_params_t *chaos = &tf_scenes[0]->params;
-  tf_params_t string = *chaos, stiff;
-  tf_machine_t of[LAWS];
-  string.law = TF_TYRE_STRING;
-  string.k = string.delta = string.sigma = string.a = 1;
-  string.rho = 2.0 / 3.0;
-  stiff = string;
-  stiff.k = 1e3;
-  stiff.delta = stiff.sigma = 1e-3;
-  if (tf_prepare(&of[0], &string, NULL) != TF_OK ||
-      tf_prepare(&of[1], &stiff, NULL) != TF_OK)
-    return;
-  of[2] = machine;
-  printf("# angle F_left M_left F_right M_right F_jump M_jump\n");
-  for (int i = 1; i < ROWS; i++) {
-    const double at = 90.0 * i / ROWS, radians = at * acos(-1.0) / 180;
-    printf("%.3f", at);
-    for (int j = 0; j < LAWS; j++) {
-      const tf_force_t f =
-          tf_tyre_force(&of[j].contact.tyre, 1, sin(radians), cos(radians));
-      printf(" %.8g %.8g", f.F, j < 2 ? f.M : f.M / chaos->kappa);
-    }
-    printf("\n");
-  }
-}
-
 static const struct {
   const char *name;
   void (*print)(void);
-} fields[] = {
-    {"borders", borders},   {"flow", flow},       {"orbits", orbits},
-    {"straight", straight}, {"numbers", numbers}, {"directions", directions},
-    {"angular", angular},   {"corner", corner},   {"tyre", tyre}};
+} fields[] = {{"borders", borders}, {"flow", flow},
+              {"orbits", orbits},   {"straight", straight},
+              {"numbers", numbers}, {"directions", directions},
+              {"angular", angular}, {"corner", corner}};
 
 int main(int argc, char *argv[]) {
   if (tf_prepare(&machine, &tf_scenes[0]->params, NULL) != TF_OK) return 1;

@@ -1,7 +1,7 @@
 # The paper's figure 5, the blocks: futures of the two-fold until they are back
 # at it, over (r, v, omega), from both sides of the surface h = 0. They stay
 # within 0.2 mm/s of it, so v is drawn `far` times as far from it.
-wide = 1500; high = 870
+wide = 1500; high = 900
 @OPEN
 load data.'/numbers.dat'
 far = 150
@@ -18,20 +18,20 @@ set border 31 lw 1
 set xyplane at -52
 set grid xtics ytics
 set margins 0, 0, 0, 0
-set size 0.45, 0.9
+set size 0.45, 0.86
 array tilt[2] = [58, 72]
 array turn[2] = [25, 215]
 array pane[5] = [shade[1], shade[2], '#f4f4f4', '#e4e4e4', shade[1]]
 clear(colour) = '#60'.colour[2:]
 do for [i=1:2] {
-  set origin 0.5 * i - 0.46, 0.04
+  set origin 0.5 * i - 0.46, 0.03
   set view tilt[i], turn[i], 1.15, 1.25
   near = i == 1 ? -1.056 : -0.99 # edges of the box: omega, r
   right = i == 1 ? 0.188 : 0.1812
   left = 0.3692 - right
   set label 1 sprintf("(%s; distance\nfrom h = 0 drawn %d-fold", \
     i == 1 ? 'a) from above' : 'b) from below', far) \
-    at screen 0.5 * i - 0.25, 0.92 center
+    at screen 0.5 * i - 0.25, 0.875 center
   set label 2 'r [m]' at 0.1846,near,-52 right offset -3,-2.2
   set label 3 'ω [rad/s]' at right,-2.046-near,-52 center offset 0,1
   set label 4 'v [mm/s]' at left,near,31 center
