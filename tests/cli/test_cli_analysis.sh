@@ -116,7 +116,7 @@ check 'conditions are those of the numbers' awk -F, '
 # tyre
 runs tyre chaos --angle=-45:90:4
 equal 'its header' "$(head -n 1 out)" angle,F,M
-within 'M at 0 is mu kappa, for h > 0' "$(row 3 3 out)" 0.2724115371406203 $close
+within 'M at 0, for h > 0' "$(row 3 3 out)" 0.2724115371406203 $close
 within 'F at 90 degrees' "$(row 5 2 out)" 1.3333333333333333 $close
 within 'F for h < 0 is opposite' "$(row 2 2 out)" "-$(row 4 2 out)" $close
 

@@ -15,7 +15,7 @@ than so many windows off the lines between them, the window being what figure
 `set` shows of r, omega and h. LIST is one of
   fans      starts near h = 0 at three places of the surface of the scene
             `chaos` near its two-fold, over 2 ms
-  futures   branches from the two-fold back to it: exits 40 ms apart, to either
+  futures   branches from the two-fold back to it: exits 60 ms apart, to either
             side, and from each the fewest choices at h = g = 0 that lead back
   loop      two cycles that begin at the two-fold: `straight` is the first
             future that lands so far down that it comes back to the two-fold at
@@ -27,7 +27,7 @@ import subprocess
 import sys
 import tempfile
 from pathlib import Path
-from typing import Callable, Iterable, Iterator
+from typing import Callable, Iterator
 
 import pandas as pd
 
@@ -42,6 +42,8 @@ WINDOW = {"r": 0.007, "omega": 0.07, "h": 3.6e-4}
 SHEET = (0.1812, 0.188), (-1.056, -0.99)  # of h = 0 that is drawn: r, omega
 OFF = 1e-12  # so far beside the surface a slip begins [m/s]
 END = 2e-3   # of the fans [s]
+EXITS = 6    # of the futures, to either side
+# From h = g = 0: omega and h next to it, of slip- along its limit direction.
 AWAY = {"slip-": ("-1.0000001", "-1e-10"), "stick-": ("-0.9999999", "0")}
 
 
@@ -84,16 +86,10 @@ def fans(folder: Path) -> Iterator[Start]:
 
 
 def start(name: str, end: float, row: tuple) -> Start:
-    """The slip that one branch begins with."""
-    h = OFF if row.mode == "slip+" else -OFF
-    return name, 0, end, row.exit_r, row.exit_omega, f"{h:g}"
-
-
-def from_corner(row: tuple) -> Start:
-    """A branch from h = g = 0: slip- next to the direction in which it leaves,
-    or stick-."""
-    omega, h = AWAY[row.mode]
-    return row.mode, 0, float(row.time), row.exit_r, omega, h
+    """What one branch begins with: a slip, or a motion away from h = g = 0."""
+    omega, h = AWAY[row.mode] if row.kind == "codim2" else (
+        row.exit_omega, f"{OFF if row.mode == 'slip+' else -OFF:g}")
+    return name, 0, end, row.exit_r, omega, h
 
 
 def futures(folder: Path) -> Iterator[Start]:
@@ -101,18 +97,17 @@ def futures(folder: Path) -> Iterator[Start]:
     rows = read(folder, "futures")
     rows = rows[rows.to != ""]
     inner, level, back = rows[rows.node != "0"], {"0"}, {}
-    while level:  # the nodes from which so many branches lead back, and these
+    while level:  # nodes from which so many branches lead back
         found = inner[inner.to.isin(level) & ~inner.node.isin(back)]
         found = found.drop_duplicates("node")
         back.update((row.node, row) for row in found.itertuples())
         level = set(found.node)
     drawn = set()
-    for row in rows[(rows.node == "0")
-                    & (pd.to_numeric(rows.stick_time) <= 0.4)].itertuples():
-        yield start(f"t={row.stick_time}", float(row.time), row)
-        while (row := back.get(row.to)) and row.node not in drawn:
-            drawn.add(row.node)
-            yield from_corner(row)
+    for row in rows[rows.node == "0"][:2 * EXITS].itertuples():
+        while row and row.node not in drawn:
+            yield start(row.mode, float(row.time), row)
+            drawn |= {row.node} - {"0"}
+            row = back.get(row.to)
 
 
 def loop(folder: Path) -> Iterator[Start]:
@@ -228,8 +223,8 @@ def returns(folder: Path) -> Curves:
 
 
 def motions(folder: Path) -> Curves:
-    """The trajectories of the set by mode, each with the row it ends in, and
-    the stick from the two-fold that they leave: r omega v - v on h = 0."""
+    """The trajectories of the set by mode, each with the row it ends in; the
+    stick from the two-fold that they leave; regions."""
     paths = list(trajectories(folder / "set.dat"))
     for mode in "1234":
         lines = []
@@ -243,28 +238,26 @@ def motions(folder: Path) -> Curves:
                 last = now
             lines.append("")
         yield f"mode {mode}", lines
-    stick = branches_of(folder)
-    stick = stick[stick.stick <= 0.4]
+    stick = read(folder, "futures").query(
+        "node == '0' and mode == 'slip+'")[:EXITS]
     yield "stick", joined(stick.r[:1], stick.omega[:1]) + joined(
-        stick.exit_r[::8], stick.exit_omega[::8])
-    yield from sheet(folder, float(stick.r.iloc[0]),
-                     float(stick.omega.iloc[0]))
+        stick.exit_r, stick.exit_omega)
+    yield from sheet(folder, float(stick.r[0]), float(stick.omega[0]))
 
 
 def sheet(folder: Path, r: float, omega: float) -> Curves:
-    """The regions of h = 0 around the two-fold as polygons, by borders.dat."""
+    """The regions of h = 0 around the two-fold, as polygons."""
     (left, right), (bottom, top) = SHEET
+    parts = (folder / "borders.dat").read_text(encoding="utf-8").split("\n\n\n")
     plus, minus = (
         [at for at in (tuple(map(float, line.split()))
                        for line in part.splitlines())
-         if left < at[0] < right and at[1] > bottom]
-        for part in (folder / "borders.dat").read_text(
-            encoding="utf-8").split("\n\n\n")[:2])
-    corner = [(r, omega)]
-    west = [at for at in minus if at[0] < r] + corner
-    east = corner + [at for at in minus if at[0] > r]
-    north = corner + [at for at in plus if at[1] > omega]
-    south = [at for at in plus if at[1] < omega] + corner
+         if left < at[0] < right and at[1] > bottom] for part in parts[:2])
+    fold = [(r, omega)]
+    west = [at for at in minus if at[0] < r] + fold
+    east = fold + [at for at in minus if at[0] > r]
+    north = fold + [at for at in plus if at[1] > omega]
+    south = [at for at in plus if at[1] < omega] + fold
     for name, outline in (
             ("sliding", east + [(right, bottom)] + south),
             ("escaping", west + north + [(left, -1)]),

@@ -26,7 +26,7 @@ tools/board       1390   1200
 tools/package     5750   5200
 tools/page        4390   4200
 tools/bench       4410   4200
-tools/study       5360   4200
+tools/study       5400   4200
 tools/verify      6100   6500
 tests            28000  25000
 include           1950   1700
