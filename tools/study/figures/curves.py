@@ -124,10 +124,12 @@ def loop(folder: Path) -> Iterator[Start]:
 
 
 def thinned(rows: pd.DataFrame, thin: float) -> pd.DataFrame:
-    """Rows between which lines are off all others by `thin` windows at most."""
+    """Ends of modes, and rows between which lines are off all others by `thin`
+    windows at most."""
     at = (rows[list(WINDOW)] / pd.Series(WINDOW)).to_numpy()
     ends = (rows["mode"] != rows["mode"].shift(-1)).to_numpy().nonzero()[0]
-    kept, open_ = {0, *ends}, list(zip([0, *ends + 1], ends))
+    begins = [0, *ends[:-1] + 1]
+    kept, open_ = {*begins, *ends}, list(zip(begins, ends))
     while open_:  # Douglas and Peucker
         first, last = open_.pop()
         off = at[first:last + 1] - at[first]
