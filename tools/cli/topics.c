@@ -206,31 +206,6 @@ static const topic_t topics[] = {
 };
 #define TOPICS (sizeof topics / sizeof topics[0])
 
-// What each parameter is, in the order of tf_parameter_ranges.
-static const char *const about[TF_PARAMETERS] = {
-    "mass of the slider",
-    "distance of the slider's line from the axis",
-    "radius of gyration: the inertia of the disc is beta^2 m",
-    "spring of the slider",
-    "damping of the disc against ground",
-    "damping of the slider",
-    "rest position of the spring",
-    "speed of the turntable",
-    "friction force (not a coefficient) at h -> 0",
-    "moment per force in stick",
-    "angle of the wheel to the slider",
-    "width of the smoothed sign",
-    "string stiffness / mu",
-    "static pressure limit / mu",
-    "relaxation length",
-    "dynamic / static pressure",
-    "half contact length",
-    "that of the scheme: 1/2 for second order, 1 for implicit Euler",
-    "step",
-    "exit rate of --select random",
-    "of --scheme located: relative error of a segment of its series",
-    "of --scheme located: how many segments a step may take"};
-
 // Cuts the next word off a list. Returns: whether there is one.
 static bool next_word(const char **words, char word[WORD_ROOM]) {
   const size_t span = strcspn(*words, " ");
@@ -254,7 +229,7 @@ static bool print_parameter(const char *word) {
     return false;
   }
   (void)printf("Parameter %s: %s. --set %s=VALUE; name, range, unit:\n", word,
-               about[i], word);
+               cli_parameter_about[i], word);
   cli_print_range(i);
   return true;
 }

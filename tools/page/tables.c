@@ -37,9 +37,7 @@ uint32_t EXPORT(parameter_scene)(uint32_t number) {
 double EXPORT(parameter_there)(uint32_t number) {
   const uint32_t scene = parameter_scene(number);
   if (scene == TF_SCENES) return parameter_low(number);
-  return *(
-      const tf_real_t *)(const void *)((const char *)&tf_scenes[scene]->params +
-                                       tf_parameter_ranges[number].offset);
+  return cli_parameter(&tf_scenes[scene]->params, number);
 }
 
 double EXPORT(state_limit)(void) { return TF_STATE_LIMIT; }

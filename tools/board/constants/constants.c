@@ -1,7 +1,7 @@
 // The header of constants for a firmware of one scene. tf_prepare and
 // tf_scene_start run here instead of on the board, and compute the same bits;
 // what they return is written in hexadecimal, so that nothing is rounded on the
-// way.
+// way. Members are in the order of their structs, as C++ wants them.
 #include "constants.h"
 
 #include <stdlib.h>
@@ -25,6 +25,8 @@ static void list(FILE *out, const char *name, const tf_real_t *value,
 }
 
 void constants_of_machine(FILE *out, const tf_machine_t *k) {
+  const tf_contact_t *contact = &k->contact;
+  const tf_tyre_t *tyre = &contact->tyre;
   REAL(out, k, m);
   REAL(out, k, d);
   REAL(out, k, k2);
@@ -48,32 +50,34 @@ void constants_of_machine(FILE *out, const tf_machine_t *k) {
   REAL(out, k, inertia);
   REAL(out, k, mu_sin_gamma);
   REAL(out, k, mu_d_sin_gamma);
-  REAL(out, k, contact.stick_kappa);
-  REAL(out, k, contact.kappa_mu);
-  REAL(out, k, contact.inv_mu);
-  REAL(out, k, contact.inv_kappa_mu);
   REAL(out, k, inv_mu_dt);
   REAL(out, k, tolerance);
-  REAL(out, k, contact.tyre.mu);
-  REAL(out, k, contact.tyre.kappa);
-  REAL(out, k, contact.tyre.inv_18_kappa);
-  REAL(out, k, contact.tyre.inv_6_kappa);
-  REAL(out, k, contact.tyre.epsilon);
-  REAL(out, k, contact.tyre.k);
-  REAL(out, k, contact.tyre.delta);
-  REAL(out, k, contact.tyre.sigma);
-  REAL(out, k, contact.tyre.rho);
-  REAL(out, k, contact.tyre.a);
-  list(out, "contact.tyre.T_anchor", k->contact.tyre.T_anchor, TF_TYRE_ANCHORS);
-  list(out, "contact.tyre.T_series", k->contact.tyre.T_series, TF_TYRE_TERMS);
-  fprintf(out, "    .contact.tyre.law = (tf_tyre_law_t)%d,\n",
-          (int)k->contact.tyre.law);
-  fprintf(out, "    .segments = %d,\n", k->segments);
-  fprintf(out, "    .contact.exit_threshold = %llull,\n",
-          (unsigned long long)k->contact.exit_threshold);
-  fprintf(out, "    .contact.rule = (tf_rule_t)%d,\n", (int)k->contact.rule);
-  fprintf(out, "    .contact.rest = (tf_rest_law_t)%d,\n    .with_angle = %d",
-          (int)k->contact.rest, k->with_angle);
+  fprintf(out, "    .segments = %d,\n    .with_angle = %d,\n", k->segments,
+          k->with_angle);
+  fprintf(out, "    .contact = {.tyre = {.law = (tf_tyre_law_t)%d,\n",
+          (int)tyre->law);
+  REAL(out, tyre, mu);
+  REAL(out, tyre, kappa);
+  REAL(out, tyre, inv_18_kappa);
+  REAL(out, tyre, inv_6_kappa);
+  list(out, "T_anchor", tyre->T_anchor, TF_TYRE_ANCHORS);
+  list(out, "T_series", tyre->T_series, TF_TYRE_TERMS);
+  REAL(out, tyre, epsilon);
+  REAL(out, tyre, k);
+  REAL(out, tyre, delta);
+  REAL(out, tyre, sigma);
+  REAL(out, tyre, rho);
+  fprintf(out, "    .a = %a" SUFFIX "},\n", (double)tyre->a);
+  REAL(out, contact, stick_kappa);
+  REAL(out, contact, kappa_mu);
+  REAL(out, contact, inv_mu);
+  REAL(out, contact, inv_kappa_mu);
+  // C++98 has no constants of 64 bits.
+  fprintf(out, "    .exit_threshold = ((uint64_t)%luu << 32 | %luu),\n",
+          (unsigned long)(contact->exit_threshold >> 32),
+          (unsigned long)(contact->exit_threshold & 0xFFFFFFFFu));
+  fprintf(out, "    .rule = (tf_rule_t)%d,\n    .rest = (tf_rest_law_t)%d}",
+          (int)contact->rule, (int)contact->rest);
 }
 
 static void write_start(FILE *out, const tf_state_t *x,
@@ -86,14 +90,14 @@ static void write_start(FILE *out, const tf_state_t *x,
   fprintf(out, "    .seed = %lu,\n    .mode = %d};\n\n", (unsigned long)x->seed,
           x->mode);
   fprintf(out, "static const tf_report_t scene_start_report = {\n");
-  REAL(out, report, force.F);
-  REAL(out, report, force.M);
-  REAL(out, report, slip.h);
-  REAL(out, report, slip.g);
-  REAL(out, report, delassus);
-  REAL(out, report, residual);
-  fprintf(out, "    .mode = %d,\n    .set = %d,\n    .choices = %d};\n\n",
+  fprintf(out, "    .mode = %d,\n    .set = %d,\n    .choices = %d,\n",
           report->mode, report->set, report->choices);
+  fprintf(out, "    .force = {.F = %a" SUFFIX ", .M = %a" SUFFIX "},\n",
+          (double)report->force.F, (double)report->force.M);
+  fprintf(out, "    .slip = {.h = %a" SUFFIX ", .g = %a" SUFFIX "},\n",
+          (double)report->slip.h, (double)report->slip.g);
+  REAL(out, report, delassus);
+  fprintf(out, "    .residual = %a" SUFFIX "};\n\n", (double)report->residual);
 }
 
 void constants_of_scene(FILE *out, const tf_scene_t *scene,
@@ -105,13 +109,13 @@ void constants_of_scene(FILE *out, const tf_scene_t *scene,
     const tf_parameter_range_t *range = &tf_parameter_ranges[i];
     tf_real_t value;
     memcpy(&value, (const char *)p + range->offset, sizeof value);
-    fprintf(out, "    .params.%s = %a" SUFFIX ",\n", range->name,
-            (double)value);
+    fprintf(out, "    %s.%s = %a" SUFFIX ",\n", i > 0 ? "" : ".params = {",
+            range->name, (double)value);
   }
-  fprintf(out, "    .params.law = (tf_tyre_law_t)%d,\n", (int)p->law);
-  fprintf(out, "    .params.rule = (tf_rule_t)%d,\n", (int)p->rule);
-  fprintf(out, "    .params.rest = (tf_rest_law_t)%d,\n", (int)p->rest);
-  fprintf(out, "    .params.with_angle = %d,\n", p->with_angle);
+  fprintf(out, "    .law = (tf_tyre_law_t)%d,\n", (int)p->law);
+  fprintf(out, "    .rule = (tf_rule_t)%d,\n", (int)p->rule);
+  fprintf(out, "    .rest = (tf_rest_law_t)%d,\n", (int)p->rest);
+  fprintf(out, "    .with_angle = %d},\n", p->with_angle);
   REAL(out, scene, r);
   REAL(out, scene, omega);
   REAL(out, scene, h);

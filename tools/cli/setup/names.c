@@ -12,6 +12,31 @@
 const cli_quantity_t cli_starts[CLI_STARTS] = {
     {"r", "m"}, {"v", "m/s"}, {"omega", "rad/s"}, {"h", "m/s"}, {"phi", "rad"}};
 
+// In the order of tf_parameter_ranges.
+const char *const cli_parameter_about[TF_PARAMETERS] = {
+    "mass of the slider",
+    "distance of the slider's line from the axis",
+    "radius of gyration: the inertia of the disc is beta^2 m",
+    "spring of the slider",
+    "damping of the disc against ground",
+    "damping of the slider",
+    "rest position of the spring",
+    "speed of the turntable",
+    "friction force (not a coefficient) at h -> 0",
+    "moment per force in stick (laws jump, two_piece, smooth)",
+    "angle of the wheel to the slider",
+    "width of the smoothed sign (law smooth)",
+    "string stiffness / mu (laws string, two_piece)",
+    "static pressure limit / mu (law string)",
+    "relaxation length (law string)",
+    "dynamic / static pressure (law string)",
+    "half contact length (law string)",
+    "of scheme moreau: 1/2 for second order, 1 for implicit Euler",
+    "step",
+    "rate at which the rule random leaves a mode",
+    "of scheme located: relative error of a segment of its series",
+    "of scheme located: how many segments a step may take; 0: the default"};
+
 size_t cli_parameter_index(const char *name) {
   cli_closest_t closest = cli_closest_to(name);
   return cli_closest_find(&closest, tf_parameter_ranges, TF_PARAMETERS,

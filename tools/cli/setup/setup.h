@@ -108,6 +108,9 @@ size_t cli_provenance(const cli_setup_t *setup, const char *how,
 /// Index in tf_parameter_ranges, TF_PARAMETERS where none has that name.
 size_t cli_parameter_index(const char *name);
 
+/// What each parameter is, in words.
+extern const char *const cli_parameter_about[TF_PARAMETERS];
+
 tf_real_t cli_parameter(const tf_params_t *params, size_t index);
 
 /// Prints a line for a parameter: name, range, unit, and the laws that use it

@@ -151,59 +151,16 @@ def prototypes(headers, code):
             r"^(TF_API [^;(]*?(\w+)\([^;]*;)", text, re.M) if name in defined)
 
 
-def order_of(struct, name):
-    """Where a member stands in a struct of the headers."""
-    for header in (ROOT / "include/twofold").glob("*.h"):
-        text = re.sub(r"//.*", "", header.read_text())
-        found = re.search(r"typedef struct \{([^}]*)\} " + struct + ";", text)
-        if found:
-            return re.search(rf"\b{name}\b", found[1]).start(), found[1]
-    raise SystemExit(f"no public header has {struct}")
-
-
-def type_of(struct, name):
-    """The type of a member."""
-    _, body = order_of(struct, name)
-    return re.search(rf"(\w+)[^;]*\b{name}\b", body)[1]
-
-
-def initialiser(struct, members):
-    """Members by their paths, as nested braces in the order of the struct."""
-    groups = {}
-    for path, value in members:
-        first, _, rest = path.partition(".")
-        groups.setdefault(first, []).append((rest, value))
-    parts = []
-    for name in sorted(groups, key=lambda n: order_of(struct, n)[0]):
-        inner = groups[name]
-        value = (inner[0][1] if inner[0][0] == ""
-                 else initialiser(type_of(struct, name), inner))
-        parts.append(f".{name} = {value}")
-    return "{" + ", ".join(parts) + "}"
-
-
-def halves(found):
-    """An integer of 64 bits, for a C++ that has no constants of that length."""
-    high, low = divmod(int(found[1]), 1 << 32)
-    return f"((uint64_t){high}u << 32 | {low}u)"
-
-
 def constants(program, scene):
-    """What `constants` prints, as C that C++ takes too."""
+    """What `constants` prints, in lines of 80 columns."""
     said = subprocess.run([program, scene], check=True, text=True,
                           stdout=subprocess.PIPE).stdout
-    found = re.findall(r"static const (\w+) (\w+) = \{\n(.*?)\};\n", said, re.S)
-    text = ""
-    for struct, name, body in found:
-        members = []
-        for item in re.split(r"\n?    \.", "\n" + body)[1:]:
-            path, value = item.split(" = ", 1)
-            value = re.sub(r"\b(\d+)ll\b", halves, value)
-            members.append((path, value.strip().rstrip(",")))
-        text += (f"static const {struct} {name} =\n" + textwrap.fill(
-            initialiser(struct, members) + ";", 80, break_on_hyphens=False,
-            initial_indent="    ", subsequent_indent="     ") + "\n")
-    return text
+    found = re.findall(r"^(static const [^=]* =) \{\s*(.*?;)$", said,
+                       re.M | re.S)
+    return "".join(f"{head}\n" + textwrap.fill(
+        "{" + re.sub(r"\s+", " ", members), 80, break_on_hyphens=False,
+        initial_indent="    ", subsequent_indent="     ") + "\n"
+        for head, members in found)
 
 
 def law_of(scene, text):

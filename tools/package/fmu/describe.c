@@ -2,21 +2,16 @@
 // values at the start, from which package.py makes the model description.
 // Usage: describe SCENE, a name or a file
 
-#include <inttypes.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "cli/setup/scene_file.h"
+#include "cli/setup/setup.h"
+#include "cli/text/number.h"
 #include "variables.h"
 
-// As the shortest decimal that reads back to the same bits.
 static void print_number(const char *name, double value) {
-  char text[40];
-  for (int digits = 6; digits <= 17; digits++) {
-    (void)snprintf(text, sizeof text, "%.*g", digits, value);
-    if (strtod(text, NULL) == value) break;
-  }
+  char text[CLI_REAL_ROOM];
+  (void)cli_write_number(text, value, false);
   printf(", \"%s\": \"%s\"", name, text);
 }
 
@@ -35,10 +30,13 @@ static void print_variable(const fmu_variable_t *variable, unsigned reference,
   static const char *const roles[] = {"parameter", "input", "output"};
   static const char *comma = "";
   if (variable->kind == FMU_KIND_UNKNOWN) return;
+  const size_t parameter = cli_parameter_index(variable->name);
   printf(
       "%s\n  {\"name\": \"%s\", \"reference\": %u, \"unit\": \"%s\",\n"
       "   \"about\": \"%s\",\n   \"kind\": \"%s\", \"role\": \"%s\"",
-      comma, variable->name, reference, variable->unit, variable->about,
+      comma, variable->name, reference, variable->unit,
+      parameter < TF_PARAMETERS ? cli_parameter_about[parameter]
+                                : variable->about,
       kinds[variable->kind], roles[variable->role]);
   comma = ",";
   print_number("low", variable->low);

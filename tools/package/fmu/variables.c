@@ -23,37 +23,6 @@ static const char *status_word(unsigned i) {
   return words[i];
 }
 
-// What each parameter is, by its place in tf_params_t.
-#define ABOUT(member, text) \
-  { offsetof(tf_params_t, member), text }
-static const struct {
-  size_t offset;
-  const char *text;
-} abouts[TF_PARAMETERS] = {
-    ABOUT(m, "mass of the slider"),
-    ABOUT(d, "distance of the slider's line from the axis"),
-    ABOUT(beta, "radius of gyration: the inertia of the disc is beta^2 m"),
-    ABOUT(k2, "stiffness of the slider's spring"),
-    ABOUT(c1, "damping of the disc against ground"),
-    ABOUT(c2, "damping of the slider"),
-    ABOUT(r0, "rest position of the spring"),
-    ABOUT(omega0, "speed of the turntable during a step"),
-    ABOUT(mu, "friction force at h -> 0: a force, not a coefficient"),
-    ABOUT(kappa, "moment per force in stick (laws jump, two_piece, smooth)"),
-    ABOUT(gamma, "angle of the wheel to the slider"),
-    ABOUT(epsilon, "width of the smoothed sign (law smooth)"),
-    ABOUT(k, "stiffness of the string / mu (laws string, two_piece)"),
-    ABOUT(delta, "largest static pressure / mu (law string)"),
-    ABOUT(sigma, "relaxation length (law string)"),
-    ABOUT(rho, "dynamic / static pressure (law string)"),
-    ABOUT(a, "half contact length (law string)"),
-    ABOUT(theta, "theta of the scheme moreau"),
-    ABOUT(dt, "step: communication steps are whole multiples of it"),
-    ABOUT(rate, "rate at which the rule random leaves a mode"),
-    ABOUT(tolerance, "relative error of a segment of the scheme located"),
-    ABOUT(segments, "segments of a step of the scheme located; 0: the default"),
-};
-
 // 0 for an output, at both ends: 0 - 0 has no sign.
 #define LIMIT(role) \
   (FMU_ROLE_##role == FMU_ROLE_OUTPUT ? 0 : (double)TF_STATE_LIMIT)
@@ -71,17 +40,11 @@ static const struct {
 static const fmu_variable_t other_reals[] = {FMU_OTHER_REALS(REAL)};
 static const fmu_variable_t wholes[] = {FMU_ALL_WHOLES(WHOLE)};
 
-static const char *about(size_t offset) {
-  size_t i = 0;
-  while (i < TF_PARAMETERS && abouts[i].offset != offset) i++;
-  return i < TF_PARAMETERS ? abouts[i].text : "";
-}
-
 static fmu_variable_t of_range(size_t i, fmu_role_t role) {
   const tf_parameter_range_t *range = &tf_parameter_ranges[i];
   return (fmu_variable_t){
-      range->name, range->unit, about(range->offset), FMU_KIND_REAL,
-      role,        NULL,        (double)range->low,   (double)range->high};
+      range->name,        range->unit,        "", FMU_KIND_REAL, role, NULL,
+      (double)range->low, (double)range->high};
 }
 
 // The place of a member of tf_params_t in tf_parameter_ranges.

@@ -129,6 +129,7 @@ typedef enum {
 } fmu_role_t;
 
 /// One variable. low, high: both ends allowed; unused where it is an output.
+/// about: empty of a parameter of tf_parameter_ranges.
 typedef struct {
   const char *name, *unit, *about;
   fmu_kind_t kind;
