@@ -162,8 +162,7 @@ static hil_code_t listen_for(hil_board_t *board, int milliseconds) {
     uint32_t session = 0; // what has no tag is of somebody without the key
     if (board->key != NULL && !tf_frame_untag(&frame, board->key, &session))
       continue;
-    const hil_code_t code = take(board, &frame);
-    if (code != HIL_EQUAL) return code;
+    HIL_TRY(take(board, &frame));
   }
   return HIL_EQUAL;
 }
@@ -185,10 +184,8 @@ hil_code_t hil_board_await(hil_board_t *board,
                            bool (*holds)(const hil_board_t *board),
                            double patience) {
   const double until = cli_now() + patience;
-  hil_code_t code = HIL_EQUAL;
-  while (code == HIL_EQUAL && !holds(board) && cli_now() < until)
-    code = listen_for(board, 100);
-  return code;
+  while (!holds(board) && cli_now() < until) HIL_TRY(listen_for(board, 100));
+  return HIL_EQUAL;
 }
 
 static bool has_renewed(const hil_board_t *board) { return !board->renews; }
@@ -199,12 +196,11 @@ static bool has_renewed(const hil_board_t *board) { return !board->renews; }
 static hil_code_t renew_session(hil_board_t *board) {
   static const uint8_t too_much = 0;
   for (int tries = 0; board->sequence == UINT32_MAX && tries < TRIES; tries++) {
-    hil_code_t code =
-        send_as(board, UINT32_MAX, TF_UP_STOP, 0, &too_much, sizeof too_much);
+    HIL_TRY(
+        send_as(board, UINT32_MAX, TF_UP_STOP, 0, &too_much, sizeof too_much));
     board->sequence = UINT32_MAX;
     board->renews = true;
-    if (code == HIL_EQUAL) code = hil_board_await(board, has_renewed, PATIENCE);
-    if (code != HIL_EQUAL) return code;
+    HIL_TRY(hil_board_await(board, has_renewed, PATIENCE));
   }
   return board->sequence != UINT32_MAX
              ? HIL_EQUAL
@@ -216,10 +212,9 @@ static hil_code_t renew_session(hil_board_t *board) {
 static hil_code_t send_new(hil_board_t *board, tf_type_t type, uint64_t tick,
                            const uint8_t *data, size_t length,
                            uint32_t *number) {
-  const hil_code_t code = renew_session(board);
+  HIL_TRY(renew_session(board));
   *number = board->sequence;
-  return code == HIL_EQUAL ? send_as(board, *number, type, tick, data, length)
-                           : code;
+  return send_as(board, *number, type, tick, data, length);
 }
 
 static bool has_answer(const hil_board_t *board) { return board->has_answer; }
@@ -228,17 +223,16 @@ static bool has_answer(const hil_board_t *board) { return board->has_answer; }
 // it was lost or its answer was: the board takes a number once.
 hil_code_t hil_board_order(hil_board_t *board, tf_type_t type,
                            const uint8_t *data, size_t length) {
-  hil_code_t code = type == TF_UP_DESCRIBE ? HIL_EQUAL : renew_session(board);
+  if (type != TF_UP_DESCRIBE) HIL_TRY(renew_session(board));
   board->ordered = type;
   board->number = board->sequence;
   board->tries = 0;
   board->has_answer = false;
-  while (code == HIL_EQUAL && !board->has_answer && board->tries < TRIES) {
+  while (!board->has_answer && board->tries < TRIES) {
     board->tries++;
-    code = send_as(board, board->number, type, 0, data, length);
-    if (code == HIL_EQUAL) code = hil_board_await(board, has_answer, PATIENCE);
+    HIL_TRY(send_as(board, board->number, type, 0, data, length));
+    HIL_TRY(hil_board_await(board, has_answer, PATIENCE));
   }
-  if (code != HIL_EQUAL) return code;
   if (!board->has_answer)
     return hil_message(HIL_STOPPED,
                        "%s: no answer: it takes no commands, or its line "

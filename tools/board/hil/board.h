@@ -21,6 +21,13 @@ typedef enum {
 hil_code_t hil_message(hil_code_t code, const char *format, ...)
     CLI_PRINTF(2, 3);
 
+/// Leaves the function with the code of a call where that is not HIL_EQUAL.
+#define HIL_TRY(call)                             \
+  do {                                            \
+    const hil_code_t hil_tried = (call);          \
+    if (hil_tried != HIL_EQUAL) return hil_tried; \
+  } while (0)
+
 /// A state as it was received, with the controller's response to it. Payloads
 /// are kept as bytes, because the bytes on the line are what is compared.
 typedef struct {

@@ -14,10 +14,10 @@ static bool has_session(const hil_board_t *board) {
 
 // Asks the board who it is: without its session it takes no other command.
 static hil_code_t ask(hil_board_t *board) {
-  hil_code_t code = hil_board_order(board, TF_UP_DESCRIBE, NULL, 0);
-  if (code == HIL_EQUAL) code = hil_board_await(board, has_session, PATIENCE);
-  return code != HIL_EQUAL || has_session(board)
-             ? code
+  HIL_TRY(hil_board_order(board, TF_UP_DESCRIBE, NULL, 0));
+  HIL_TRY(hil_board_await(board, has_session, PATIENCE));
+  return has_session(board)
+             ? HIL_EQUAL
              : hil_message(HIL_STOPPED, "the board does not describe itself");
 }
 
@@ -45,19 +45,18 @@ static bool has_state(const hil_board_t *board) { return board->count > 0; }
 // still on the line are ignored until the first answer comes.
 hil_code_t hil_prepare(hil_board_t *board, const hil_plan_t *plan) {
   static const tf_type_t orders[] = {TF_UP_CLEAR, TF_UP_STOP, TF_UP_RESET};
-  hil_code_t code = ask(board);
-  for (size_t i = 0; i < 3 && code == HIL_EQUAL; i++)
-    code = hil_board_order(board, orders[i], NULL, 0);
+  HIL_TRY(ask(board));
+  for (size_t i = 0; i < 3; i++)
+    HIL_TRY(hil_board_order(board, orders[i], NULL, 0));
   board->deadman_found = board->deadman;
-  if (code == HIL_EQUAL && plan->has_deadman)
-    code = order_deadman(board, plan->deadman);
+  if (plan->has_deadman) HIL_TRY(order_deadman(board, plan->deadman));
   board->listens = true;
-  if (code == HIL_EQUAL) code = hil_board_await(board, has_state, PATIENCE);
-  if (code == HIL_EQUAL && !has_state(board))
+  HIL_TRY(hil_board_await(board, has_state, PATIENCE));
+  if (!has_state(board))
     return hil_message(HIL_STOPPED, "the board sends no state");
-  if (code == HIL_EQUAL && board->samples[0].tick != 0)
-    code = hil_message(HIL_STOPPED, "the board did not go to its start");
-  return code;
+  return board->samples[0].tick == 0
+             ? HIL_EQUAL
+             : hil_message(HIL_STOPPED, "the board did not go to its start");
 }
 
 static uint64_t last_tick(const hil_board_t *board) {
@@ -100,24 +99,20 @@ static hil_code_t respond_in_lockstep(hil_board_t *board,
                                       const hil_plan_t *plan,
                                       const hil_control_t *control) {
   const uint64_t tick = last_tick(board);
-  hil_code_t code = HIL_EQUAL;
   if (tick != (board->count - 1) * plan->every)
     return stopped(board, "a command was lost");
-  if (tick > 0) code = hil_board_await(board, has_stopped, PATIENCE);
-  if (code == HIL_EQUAL && tick > 0 &&
-      !(board->has_stopped && board->stopped_at == tick))
+  if (tick > 0) HIL_TRY(hil_board_await(board, has_stopped, PATIENCE));
+  if (tick > 0 && !(board->has_stopped && board->stopped_at == tick))
     return stopped(board, "its stop was lost");
-  if (code == HIL_EQUAL) code = hil_board_stop_at(board, tick + plan->every);
+  HIL_TRY(hil_board_stop_at(board, tick + plan->every));
   // The board is stopped, so an input that is sent twice takes effect once.
-  for (int tries = 0; code == HIL_EQUAL && tries < TRIES; tries++) {
-    code = respond(board, plan, control);
-    if (code == HIL_EQUAL) code = hil_board_await(board, is_answered, 0.5);
+  for (int tries = 0; tries < TRIES; tries++) {
+    HIL_TRY(respond(board, plan, control));
+    HIL_TRY(hil_board_await(board, is_answered, 0.5));
     if (is_answered(board)) break;
   }
-  if (code == HIL_EQUAL && !is_answered(board))
-    return stopped(board, "its input was lost");
-  return code == HIL_EQUAL ? hil_board_order(board, TF_UP_START, NULL, 0)
-                           : code;
+  return is_answered(board) ? hil_board_order(board, TF_UP_START, NULL, 0)
+                            : stopped(board, "its input was lost");
 }
 
 // Only its ticks tell a board's EVERY. Lockstep meets a state at any tick.
@@ -131,24 +126,20 @@ static hil_code_t check(const hil_board_t *board, const hil_plan_t *plan) {
 
 hil_code_t hil_drive(hil_board_t *board, const hil_plan_t *plan,
                      const hil_control_t *control) {
-  hil_code_t code = HIL_EQUAL;
   board->has_new = true; // the start
-  while (code == HIL_EQUAL && last_tick(board) < plan->steps &&
-         board->count < board->room) {
+  while (last_tick(board) < plan->steps && board->count < board->room) {
     if (board->has_new)
-      code = plan->in_lockstep ? respond_in_lockstep(board, plan, control)
-                               : respond(board, plan, control);
-    if (code == HIL_EQUAL && last_tick(board) == 0 && !plan->in_lockstep)
-      code = hil_board_order(board, TF_UP_START, NULL, 0);
-    if (code == HIL_EQUAL) code = hil_board_await(board, has_new, PATIENCE);
-    if (code == HIL_EQUAL && (!board->has_new || board->count > JUDGED))
-      code = check(board, plan);
-    if (code == HIL_EQUAL && !board->has_new)
-      return stopped(board, "no state follows");
+      HIL_TRY(plan->in_lockstep ? respond_in_lockstep(board, plan, control)
+                                : respond(board, plan, control));
+    if (last_tick(board) == 0 && !plan->in_lockstep)
+      HIL_TRY(hil_board_order(board, TF_UP_START, NULL, 0));
+    HIL_TRY(hil_board_await(board, has_new, PATIENCE));
+    if (!board->has_new || board->count > JUDGED) HIL_TRY(check(board, plan));
+    if (!board->has_new) return stopped(board, "no state follows");
   }
-  if (code == HIL_EQUAL) code = check(board, plan);
-  if (code == HIL_EQUAL) code = hil_board_order(board, TF_UP_STOP, NULL, 0);
+  HIL_TRY(check(board, plan));
+  HIL_TRY(hil_board_order(board, TF_UP_STOP, NULL, 0));
   // Inputs that stay without an answer are counted in the report.
-  if (code == HIL_EQUAL) code = hil_board_await(board, is_answered, 1);
-  return code == HIL_EQUAL && plan->has_deadman ? give_back(board) : code;
+  HIL_TRY(hil_board_await(board, is_answered, 1));
+  return plan->has_deadman ? give_back(board) : HIL_EQUAL;
 }

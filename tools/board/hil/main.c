@@ -205,9 +205,8 @@ static hil_code_t perform(hil_board_t *board, const options_t *options) {
   if (code == HIL_EQUAL)
     code = hil_drive(board, &options->plan, &options->control);
   cli_source_close(&board->source);
-  if (code == HIL_EQUAL && options->csv != NULL)
-    code = write_csv(board, options->csv);
-  if (code != HIL_EQUAL) return code;
+  HIL_TRY(code);
+  if (options->csv != NULL) HIL_TRY(write_csv(board, options->csv));
   code = hil_twin_compare(board, &options->plan, &options->control, &verdict);
   if (code == HIL_EQUAL || code == HIL_DIFFERS)
     print_summary(board, &options->plan, &verdict);
