@@ -23,6 +23,12 @@
 #define IDLE 1e-3       // [s], a wait that is long enough for a flush
 #define LIVE_EVERY 0.02 // [s], FLUSH_EVERY of a run in real time
 
+static void need_written(cli_run_t *run, bool good) {
+  if (!good) {
+    run->end = CLI_NOT_WRITTEN;
+  }
+}
+
 static void write_row(cli_run_t *run) {
   run->written = run->done;
   if (run->rowless) {
@@ -50,9 +56,7 @@ static void write_row(cli_run_t *run) {
       length = cli_streams[run->args->format].row(&numbers, row);
     }
   }
-  if (!good || !cli_output_lines(&run->output, bytes, length)) {
-    run->end = CLI_NOT_WRITTEN;
-  }
+  need_written(run, good && cli_output_lines(&run->output, bytes, length));
   run->output_seconds += cli_now() - started;
 }
 
@@ -198,9 +202,7 @@ static void step_through(cli_run_t *run) {
     take_batch(run);
     const double now = cli_now();
     if (now - run->output.flushed >= flush_every) {
-      if (!cli_output_flush(&run->output)) {
-        run->end = CLI_NOT_WRITTEN;
-      }
+      need_written(run, cli_output_flush(&run->output));
       run->output_seconds += cli_now() - now;
     }
     if (cli_progress_due(&progress, now)) {
@@ -289,9 +291,7 @@ static void write_end(cli_run_t *run) {
   const size_t length =
       cli_frames_end(&run->frames, run->system.state.tick,
                      run->done - run->first, run->late, &tally, frame);
-  if (!cli_output_lines(&run->output, (const char *)frame, length)) {
-    run->end = CLI_NOT_WRITTEN;
-  }
+  need_written(run, cli_output_lines(&run->output, frame, length));
 }
 
 static void write_lateness(const cli_lateness_t *lateness,
@@ -350,13 +350,10 @@ static int perform(cli_run_t *run, const cli_args_t *args) {
   write_header(run);
   step_through(run);
   write_end(run);
-  if (run->glance.on && !cli_glance_end(&run->glance, &run->output)) {
-    run->end = CLI_NOT_WRITTEN;
-  }
+  need_written(run,
+               !run->glance.on || cli_glance_end(&run->glance, &run->output));
   cli_live_close(run->live, run->setup->scene->name);
-  if (!cli_output_close(&run->output, run->end == CLI_ENDED)) {
-    run->end = CLI_NOT_WRITTEN;
-  }
+  need_written(run, cli_output_close(&run->output, run->end == CLI_ENDED));
   const bool saved = cli_run_save(run, args->save);
   code = cli_tally_code(&run->tally);
   if (run->end != CLI_ENDED || !saved) {
