@@ -13,6 +13,7 @@ import concurrent.futures
 import os
 import subprocess
 import sys
+import time
 from pathlib import Path
 from typing import Callable, Iterable
 
@@ -39,12 +40,19 @@ def processors() -> int:
 
 def side_by_side(work: Callable, items: Iterable) -> list:
     """The results of work(item), in the order of the items. The first one that
-    raises an exception ends all: what was not begun is not done."""
+    raises an exception ends all: what was not begun is not done. Says every
+    minute how far it is."""
     with concurrent.futures.ThreadPoolExecutor(processors()) as pool:
         jobs = [pool.submit(work, item) for item in items]
+        begin = told = time.time()
         try:
-            for job in concurrent.futures.as_completed(jobs):
+            for n, job in enumerate(concurrent.futures.as_completed(jobs), 1):
                 job.result()
+                if time.time() > told + 60 and n < len(jobs):
+                    told = time.time()
+                    print(f"  {n} of {len(jobs)}, about "
+                          f"{(told - begin) * (len(jobs) / n - 1):.0f} s left",
+                          file=sys.stderr, flush=True)
         except BaseException:
             for job in jobs:
                 job.cancel()

@@ -22,7 +22,12 @@ CIRCLE = -1.45, -1.415, -1.2, 1.415, 1.6
 
 def two_fold(twofold: str) -> dict[str, float]:
     """That of `chaos`."""
-    fold = json.loads(said(twofold, "singularities", "chaos"))["two_folds"][0]
+    return folded(json.loads(said(
+        twofold, "singularities", "chaos"))["two_folds"][0])
+
+
+def folded(fold: dict) -> dict[str, float]:
+    """What finer.py asks of a two-fold."""
     weak, strong = fold["eigenvalues"]
     return {"r": fold["r"], "g": fold["g"], "ratio": strong / weak,
             "share": fold["directions"][0]["lambda"] / SCENE["mu"]}

@@ -19,7 +19,6 @@ import numpy as np
 import pandas as pd
 from scipy import ndimage
 
-import basins
 import driven
 import maps
 import space
@@ -34,12 +33,6 @@ RATIOS = 1, 2, 3, 4, 6, 8, 16, 32, 2048
 REGION = ("space", "lasting", "r_low", "r_high", "omega_low", "omega_high",
           "chaos")
 FEWEST = 3  # machines of a region that is listed
-# Resonances: the share within NEAR of each whole number against that between
-# NEAR and BESIDE from it, on both sides, so that a trend cancels.
-WHOLE = range(3, 11)
-NEAR, BESIDE = 0.05, 0.25
-ENOUGH = 100  # machines near a whole number, to speak of a bound
-WHAT = {"lasting": ("lasting",), "returns at all": ("lasting", "partly")}
 
 
 # Following.
@@ -136,9 +129,6 @@ def follow(work: Path, twofold: str) -> None:
     (work / "recurrence.csv").write_text(
         "".join((work / f"{i}.csv").read_text("ascii")
                 for i in range(1, parts + 1)), "ascii")
-    rows = followed_of(work)
-    print("  basins", file=sys.stderr)
-    basins.follow(work, twofold, rows[rows.space == "near"])
 
 
 def show(number: int, twofold: str) -> None:
@@ -250,20 +240,6 @@ def regions(rows: pd.DataFrame, name: str,
                        f"{omega_end:.3f}", "chaos": "yes" if holds else "no"}
 
 
-def resonances(rows: pd.DataFrame) -> Iterator[dict[str, object]]:
-    """k of n near each whole number, and beside it."""
-    for name in SPACES:
-        here = rows[rows.space == name]
-        for what, of in WHAT.items():
-            hit = here.became.isin(of)
-            for whole in WHOLE:
-                away = (here.ratio - whole).abs()
-                near, beside = away < NEAR, (away >= NEAR) & (away < BESIDE)
-                yield {"space": name, "what": what, "whole": whole,
-                       "near": hit[near].sum(), "of_near": near.sum(),
-                       "beside": hit[beside].sum(), "of_beside": beside.sum()}
-
-
 def count(work: Path, kept: Path, build: str) -> None:
     """Writes what the page is made of, and its pictures."""
     del build
@@ -283,9 +259,7 @@ def count(work: Path, kept: Path, build: str) -> None:
     keep("ratios", ({"space": name, **one} for name in SPACES for one in
                     in_bins(followed[followed.space == name], "ratio",
                             np.array(RATIOS))))
-    keep("resonances", resonances(followed))
     maps.draw(kept / "recurrence.png", followed, len(rows))
-    basins.count(work, kept)
 
 
 # The page.
@@ -346,47 +320,10 @@ def ratios_table(frame: pd.DataFrame) -> str:
          if here.followed.any()])
 
 
-def tables_of(frame: pd.DataFrame) -> list[np.ndarray]:
-    """2 by 2 tables, near and beside by counted or not, as floats."""
-    return [np.array([[one.near, one.of_near - one.near],
-                      [one.beside, one.of_beside - one.beside]], float)
-            for _, one in frame.iterrows()]
-
-
-def difference(found: list[np.ndarray]) -> table.Estimate:
-    """Share near less share beside, Mantel and Haenszel's weights, 95 %. The
-    variance of a share is Agresti and Caffo's, as of one machine more of either
-    kind: that of the share itself is 0 where none or all are counted."""
-    total = weights = variance = 0.0
-    for one in found:
-        n, m = one.sum(1)
-        if n and m:
-            weight = n * m / (n + m)
-            weights += weight
-            total += weight * (one[0, 0] / n - one[1, 0] / m)
-            for k, size in (one[0, 0], n), (one[1, 0], m):
-                p = (k + 1) / (size + 2)
-                variance += weight ** 2 * p * (1 - p) / (size + 2)
-    if not weights:
-        return table.Estimate(math.nan, math.nan, math.nan)
-    half = table.Z * math.sqrt(variance) / weights
-    return table.Estimate(total / weights, total / weights - half,
-                          total / weights + half)
-
-
-def resonances_said(frame: pd.DataFrame) -> str:
-    """By how much the shares near whole numbers may differ, at most."""
-    wide = max((abs(end) for _, here in frame.groupby(["space", "what"])
-                if here.of_near.sum() >= ENOUGH
-                for end in difference(tables_of(here))[1:]), default=math.nan)
-    return (f"Near and beside whole numbers shares differ by less than "
-            f"{wide:.2g}, where {ENOUGH} machines or\nmore are near.")
-
-
 def parts(kept: Path) -> dict[str, str]:
     """What the page has of the counts."""
     made = {"machines": machines_table, "regions": regions_table,
             "waits": waits_said, "endings": endings_table,
-            "ratios": ratios_table, "resonances": resonances_said}
-    return {**{name: write(table.read(kept / f"recurrence-{name}.csv"))
-               for name, write in made.items()}, **basins.parts(kept)}
+            "ratios": ratios_table}
+    return {name: write(table.read(kept / f"recurrence-{name}.csv"))
+            for name, write in made.items()}
