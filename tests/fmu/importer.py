@@ -44,6 +44,8 @@ class Fmu:
         self.root = ET.parse(self.home / "modelDescription.xml").getroot()
         self.version = self.root.get("fmiVersion")[0]
         self.variables = dict(self.read_variables())
+        # Of a step. Importers of FMI 2 take a Discard for a request to go on.
+        self.refusal = ERROR if self.version == "2" else DISCARD
         library = binary or self.home / (
             "binaries/linux64/twofold.so" if self.version == "2"
             else "binaries/x86_64-linux/twofold.so")

@@ -129,7 +129,7 @@ def wrong_modes(fmu):
 def wrong_times(fmu):
     wheel = fmu.instance().begin(stop=1.0)
     for length in (0.00015, 1e-4 * (1 + 1e-5), 1e-9, 3.3e-5):
-        refused(DISCARD, "communicationStepSize|dt = 0.0001|the nearest is",
+        refused(fmu.refusal, "communicationStepSize|dt = 0.0001|the nearest is",
                 wheel.step, 0.0, length)
     for length in (0.0, -1e-4, float("nan"), float("inf")):
         refused(ERROR, "communicationStepSize", wheel.step, 0.0, length)
@@ -151,8 +151,8 @@ def refused_steps(fmu):
     names = ["r", "v", "omega", "h", "F", "energy", "turntable"]
     before = wheel.reals(names), wheel.get("tick"), 1
     wheel.set("force", 9e8)
-    refused(DISCARD, "no step from t = |range of states", wheel.step, 0.01,
-            1000.0)
+    refused(fmu.refusal, "no step from t = |range of states", wheel.step,
+            0.01, 1000.0)
     check((wheel.reals(names), wheel.get("tick"), wheel.get("refused"))
           == before, "state")
     wheel.set("force", 0)
@@ -172,7 +172,7 @@ def wrong_takes(fmu):
     wheel.step(0.0, 1e-4)
     wheel.set("take", 2)
     wheel.set("force", 1e3)
-    refused(DISCARD, "take = stick+|not open in this step|would end in slip",
+    refused(fmu.refusal, "take = stick+|not open in this step|would end in slip",
             wheel.step, 1e-4, 1e-4)
     check(wheel.get("tick") == 1, "a refused step moved")
 

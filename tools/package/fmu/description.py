@@ -10,8 +10,8 @@ ABOUT = {"Law": "law of friction", "Rule": "rule of selection",
          "Take": "mode to take, or choose: by the rule",
          "Status": "what a step returned"}
 CATEGORIES = {"logEvents": "changes of mode or of the consistent modes",
-              "logStatusDiscard": "refused values and steps",
-              "logStatusError": "wrong calls"}
+              "logStatusDiscard": "refused values; of FMI 3 also steps",
+              "logStatusError": "wrong calls; of FMI 2 also refused steps"}
 # Exponents of the SI base units, as attributes of BaseUnit.
 UNITS = {"kg": "kg=1", "m": "m=1", "s": "s=1", "N": "kg=1 m=1 s=-2",
          "N/m": "kg=1 s=-2", "N m": "kg=1 m=2 s=-2",

@@ -65,6 +65,8 @@ FMI_EXPORT void *FMI(Instantiate)(fmi2_string_t name, fmi2_type_t type,
     teller.emit = emit;
   }
   teller.logs = logging ? (1u << FMU_CATEGORIES) - 1 : 0;
+  // Discard is for a step of which a part is done, and importers go on.
+  teller.refusal = FMU_ERROR;
   if (type != FMI2_CO_SIMULATION) {
     (void)fmu_error(&teller, "this FMU is for co-simulation");
     return NULL;

@@ -25,6 +25,7 @@ FMI_EXPORT void *FMI(InstantiateCoSimulation)(
   teller.logger = (void (*)(void))logger;
   teller.emit = logger == NULL ? NULL : emit;
   teller.logs = logging ? (1u << FMU_CATEGORIES) - 1 : 0;
+  teller.refusal = FMU_DISCARD;
   teller.event_mode = event_mode;
   teller.early_return = early_return;
   return fmu_new(&teller, token);

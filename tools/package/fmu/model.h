@@ -70,6 +70,7 @@ struct fmu {
   unsigned logs;        ///< categories that are on
   bool event_mode;      ///< the importer handles events in event mode
   bool early_return;    ///< a step may end at an event
+  fmu_status_t refusal; ///< what a refused step returns, by the version
   fmu_motion_t motion;
   fmu_motion_t before; ///< the motion before the present step
   const char *call;    ///< the function of the interface that is executed
@@ -141,7 +142,7 @@ void fmu_observe(fmu_motion_t *motion);
 /// Time of a motion: its start plus a whole number of steps (motion.c).
 double fmu_time(const fmu_motion_t *motion);
 /// One communication step (motion.c).
-/// Returns: FMU_OK; FMU_DISCARD and FMU_ERROR after a message: the motion is as
+/// Returns: FMU_OK; fmu->refusal and FMU_ERROR after a message: the motion is as
 /// before the call, but for the count of refused steps.
 fmu_status_t fmu_step(fmu_t *fmu, double time, double length, fmu_step_t *end);
 

@@ -175,16 +175,16 @@ static fmu_status_t find_end(fmu_t *fmu, double time, double length,
   const double steps = length / dt;
   const double rounding = 4 * DBL_EPSILON * reach / dt;
   if (!(steps + (double)motion->state.tick <= MAX_STEPS))
-    return fmu_discard(
-        fmu,
+    return fmu_refuse(
+        fmu, fmu->refusal,
         "communicationStepSize = %g s is more than 1e15 steps of dt = %g s",
         length, dt);
   const uint64_t whole = (uint64_t)(steps + 0.5);
   const double off = magnitude_of(steps - (double)whole);
   if (whole == 0 ||
       !(off <= (rounding > LENGTH_ROUNDING ? rounding : LENGTH_ROUNDING)))
-    return fmu_discard(
-        fmu,
+    return fmu_refuse(
+        fmu, fmu->refusal,
         "communicationStepSize = %g s is no whole multiple of dt = %g s; the"
         " nearest is %g s",
         length, dt, (double)(whole > 0 ? whole : 1) * dt);
@@ -204,16 +204,16 @@ static fmu_status_t refuse_step(fmu_t *fmu, tf_status_t status) {
   tf_tally_count(&fmu->motion.tally, tick, status);
   fmu->motion.values.whole[FMU_REFUSED] = (int64_t)fmu->motion.tally.refused;
   fmu->motion.values.whole[FMU_FIRST] = (int64_t)fmu->motion.tally.first;
-  return fmu_discard(fmu, "no step from t = %g s: %s", time,
-                     tf_status_name(status));
+  return fmu_refuse(fmu, fmu->refusal, "no step from t = %g s: %s", time,
+                    tf_status_name(status));
 }
 
 static fmu_status_t refuse_take(fmu_t *fmu, unsigned mode, unsigned taken) {
   go_back(fmu);
-  return fmu_discard(fmu,
-                     "take = %s is not open in this step, which would end in"
-                     " %s; set take to choose or to another mode",
-                     tf_mode_name(mode), tf_mode_name(taken));
+  return fmu_refuse(fmu, fmu->refusal,
+                    "take = %s is not open in this step, which would end in"
+                    " %s; set take to choose or to another mode",
+                    tf_mode_name(mode), tf_mode_name(taken));
 }
 
 static void log_event(fmu_t *fmu) {
