@@ -203,10 +203,11 @@ class Instance2(Instance):
     def instantiate(self, token, logging):
         log_t = ctypes.CFUNCTYPE(None, c_void_p, c_char_p, c_int, c_char_p,
                                  c_char_p, c_char_p)
-        # The text of every message is the first argument of "%s".
+        # A text that is no format itself is the argument of "%s".
         self.logger = log_t(
             lambda _, name, status, category, form, text: self.log.append(
-                (status, category.decode(), (form % text).decode())))
+                (status, category.decode(),
+                 (text if form == b"%s" else form).decode())))
         self.callbacks = (c_void_p * 5)(
             ctypes.cast(self.logger, c_void_p), None, None, None, None)
         return self.function("Instantiate", c_void_p)(

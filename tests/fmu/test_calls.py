@@ -231,26 +231,29 @@ def limits(fmu):
         refused(ERROR, "not a state of this FMU", wheel.deserialize, bad)
 
 
-def silent(fmu):
-    """Without logging no message comes; categories can be chosen."""
-    wheel = fmu.instance(logging=False)
-    refused(DISCARD, "", wheel.set, "kappa", -1)
-    check(wheel.log == [], "a message although logging is off")
-    names = (ctypes.c_char_p * 1)(b"logStatusDiscard")
-    wheel.call("SetDebugLogging", c_int(1), c_size_t(1), names)
-    refused(DISCARD, "kappa = -1", wheel.set, "kappa", -1)
-    refused(ERROR, "", wheel.set, "r", 1)
-    check(len(wheel.log) == 1, "another category")
-    names = (ctypes.c_char_p * 1)(b"logAll")
-    wheel.call("SetDebugLogging", c_int(1), c_size_t(0), None)
-    refused(ERROR, "logAll", wheel.call, "SetDebugLogging", c_int(1),
+def logging(fmu):
+    """Refusals are told without logging, events only with it; of categories
+    that are switched off only errors come."""
+    wheel = fmu.instance(logging=False).begin()
+    refused(DISCARD, "force = 1e20", wheel.set, "force", 1e20)
+    wheel.step(0.0, 0.3)
+    check(wheel.get("events") > 0 and len(wheel.log) == 1, "an event is told")
+    wheel.call("SetDebugLogging", c_int(1), c_size_t(1),
+               (ctypes.c_char_p * 1)(b"logEvents"))
+    wheel.step(0.3, 3.0)
+    check({entry[1] for entry in wheel.log[1:]} == {"logEvents"}, "no event")
+    wheel.call("SetDebugLogging", c_int(0), c_size_t(0), None)
+    refused(DISCARD, "", wheel.set, "force", 1e20)
+    check("force" not in wheel.last_text(), "a category that is off")
+    names = (ctypes.c_char_p * 1)(b"log%All")
+    refused(ERROR, "log%All", wheel.call, "SetDebugLogging", c_int(1),
             c_size_t(1), names)
 
 
 def tests(archive):
     both = (bad_values, bad_combinations, wrong_references, wrong_order,
             wrong_times, refused_steps, wrong_takes, moved_turntable, limits,
-            silent)
+            logging)
     cases = [(test, v, "chaos") for test in both for v in "23"]
     cases += [(wrong_modes, "3", "chaos"), (driven_inputs, "2", "driven"),
               (driven_inputs, "3", "driven")]

@@ -43,8 +43,12 @@ typedef struct {
 
 static void emit(const fmu_t *fmu, fmu_status_t status, const char *category,
                  const char *text) {
+  // Some importers print the format and no arguments: it is the text itself.
+  const char *format = text;
+  for (const char *at = text; *at != '\0'; at++)
+    if (*at == '%') format = "%s";
   ((fmi2_log_t *)fmu->logger)(fmu->environment, fmu->name, status, category,
-                              "%s", text);
+                              format, text);
 }
 
 FMI_EXPORT const char *FMI(GetTypesPlatform)(void) { return "default"; }
@@ -64,7 +68,7 @@ FMI_EXPORT void *FMI(Instantiate)(fmi2_string_t name, fmi2_type_t type,
     teller.logger = (void (*)(void))callbacks->logger;
     teller.emit = emit;
   }
-  teller.logs = logging ? (1u << FMU_CATEGORIES) - 1 : 0;
+  teller.logs = FMU_LOG_DISCARD | (logging ? FMU_LOG_EVENTS : 0u);
   // Discard is for a step of which a part is done, and importers go on.
   teller.refusal = FMU_ERROR;
   if (type != FMI2_CO_SIMULATION) {

@@ -24,7 +24,7 @@ FMI_EXPORT void *FMI(InstantiateCoSimulation)(
   teller.environment = environment;
   teller.logger = (void (*)(void))logger;
   teller.emit = logger == NULL ? NULL : emit;
-  teller.logs = logging ? (1u << FMU_CATEGORIES) - 1 : 0;
+  teller.logs = FMU_LOG_DISCARD | (logging ? FMU_LOG_EVENTS : 0u);
   teller.refusal = FMU_DISCARD;
   teller.event_mode = event_mode;
   teller.early_return = early_return;

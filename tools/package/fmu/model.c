@@ -33,8 +33,7 @@ fmu_message_t *fmu_begin_message(fmu_t *fmu) {
 
 fmu_status_t fmu_refuse_so(fmu_t *fmu, fmu_status_t status) {
   const bool discards = status == FMU_DISCARD;
-  const unsigned category = discards ? FMU_LOG_DISCARD : FMU_LOG_ERROR;
-  if (fmu->emit != NULL && (fmu->logs & category) != 0)
+  if (fmu->emit != NULL && (!discards || (fmu->logs & FMU_LOG_DISCARD) != 0))
     fmu->emit(fmu, status, fmu_categories[discards ? 1 : 2], fmu->message.text);
   return status;
 }

@@ -35,7 +35,9 @@ enum {
   FMU_ANY_PHASE = 31
 };
 
-/// Log categories, as bits; their names are fmu_categories.
+/// Log categories, as bits; their names are fmu_categories. Errors are always
+/// told, and so are Discards until the importer switches them off: most
+/// importers never switch anything on.
 enum { FMU_LOG_EVENTS = 1, FMU_LOG_DISCARD = 2, FMU_LOG_ERROR = 4 };
 #define FMU_CATEGORIES 3
 extern const char *const fmu_categories[FMU_CATEGORIES];
@@ -67,7 +69,7 @@ struct fmu {
   void *environment;
   void (*logger)(void); ///< of the version's own type
   fmu_emit_t *emit;     ///< NULL: no logger
-  unsigned logs;        ///< categories that are on
+  unsigned logs;        ///< categories that are on; of errors it does not matter
   bool event_mode;      ///< the importer handles events in event mode
   bool early_return;    ///< a step may end at an event
   fmu_status_t refusal; ///< what a refused step returns, by the version
