@@ -13,6 +13,7 @@ from ctypes import (byref, c_bool, c_char_p, c_double, c_int,
 from pathlib import Path
 
 OK, WARNING, DISCARD, ERROR = range(4)
+MODES = ["slip+", "slip-", "stick+", "stick-", "pinned"]
 NAMES = ["ok", "warning", "discard", "error", "fatal"]
 TYPES3 = {"Float64": c_double, "Int32": c_int32, "UInt32": c_uint32,
           "UInt64": c_uint64, "Enumeration": c_int64, "Boolean": c_bool}

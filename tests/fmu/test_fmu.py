@@ -15,7 +15,7 @@ sys.path.append(str(ROOT / "tests" / "support"))
 
 import test_archive  # noqa: E402
 import test_calls  # noqa: E402
-from importer import Fmu  # noqa: E402
+from importer import MODES, Fmu  # noqa: E402
 from tap import call, check, output, run  # noqa: E402
 
 BUILD = (ROOT / os.environ.get("BUILD", "build")).resolve()
@@ -37,9 +37,6 @@ def rows(scene, *options):
     return [[float(row[k.replace("time", "t")]) for k in COLUMNS]
             + [row["mode"], int(row["choices"])]
             for row in csv.DictReader(out.splitlines())]
-
-
-MODES = ["slip+", "slip-", "stick+", "stick-", "pinned"]
 
 
 def row_of(wheel):

@@ -40,31 +40,15 @@ fmu_status_t fmu_check_get(fmu_t *fmu, uint32_t reference, unsigned kinds,
   return FMU_OK;
 }
 
-// The modes of a set, as words.
-static void say_modes(fmu_message_t *message, unsigned set) {
-  const char *comma = "";
-  for (unsigned mode = 0; mode < TF_MODES; mode++) {
-    if ((set & TF_MODE_BIT(mode)) == 0) continue;
-    fmu_say(message, "%s%s", comma, tf_mode_name(mode));
-    comma = ", ";
-  }
-}
-
-// A mode can be taken where the last step found it consistent.
+// A mode can be taken that the next step can end in, under the inputs of now.
 static fmu_status_t check_take(fmu_t *fmu, unsigned mode) {
   const fmu_motion_t *motion = &fmu->motion;
   const bool stands = (int64_t)mode == motion->values.whole[FMU_TAKE];
   if (mode == TF_NO_MODE || stands) return FMU_OK;
-  if ((motion->phase & (FMU_EVENT | FMU_STEP)) != 0 &&
-      (motion->report.set & TF_MODE_BIT(mode)) != 0)
-    return FMU_OK;
   if ((motion->phase & (FMU_EVENT | FMU_STEP)) == 0)
     return fmu_discard(fmu, "take = %s is not open before the motion begins",
                        tf_mode_name(mode));
-  fmu_message_t *message = fmu_begin_message(fmu);
-  fmu_say(message, "take = %s is not open; open: ", tf_mode_name(mode));
-  say_modes(message, motion->report.set);
-  return fmu_refuse_so(fmu, FMU_DISCARD);
+  return fmu_check_open(fmu, FMU_DISCARD, mode, motion->state.tick + 1);
 }
 
 fmu_status_t fmu_check_set(fmu_t *fmu, uint32_t reference, unsigned kinds,

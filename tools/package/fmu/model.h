@@ -139,6 +139,11 @@ fmu_status_t fmu_go_to(fmu_t *fmu, unsigned phase);
 /// Prepares machine, state and report from the values (motion.c).
 /// Returns: FMU_OK; FMU_DISCARD after a message, motion not begun.
 fmu_status_t fmu_begin(fmu_t *fmu);
+/// Whether the next step, of a communication step that ends at a tick, can end
+/// in a mode (motion.c).
+/// Returns: FMU_OK; status after a message that names the modes in which it can.
+fmu_status_t fmu_check_open(fmu_t *fmu, fmu_status_t status, unsigned mode,
+                            uint64_t end);
 /// Writes the outputs into the values (motion.c).
 void fmu_observe(fmu_motion_t *motion);
 /// Time of a motion: its start plus a whole number of steps (motion.c).

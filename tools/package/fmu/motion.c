@@ -208,12 +208,34 @@ static fmu_status_t refuse_step(fmu_t *fmu, tf_status_t status) {
                     tf_status_name(status));
 }
 
-static fmu_status_t refuse_take(fmu_t *fmu, unsigned mode, unsigned taken) {
-  go_back(fmu);
-  return fmu_refuse(fmu, fmu->refusal,
-                    "take = %s is not open in this step, which would end in"
-                    " %s; set take to choose or to another mode",
-                    tf_mode_name(mode), tf_mode_name(taken));
+static tf_status_t step_once(const fmu_motion_t *motion,
+                             const tf_input_t *input, tf_state_t *state,
+                             tf_report_t *report) {
+  return motion->values.whole[FMU_SCHEME] == FMU_LOCATED
+             ? tf_step_located(&motion->machine, state, input, report)
+             : tf_step(&motion->machine, state, input, report);
+}
+
+// The report of the last step does not tell: its set is that of its end or of
+// an instant within it, which may be past. So the step is tried in each mode.
+fmu_status_t fmu_check_open(fmu_t *fmu, fmu_status_t status, unsigned mode,
+                            uint64_t end) {
+  const fmu_motion_t *motion = &fmu->motion;
+  const tf_input_t input = input_at(motion, motion->state.tick + 1, end);
+  fmu_message_t *message = fmu_begin_message(fmu);
+  const char *comma = "; open in the next step: ";
+  fmu_say(message, "take = %s is not open", tf_mode_name(mode));
+  for (unsigned other = 0; other < TF_MODES; other++) {
+    tf_state_t state = motion->state;
+    tf_report_t report;
+    state.mode = (uint8_t)other;
+    if (step_once(motion, &input, &state, &report) < 0 || report.mode != other)
+      continue;
+    if (other == mode) return FMU_OK;
+    fmu_say(message, "%s%s", comma, tf_mode_name(other));
+    comma = ", ";
+  }
+  return fmu_refuse_so(fmu, status);
 }
 
 static void log_event(fmu_t *fmu) {
@@ -234,13 +256,12 @@ static fmu_status_t advance(fmu_t *fmu, uint64_t end, bool *event) {
   const tf_input_t input = input_at(motion, motion->state.tick + 1, end);
   if (motion->takes) motion->state.mode = (uint8_t)take;
   const tf_status_t status =
-      motion->values.whole[FMU_SCHEME] == FMU_LOCATED
-          ? tf_step_located(&motion->machine, &motion->state, &input,
-                            &motion->report)
-          : tf_step(&motion->machine, &motion->state, &input, &motion->report);
+      step_once(motion, &input, &motion->state, &motion->report);
   if (status < 0) return refuse_step(fmu, status);
-  if (motion->takes && motion->report.mode != take)
-    return refuse_take(fmu, take, motion->report.mode);
+  if (motion->takes && motion->report.mode != take) {
+    go_back(fmu);
+    return fmu_check_open(fmu, fmu->refusal, take, end);
+  }
   motion->takes = false;
   motion->values.real[FMU_TURNTABLE] = (double)input.omega0;
   tf_tally_count(&motion->tally, motion->state.tick, status);

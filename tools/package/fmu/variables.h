@@ -65,7 +65,7 @@
   X(FOLLOW_PROFILE, "follow_profile", TRUTH, PARAMETER, NULL, 0, 1,           \
     "the scene drives omega0 and alpha until an input does")                  \
   X(TAKE, "take", MEMBER, INPUT, take_name, 0, TF_NO_MODE,                    \
-    "the next step takes this mode, one of those in `set`")                   \
+    "the next step takes this mode, if it can end in it")                     \
   X(MODE, "mode", MEMBER, OUTPUT, tf_mode_name, 0, TF_MODES - 1,              \
     "mode of contact of the last step")                                       \
   X(CHOICES, "choices", SMALL, OUTPUT, NULL, 0, 0,                            \
