@@ -193,17 +193,26 @@ def wrong_takes(fmu):
 
 
 def driven_inputs(fmu):
-    """The turntable follows the profile until the importer moves it; what it
-    then does is what it does without a profile."""
-    wheel, moved = fmu.instance().begin(), fmu.instance().begin()
-    free = fmu.instance().begin(follow_profile=0)
+    """The turntable follows the profile until the importer moves it, at the
+    start by another value than the declared one; what it then does is what it
+    does without a profile."""
+    names = ["turntable", "r", "v", "h", "F"]
+    wheel, moved = fmu.instance().begin(omega0=-1, alpha=0), fmu.instance()
+    moved.set("omega0", -2)
+    moved.begin(omega0=-0.5)
+    free = fmu.instance().begin(follow_profile=0, omega0=-0.5)
+    for time in (0.0, 1e-4):
+        check(moved.reals(names) == free.reals(names), "start")
+        for one in (moved, free):
+            one.step(time, 1e-4)
+    check(moved.get("turntable") == -0.5, "the input at the start")
     wheel.step(0.0, 1.5)
     check(wheel.get("turntable") == -1.75, "the profile")
-    for one, time in ((wheel, 1.5), (moved, 0.0), (free, 0.0)):
-        one.set("omega0", -1.5)
+    for one, time in ((wheel, 1.5), (moved, 2e-4), (free, 2e-4)):
+        one.set("omega0", -1)
         one.step(time, 1e-4)
-        check(one.get("turntable") == -1.5, "the input")
-    check(moved.reals(["r", "v", "F"]) == free.reals(["r", "v", "F"]), "motion")
+        check(one.get("turntable") == -1, "the input")
+    check(moved.reals(names) == free.reals(names), "motion")
 
 
 def moved_turntable(fmu):

@@ -100,5 +100,5 @@ void fmu_set(fmu_t *fmu, uint32_t reference, double value) {
     motion->values.whole[slot] = (int64_t)value;
   }
   if ((motion->phase & (FMU_INSTANTIATED | FMU_INITIALIZATION)) != 0)
-    motion->begun = motion->steered = false;
+    motion->begun = false;
 }

@@ -56,7 +56,8 @@ typedef struct {
   bool stops;   ///< stop_time is given
   bool begun;   ///< machine, state and report are those of the values
   bool takes;   ///< the next step takes the mode in FMU_TAKE
-  bool steered; ///< omega0 or alpha was set since the motion began
+  bool steered; ///< omega0 or alpha was set since the motion began, or begins
+                ///< with another value than its start value
 } fmu_motion_t;
 
 typedef struct fmu fmu_t;
