@@ -45,8 +45,7 @@ class Fmu:
         self.root = ET.parse(self.home / "modelDescription.xml").getroot()
         self.version = self.root.get("fmiVersion")[0]
         self.variables = dict(self.read_variables())
-        # Of a step. Importers of FMI 2 take a Discard for a request to go on.
-        self.refusal = ERROR if self.version == "2" else DISCARD
+        self.refusal = ERROR if self.version == "2" else DISCARD  # of a step
         library = binary or self.home / (
             "binaries/linux64/twofold.so" if self.version == "2"
             else "binaries/x86_64-linux/twofold.so")
@@ -206,9 +205,8 @@ class Instance2(Instance):
                                  c_char_p, c_char_p)
         # A text that is no format itself is the argument of "%s".
         self.logger = log_t(
-            lambda _, name, status, category, form, text: self.log.append(
-                (status, category.decode(),
-                 (text if form == b"%s" else form).decode())))
+            lambda _, name, status, kind, form, text: self.log.append(
+                (status, kind.decode(), form.replace(b"%s", text).decode())))
         self.callbacks = (c_void_p * 5)(
             ctypes.cast(self.logger, c_void_p), None, None, None, None)
         return self.function("Instantiate", c_void_p)(

@@ -118,7 +118,9 @@ FMU_WINDOWS_fmi3 := binaries/x86_64-windows
 .PHONY: fmu test-fmu
 
 fmu: ## FMUs of SCENE=chaos: build/dist/twofold.fmu
-fmu: $(BUILD)/fmu/$(FMU_SCENE)/done
+fmu: $(if $(word 2,$(SCENE)),,$(BUILD)/fmu/$(FMU_SCENE)/done)
+	$(if $(word 2,$(SCENE)),$(error SCENE='$(SCENE)' has a blank, which make \
+	  takes for the end of a name: copy the file to one without))
 	@cp $(<D)/twofold.fmu $(<D)/twofold-fmi2.fmu $(DIST)
 	@echo 'FMI 3.0: $(DIST)/twofold.fmu'
 	@echo 'FMI 2.0: $(DIST)/twofold-fmi2.fmu'

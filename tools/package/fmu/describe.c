@@ -35,8 +35,8 @@ static void print_variable(const fmu_variable_t *variable, unsigned reference,
       "%s\n  {\"name\": \"%s\", \"reference\": %u, \"unit\": \"%s\",\n"
       "   \"about\": \"%s\",\n   \"kind\": \"%s\", \"role\": \"%s\"",
       comma, variable->name, reference, variable->unit,
-      parameter < TF_PARAMETERS ? cli_parameter_about[parameter]
-                                : variable->about,
+      variable->about[0] == '\0' ? cli_parameter_about[parameter]
+                                 : variable->about,
       kinds[variable->kind], roles[variable->role]);
   comma = ",";
   print_number("low", variable->low);

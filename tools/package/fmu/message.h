@@ -22,8 +22,8 @@ typedef struct {
 #endif
 
 /// Appends a text. format: in; in it %s is the next text, of which NULL appends
-/// nothing, %u the next unsigned and %g the next double, in at most nine
-/// significant digits.
+/// nothing, %u the next unsigned and %g the next double, in as many digits as
+/// tell it from others, at most 17.
 FMU_FORMAT(2)
 void fmu_say(fmu_message_t *message, const char *format, ...);
 void fmu_say_all(fmu_message_t *message, const char *format, va_list arguments);

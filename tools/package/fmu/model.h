@@ -35,10 +35,9 @@ enum {
   FMU_ANY_PHASE = 31
 };
 
-/// Log categories, as bits; their names are fmu_categories. Errors are always
-/// told, and so are Discards until the importer switches them off: most
-/// importers never switch anything on.
-enum { FMU_LOG_EVENTS = 1, FMU_LOG_DISCARD = 2, FMU_LOG_ERROR = 4 };
+/// Log categories, as bits; their names are fmu_categories. Discards are told
+/// until they are switched off, errors always.
+enum { FMU_LOG_EVENTS = 1, FMU_LOG_DISCARD = 2 };
 #define FMU_CATEGORIES 3
 extern const char *const fmu_categories[FMU_CATEGORIES];
 
@@ -56,8 +55,7 @@ typedef struct {
   bool stops;   ///< stop_time is given
   bool begun;   ///< machine, state and report are those of the values
   bool takes;   ///< the next step takes the mode in FMU_TAKE
-  bool steered; ///< omega0 or alpha was set since the motion began, or begins
-                ///< with another value than its start value
+  bool steered; ///< omega0 and alpha drive, not the profile
 } fmu_motion_t;
 
 typedef struct fmu fmu_t;
@@ -70,7 +68,7 @@ struct fmu {
   void *environment;
   void (*logger)(void); ///< of the version's own type
   fmu_emit_t *emit;     ///< NULL: no logger
-  unsigned logs;        ///< categories that are on; of errors it does not matter
+  unsigned logs;        ///< categories that are on
   bool event_mode;      ///< the importer handles events in event mode
   bool early_return;    ///< a step may end at an event
   fmu_status_t refusal; ///< what a refused step returns, by the version
@@ -140,9 +138,8 @@ fmu_status_t fmu_go_to(fmu_t *fmu, unsigned phase);
 /// Prepares machine, state and report from the values (motion.c).
 /// Returns: FMU_OK; FMU_DISCARD after a message, motion not begun.
 fmu_status_t fmu_begin(fmu_t *fmu);
-/// Whether the next step, of a communication step that ends at a tick, can end
-/// in a mode (motion.c).
-/// Returns: FMU_OK; status after a message that names the modes in which it can.
+/// Whether the next step can end in a mode (motion.c). end: in, the tick at
+/// which its communication step does. Returns: FMU_OK; status after a message.
 fmu_status_t fmu_check_open(fmu_t *fmu, fmu_status_t status, unsigned mode,
                             uint64_t end);
 /// Writes the outputs into the values (motion.c).
@@ -150,8 +147,8 @@ void fmu_observe(fmu_motion_t *motion);
 /// Time of a motion: its start plus a whole number of steps (motion.c).
 double fmu_time(const fmu_motion_t *motion);
 /// One communication step (motion.c).
-/// Returns: FMU_OK; fmu->refusal and FMU_ERROR after a message: the motion is as
-/// before the call, but for the count of refused steps.
+/// Returns: FMU_OK; fmu->refusal or FMU_ERROR after a message: the motion is
+/// as before the call, but for the count of refused steps.
 fmu_status_t fmu_step(fmu_t *fmu, double time, double length, fmu_step_t *end);
 
 /// Copies of the state of an instance (copies.c). handle: in/out; *handle is a

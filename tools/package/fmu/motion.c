@@ -90,7 +90,7 @@ fmu_status_t fmu_begin(fmu_t *fmu) {
   motion->begun = false;
   if (prepare(fmu) != FMU_OK) return FMU_DISCARD;
   motion->steered =
-      values->real[FMU_OMEGA0] != (double)FMU_SCENE->params.omega0 ||
+      (tf_real_t)values->real[FMU_OMEGA0] != FMU_SCENE->params.omega0 ||
       values->real[FMU_ALPHA] != 0;
   const tf_input_t input = input_at(motion, 0, 0);
   const tf_real_t h = (tf_real_t)values->real[FMU_START_H];

@@ -40,10 +40,11 @@ static const char *status_word(unsigned i) {
 static const fmu_variable_t other_reals[] = {FMU_OTHER_REALS(REAL)};
 static const fmu_variable_t wholes[] = {FMU_ALL_WHOLES(WHOLE)};
 
-static fmu_variable_t of_range(size_t i, fmu_role_t role) {
+// about: "" for the words of the command line.
+static fmu_variable_t of_range(size_t i, fmu_role_t role, const char *about) {
   const tf_parameter_range_t *range = &tf_parameter_ranges[i];
   return (fmu_variable_t){
-      range->name,        range->unit,        "", FMU_KIND_REAL, role, NULL,
+      range->name,        range->unit,        about, FMU_KIND_REAL, role, NULL,
       (double)range->low, (double)range->high};
 }
 
@@ -57,11 +58,13 @@ static size_t place_of(size_t offset) {
 fmu_variable_t fmu_real(size_t slot) {
   const size_t omega0 = place_of(offsetof(tf_params_t, omega0));
   const size_t r0 = place_of(offsetof(tf_params_t, r0));
-  if (slot == FMU_OMEGA0) return of_range(omega0, FMU_ROLE_INPUT);
-  if (slot == FMU_R0) return of_range(r0, FMU_ROLE_INPUT);
+  if (slot == FMU_OMEGA0)
+    return of_range(omega0, FMU_ROLE_INPUT,
+                    "speed of the turntable as set; turntable has the actual");
+  if (slot == FMU_R0) return of_range(r0, FMU_ROLE_INPUT, "");
   if (slot == omega0 || slot == r0)
     return (fmu_variable_t){.kind = FMU_KIND_UNKNOWN};
-  if (slot < TF_PARAMETERS) return of_range(slot, FMU_ROLE_PARAMETER);
+  if (slot < TF_PARAMETERS) return of_range(slot, FMU_ROLE_PARAMETER, "");
   return other_reals[slot - TF_PARAMETERS];
 }
 
