@@ -161,23 +161,57 @@ uint64_t SHARED(twofold_run)(const motion_t *of, tf_input_t *input,
   return end;
 }
 
-/* One step into a mode, whatever the rule would take. Returns: its status, or
- * TF_BAD_PARAMETER where it ends in another one. */
+#define DRAWS 64 /* of at most four modes: none is missed */
+
+/* One step that ends in a mode, if one does: by the rule, in that mode from the
+ * start, or by a draw that ends a rest, as at the h = g = 0 that a step comes
+ * to. */
+static bool ends_in(const motion_t *of, const tf_input_t *input,
+                    unsigned mode) {
+  const tf_state_t before = *of->state;
+  const tf_compensation_t low = *of->low;
+  tf_compensated_t machine = *of->machine;
+  tf_contact_t *contact = &machine.machine.contact;
+  motion_t forced = *of;
+  forced.machine = &machine;
+  for (uint32_t i = 0; i < DRAWS; i++) {
+    if (i > 0) {
+      of->state->mode = (uint8_t)(i == 1 ? mode : TF_PINNED);
+      of->state->seed = i;
+      contact->rule = i == 1 ? TF_RULE_PERSIST : TF_RULE_RANDOM;
+      contact->exit_threshold = mode == TF_PINNED ? 0 : UINT64_MAX;
+    }
+    const bool ends =
+        one_step(&forced, input) >= 0 && of->report->mode == mode;
+    of->state->seed = before.seed;
+    if (ends) return true;
+    *of->state = before;
+    *of->low = low;
+  }
+  return false;
+}
+
+/* One step into a mode that it may take, whatever the rule would. Where none
+ * ends in that, because stick or rest may be left no sooner than within the
+ * step, they end in it. Returns: the status; TF_BAD_PARAMETER: not that mode. */
 tf_status_t SHARED(twofold_take)(const motion_t *of, const tf_input_t *input,
                                  unsigned mode) {
   const tf_state_t before = *of->state;
   const tf_compensation_t low = *of->low;
-  tf_compensated_t persists = *of->machine;
-  motion_t forced = *of;
-  tf_status_t status = one_step(of, input);
-  if (status >= 0 && of->report->mode == mode) return status;
-  persists.machine.contact.rule = TF_RULE_PERSIST;
-  forced.machine = &persists;
+  const tf_status_t status = one_step(of, input);
+  if (status < 0 || of->report->mode == mode) return status;
+  const unsigned set = of->report->set;
   *of->state = before;
   *of->low = low;
-  of->state->mode = (uint8_t)mode;
-  status = one_step(&forced, input);
-  return status < 0 || of->report->mode == mode ? status : TF_BAD_PARAMETER;
+  if (!has(set, mode)) return TF_BAD_PARAMETER;
+  if (ends_in(of, input, mode)) return of->report->status;
+  for (unsigned held = TF_PINNED; held >= TF_STICK_PLUS; held--) {
+    if (has(set, held) && ends_in(of, input, held)) {
+      of->state->mode = of->report->mode = (uint8_t)mode;
+      return of->report->status;
+    }
+  }
+  return TF_BAD_PARAMETER;
 }
 
 /* The two-folds, with K in the paper's time. */

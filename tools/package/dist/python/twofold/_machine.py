@@ -221,19 +221,26 @@ class Machine:
 
     def futures(self, scheme: Scheme | str | None = None,
                 inputs=None) -> dict[Mode, Machine]:
-        """What the next step may be: for each mode that may follow, a machine
-        one step on that has taken it, whatever the rule takes. scheme and
-        inputs are those of run()."""
+        """What the next step may be: for each mode of the set that it reports,
+        and the one that it takes, a machine one step on that has taken it,
+        whatever the rule takes; never none. An escaping stick may be left at
+        any time: each step within its region has both slips beside it. A mode
+        that no whole step ends in, for it is possible only from an instant
+        within the step on, is one in which stick or rest ends with the step:
+        the next may find another one; one that is over before the end of a step
+        of located is left out. scheme and inputs are those of run(); raises
+        ValueError where the step is refused."""
         scheme = self._scheme(scheme)
         held = None if inputs is None else self._held(inputs)
         self._ready(scheme)
-        here, found = np.zeros(1, self.core.row), {}
-        self.core.call_row(self._motion(), here.ctypes.data)
+        found, status = {}, 0
         for mode in Mode:
-            if here["set"][0] >> mode & 1:
-                other = self.copy()
-                if self.core.call_take(other._motion(scheme), held, mode) >= 0:
-                    found[mode] = other
+            other = self.copy()
+            status = self.core.call_take(other._motion(scheme), held, mode)
+            if status >= 0:
+                found[mode] = other
+        if not found:
+            self.core.fail(status, "step 1")
         return found
 
     def run(self, t_end: float | None = None, every: int = 1,
