@@ -16,26 +16,41 @@
 #define SHARED(name) name##_f64
 #endif
 
-/* Takes so many steps of an ensemble, block by block. input: that of the first
- * of them, behind which the turntable keeps its speed. */
-typedef void lanes_t(const tf_machine_t *machine, tf_state_block_t *states,
-                     size_t n, tf_input_t *input, tf_report_block_t *reports,
-                     uint64_t steps);
+/* A motion: what stays, and what a step changes. */
+typedef struct {
+  const tf_compensated_t *machine;
+  const tf_scene_t *scene;
+  int scheme; /* moreau, located, compensated */
+  tf_state_t *state;
+  tf_compensation_t *low;
+  tf_report_t *report;
+} motion_t;
+
+/* Takes steps of an ensemble, block by block, behind `from` of them up to `to`.
+ * input: that of the first of them, behind which the turntable keeps its speed;
+ * NULL: those of the scene. */
+typedef void lanes_t(const motion_t *of, tf_state_block_t *states, size_t n,
+                     tf_input_t *input, tf_report_block_t *reports,
+                     uint64_t from, uint64_t to);
 lanes_t SHARED(twofold_lanes), SHARED(twofold_lanes_avx2);
 
-void LANES(twofold_lanes)(const tf_machine_t *machine, tf_state_block_t *states,
+void LANES(twofold_lanes)(const motion_t *of, tf_state_block_t *states,
                           size_t n, tf_input_t *input,
-                          tf_report_block_t *reports, uint64_t steps) {
+                          tf_report_block_t *reports, uint64_t from,
+                          uint64_t to) {
+  const tf_machine_t *machine = &of->machine->machine;
   for (size_t at = 0; at < n; at += TF_LANES) {
-    tf_input_t u = *input;
-    for (uint64_t i = 0; i < steps; i++) {
+    tf_input_t u = tf_scene_input(of->scene, machine, from + 1);
+    if (input) u = *input;
+    for (uint64_t i = from + 1; i <= to; i++) {
+      if (!input) u = tf_scene_input(of->scene, machine, i);
       tf_ensemble_step(machine, states + at / TF_LANES,
                        n - at < TF_LANES ? n - at : TF_LANES, &u,
                        reports + at / TF_LANES);
       u.alpha = 0;
     }
   }
-  if (steps > 0) input->alpha = 0;
+  if (input && to > from) input->alpha = 0;
 }
 
 #ifndef LANES_FOR_AVX2
@@ -74,27 +89,17 @@ const uint32_t SHARED(twofold_layout)[] = {
     TF_SCENES,
 };
 
-/* A motion: what stays, and what a step changes. */
-typedef struct {
-  const tf_compensated_t *machine;
-  const tf_scene_t *scene;
-  int scheme; /* moreau, located, compensated */
-  tf_state_t *state;
-  tf_compensation_t *low;
-  tf_report_t *report;
-} motion_t;
-
 static tf_real_t or_else(tf_real_t given, tf_real_t usual) {
   return isnan(given) ? usual : given;
 }
 
 /* Begins a motion whose state holds seed and mode. given: r, v, omega, h, phi;
- * NaN: that of the scene. input: NULL: that of the scene. */
-tf_status_t SHARED(twofold_begin)(const motion_t *to, const tf_input_t *input,
+ * NaN: that of the scene. */
+tf_status_t SHARED(twofold_begin)(const motion_t *to,
                                   const tf_real_t given[5]) {
   const tf_machine_t *machine = &to->machine->machine;
   const tf_scene_t *scene = to->scene;
-  const tf_input_t u = input ? *input : tf_scene_input(scene, machine, 0);
+  const tf_input_t u = tf_scene_input(scene, machine, 0);
   const tf_real_t v = or_else(given[1], scene->v);
   const tf_real_t h = or_else(given[3], scene->h);
   const bool has_v = !isnan(given[1]), has_h = !isnan(given[3]);

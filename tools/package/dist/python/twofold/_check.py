@@ -3,6 +3,7 @@ for a number, and an integer modulo its size."""
 from __future__ import annotations
 
 import difflib
+import inspect
 import math
 import numbers
 import operator
@@ -52,28 +53,45 @@ def flag(name, value):
     return bool(value)
 
 
-def word(name, value, words):
-    """One of the words; for another one, the closest."""
+def word(name, value, words, hints={}):
+    """One of the words; for another one, the closest, or what the closest of
+    the hints stands for."""
     if not isinstance(value, str):
         raise TypeError(f"{name} is {value!r}, not a str")
     if value in words:
         return value
-    close = difflib.get_close_matches(value, words, 1)
+    close = difflib.get_close_matches(value, (*words, *hints), 1)
     raise ValueError(f"{name} is {value!r}, not one of " + ", ".join(words)
-                     + (f"; did you mean {close[0]!r}?" if close else ""))
+                     + "".join(f"; did you mean {hints.get(one, one)!r}?"
+                               for one in close))
 
 
 def member(name, value, kind):
-    """A member of an enumeration, or its name."""
+    """A member of an enumeration, or its name, here or on the command line."""
     if isinstance(value, kind):
         return value
+    if isinstance(value, str) and value in kind.__members__:
+        return kind[value]
     names = {str(one): one for one in kind}
     return names[word(name, value, names)]
+
+
+def settings(given, parameters, *takers):
+    """Settings that are parameters, or arguments of what takes them."""
+    if not given.keys() <= {*parameters}:
+        own = {name: name for one in takers for name, argument in
+               inspect.signature(one).parameters.items()
+               if argument.kind is not argument.VAR_KEYWORD}
+        for name in [name for name in given if name not in own]:
+            word("name of a parameter", name, parameters,
+                 {**own, "select": "rule"})  # as the command line has it
 
 
 def column(name, values, kinds, low, high, unit=""):
     """Numbers in a range, of the kinds that numpy has for them: a number, or an
     array of one dimension."""
+    if np.ma.is_masked(values):
+        raise ValueError(f"{name} has values that are masked")
     try:
         array = np.asarray(values)
     except ValueError:  # rows of several lengths

@@ -28,6 +28,9 @@ class Core:
         self._rows()
         self._functions()
 
+    def __reduce__(self):
+        return f"CORE_{self.suffix}"
+
     def _struct(self, reals, *others):
         """A struct of the core with fields of its real type first."""
         return type("Struct", (ctypes.Structure,), {"_fields_": [
@@ -88,8 +91,8 @@ class Core:
                 ("tf_ensemble_put", None,
                  (any_, c_size_t, POINTER(self.State))),
                 ("twofold_lanes", None,
-                 (any_, any_, c_size_t, input_, any_, c_uint64)),
-                ("twofold_begin", c_int, (motion, input_, any_)),
+                 (motion, any_, c_size_t, input_, any_, *2 * [c_uint64])),
+                ("twofold_begin", c_int, (motion, any_)),
                 ("twofold_row", None, (motion, any_)),
                 ("twofold_take", c_int, (motion, input_, c_uint)),
                 ("twofold_folds", c_int, (motion, any_, POINTER(c_int))),
@@ -109,8 +112,9 @@ class Core:
                 f"{what}: {self.call_status_name(status).decode()}")
 
 
-CORES = {"double": Core("f64", ctypes.c_double, "f8"),
-         "float": Core("f32", ctypes.c_float, "f4")}
+CORE_f64 = Core("f64", ctypes.c_double, "f8")
+CORE_f32 = Core("f32", ctypes.c_float, "f4")
+CORES = {"double": CORE_f64, "float": CORE_f32}
 
 
 def scenes() -> dict[str, str]:

@@ -1,17 +1,17 @@
 """Many states of one machine, and many machines."""
 from __future__ import annotations
 
-import copy
 import math
 from ctypes import byref
 
 import numpy as np
 
 from . import _core
-from ._check import LIMIT, STEPS, column, columns, integer, word
+from ._check import LIMIT, STEPS, column, columns, integer, member, word
+from ._check import settings as known
 from ._core import LANES, NO_MODE, parameters
 from ._machine import START, Machine, placed
-from ._names import Mode, Scheme
+from ._names import Law, Mode, Rule, Scheme, Status
 from ._table import Table
 
 
@@ -37,29 +37,29 @@ class Ensemble:
         blocks = -(-self.n // LANES)
         self.states = np.zeros(blocks, self.core.state_block)
         self.reports = np.zeros(blocks, self.core.report_block)
-        one, input_ = copy.copy(machine), byref(machine.input())
+        one = machine.copy()
         for i in range(self.n):
             start = {**dict.fromkeys(START), **{
                 name: float(values[i]) for name, values in given.items()}}
-            one._begin(one._given(start.items()), f"state {i}", int(seeds[i]),
-                       input_)
+            one._begin(one._given(start.items()), f"state {i}", int(seeds[i]))
             self.core.call_ensemble_put(self.states.ctypes.data, i,
                                         byref(one.state))
 
     def step(self, steps: int = 1, inputs=None) -> None:
         """Takes so many steps. inputs: of Machine.input(), held; their alpha is
-        that of the first step, and 0 behind it. A state whose step is refused
-        stays where it is; see status. Where KeyboardInterrupt ends it, all
-        states have taken as many of the steps."""
+        that of the first step, and 0 behind it. None: those of the scene. A
+        state whose step is refused stays where it is; see status. Where
+        KeyboardInterrupt ends it, all states have taken as many of the
+        steps."""
         steps = integer("steps", steps, 0, STEPS)
-        inputs = self.machine.input() if inputs is None else inputs
-        self.machine._held(inputs)
+        held = None if inputs is None else self.machine._held(inputs)
         most = max(1, _core.SLICE // self.n)
-        for taken in range(0, steps, most):
+        first = int(self.states["tick"].max())
+        for tick in range(first, first + steps, most):
             self.core.call_lanes(
-                self.machine._machine, self.states.ctypes.data, self.n,
-                byref(inputs), self.reports.ctypes.data,
-                min(most, steps - taken))
+                self.machine._motion(), self.states.ctypes.data, self.n, held,
+                self.reports.ctypes.data, tick,
+                min(tick + most, first + steps))
 
     def _columns(self):
         """Home and name there of each quantity."""
@@ -122,33 +122,57 @@ def _outcomes(rows, energy, end_energy):
            for name in ("r", "v", "omega", "h", "g")}}
 
 
-OTHER_AXES = ("law", "rule", "seed", *START)
+KINDS = {"law": Law, "rule": Rule}
+OTHER_AXES = (*KINDS, "seed", *START)
 NUMBERS = ("t changes rest arrivals arrival recurrence ambiguous "
            "ambiguous_share stick_share energy energy_change r_low r_high "
            "end_r end_v end_omega end_h end_g").split()
 
 
+FLAGS = Status.DEGRADED, Status.COARSE, Status.STALLED
+
+
+def _axis(name, values):
+    """Values of an axis: numbers, or names of members."""
+    if name not in KINDS:
+        return np.atleast_1d(column(name, values, "iu" if name == "seed" else
+                                    "iuf", -math.inf, math.inf))
+    names = [str(member(name, value, KINDS[name])) for value in (
+        [values] if np.ndim(values) == 0 else values)]
+    if not names:
+        raise ValueError(f"{name} has no values")
+    return np.array(names)
+
+
 def _point(row, scene, t_end, scheme, settings):
-    """Fills in the row of a point."""
+    """Fills in the row of a point. Returns: why it was refused."""
     row["final"] = NO_MODE
     try:
         machine = Machine(scene, **settings)
         machine._ready(machine._scheme(scheme))
     except ValueError as error:
         row["status"], row["reason"] = "refused", str(error)
-        return
+        return error
     energy = machine.energy()
     rows, done, status = machine._rows(t_end, 1, scheme, None)
     row["t"] = rows["t"][-1]
     found = _outcomes(rows, energy, machine.energy())
     for name, value in found.items():
         row[name] = value
-    flagged = np.isin(rows["status"][1:], (1, 3, 4)).any()
+    flags = rows["status"].copy()
+    flags[0] = 0  # of the start
+    counts = [np.count_nonzero(flags == flag) for flag in FLAGS]
     row["status"] = ("stopped" if status < 0 else
-                     "flagged" if flagged else "done")
+                     "flagged" if any(counts) else "done")
     if status < 0:
         reason = machine.core.call_status_name(status).decode()
         row["reason"] = f"step {done + 1}: {reason}"
+    elif any(counts):
+        row["reason"] = "".join(
+            f"{count} {what}; " for count, what in zip(
+                counts, ("steps degraded", "coarse", "stalled"))
+        ) + f"first at t = {rows['t'][np.flatnonzero(flags)[0]]:.9g} s"
+    return None
 
 
 def sweep(scene: str = "chaos", over: dict | None = None,
@@ -160,9 +184,15 @@ def sweep(scene: str = "chaos", over: dict | None = None,
     Returns: a table with an axis for each; columns: those of over, t (reached),
       the outcomes of `twofold sweep` (NaN: it did not happen), status (done,
       flagged, stopped, refused) and the reason. Large ones are quicker there.
+    Raises ValueError where every point is refused: that is no axis' doing.
     """
+    if not (over is None or isinstance(over, dict)):
+        raise TypeError(f"over is {over!r}, not a dict of axes")
+    known(settings, parameters(), Machine, sweep)
     axes = {word("name of an axis", name, (*parameters(), *OTHER_AXES)):
-            np.atleast_1d(values) for name, values in (over or {}).items()}
+            _axis(name, values) for name, values in (over or {}).items()}
+    for name in axes.keys() & settings.keys():
+        raise ValueError(f"{name} is an axis, and given as {settings[name]!r}")
     table = np.zeros([len(values) for values in axes.values()], [
         *((name, values.dtype) for name, values in axes.items()),
         *((name, "f8") for name in NUMBERS), ("modes", "U48"),
@@ -171,7 +201,11 @@ def sweep(scene: str = "chaos", over: dict | None = None,
         table[name] = grid
     for name in NUMBERS:
         table[name] = math.nan
+    errors = []
     for at in np.ndindex(table.shape):
         point = {name: table[name][at].item() for name in axes}
-        _point(table[at], scene, t_end, scheme, {**settings, **point})
+        errors.append(_point(table[at], scene, t_end, scheme,
+                             {**settings, **point}))
+    if all(errors):
+        raise errors[0]
     return table.view(Table)

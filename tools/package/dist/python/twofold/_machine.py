@@ -10,15 +10,19 @@ import numpy as np
 
 from . import _core
 from ._check import (LIMIT, STEPS, column, flag, integer, member, number,
-                     refuse, word)
-from ._core import CORES, NO_MODE
+                     refuse, settings as known, word)
+from ._core import CORES, NO_MODE, parameters as ranges
 from ._names import Law, Mode, Rest, Rule, Scheme
 from ._table import Table
 
+# Of |sin(gamma)|; below it h does not depend on v.
+LEAST_SINE = 1e-6
 # Float loses a motion in the rounding of its state at shorter steps [s].
 SHORT_STEP = 1e-3
 INPUTS = {"omega0": "rad/s", "r0": "m", "force": "N", "torque": "N m",
           "alpha": "rad/s^2"}
+BUFFERS = "state", "low", "report", "_params", "_machine"
+JUMPS = Law.JUMP, Law.COULOMB
 START = {"r": "m", "v": "m/s", "omega": "rad/s", "h": "m/s", "phi": "rad"}
 
 
@@ -55,6 +59,7 @@ class Machine:
         self._params = ctypes.create_string_buffer(
             ctypes.string_at(byref(self.scene, core.Scene.params.offset),
                              core.size["params"]), core.size["params"])
+        known(parameters, ranges(), Machine)
         for name, value in parameters.items():
             one = self._range(name)
             rounded = core.real(number(name, value)).value
@@ -106,10 +111,9 @@ class Machine:
 
     def _given(self, values):
         """A start; NaN where the scene gives it."""
-        return (self.core.real * len(START))(*(
-            math.nan if value is None else
-            number(name, value, -LIMIT, LIMIT, START[name])
-            for name, value in values))
+        return tuple(math.nan if value is None else
+                     number(name, value, -LIMIT, LIMIT, START[name])
+                     for name, value in values)
 
     def start(self) -> None:
         """Returns to the start of the scene, or to that given."""
@@ -124,18 +128,26 @@ class Machine:
             number(name, given[name])
         self._begin(self._given(given.items()), "place")
 
-    def _begin(self, start, what, seed=None, input_=None, scheme=0):
+    def _begin(self, start, what, seed=None, scheme=0):
         seed = integer("seed", self.seed if seed is None else seed, 0,
                        2 ** 32 - 1)
         old = self.__dict__.copy()
         self.state = self.core.State(seed=seed, mode=NO_MODE)
         self.low = self.core.Low()
         self.report = ctypes.create_string_buffer(self.core.size["report"])
-        status = self.core.call_begin(self._motion(scheme), input_, start)
+        status = self.core.call_begin(
+            self._motion(scheme), (self.core.real * len(START))(*start))
         if status < 0:
             self.__dict__ = old
+            if self._sine() < LEAST_SINE and math.isnan(start[1]) and not (
+                    math.isnan(start[3]) and self.scene.v_is_given):
+                raise ValueError(f"{what}: no speed v gives the slip speed h, "
+                                 "because sin(gamma) = 0; give v")
         self.core.fail(status, what)
         self._begun = start, bytes(self.state)
+
+    def _sine(self):
+        return abs(math.sin(self["gamma"]))
 
     def _motion(self, scheme=0):
         return self.core.Motion(
@@ -145,11 +157,20 @@ class Machine:
 
     def copy(self) -> Machine:
         """One in the same state, which goes its own way."""
-        other = copy.copy(self)
-        other.state, other.low = copy.copy(self.state), copy.copy(self.low)
-        other.report = ctypes.create_string_buffer(self.report.raw,
-                                                   len(self.report))
-        return other
+        return copy.copy(self)
+
+    def __getstate__(self):
+        """Of a copy and of a pickle, which has nothing of ctypes."""
+        return {**self.__dict__, "scene": None,
+                **{name: bytes(getattr(self, name)) for name in BUFFERS}}
+
+    def __setstate__(self, held):
+        self.__dict__ = held
+        self.scene = self.core.scenes[self.name]
+        for name in BUFFERS:
+            kind = getattr(self.core, name.title(), None)
+            setattr(self, name, kind.from_buffer_copy(held[name]) if kind else
+                    ctypes.create_string_buffer(held[name], len(held[name])))
 
     def input(self, **changed: float):
         """The inputs of a machine that nothing drives, with changes: omega0
@@ -195,6 +216,12 @@ class Machine:
         len(omega)); NaN where lambda or delassus is not defined."""
         axes = [np.atleast_1d(column(name, values, "iuf", -LIMIT, LIMIT))
                 for name, values in (("r", r), ("omega", omega))]
+        law, sine = self._get("law", Law), self._sine()
+        if law not in JUMPS:
+            raise ValueError(f"regions needs law jump or coulomb, not {law}")
+        if not sine >= LEAST_SINE:
+            raise ValueError(f"regions needs |sin(gamma)| in [{LEAST_SINE:g}, "
+                             f"1], it is {sine:g}")
         rows = np.zeros([axis.size for axis in axes], self.core.place)
         rows["r"], rows["omega"] = np.meshgrid(*axes, indexing="ij")
         self.core.fail(self.core.call_regions(
@@ -210,7 +237,11 @@ class Machine:
         if scheme is None:
             short = self.core is CORES["float"] and self["dt"] < SHORT_STEP
             return Scheme.COMPENSATED if short else Scheme.MOREAU
-        return member("scheme", scheme, Scheme)
+        scheme, law = member("scheme", scheme, Scheme), self._get("law", Law)
+        if scheme == Scheme.LOCATED and law not in (*JUMPS, Law.NONE):
+            raise ValueError("scheme is located, which needs law jump, coulomb "
+                             f"or none, not {law}; moreau takes every law")
+        return scheme
 
     def _ready(self, scheme):
         """A start under it: compensated has the v of an h beyond rounding."""
@@ -270,16 +301,20 @@ class Machine:
         every = integer("every", every, 1, STEPS)
         if t_end is None:
             t_end = self.scene.t_end
-        steps = round(number("t_end", t_end, 0, STEPS * self["dt"], "s")
-                      / self["dt"])
+        count = self.core.real(number("t_end", t_end, 0, STEPS * self["dt"],
+                                      "s")).value / self["dt"]
+        steps = math.floor(count)
+        steps += count - steps >= 0.5  # round() goes to even
         held = None if inputs is None else self._held(inputs)
         motion = self._ready(scheme)
         rows = np.zeros(1 + -(-steps // every), self.core.row)
         self.core.call_row(motion, rows.ctypes.data)
         done, status = 0, c_int(0)
+        # A step of located is slow where its tolerance is small.
+        most = max(1, _core.SLICE >> 4 * (motion.scheme == Scheme.LOCATED))
         while done < steps and status.value >= 0:
             done = self.core.call_run(
-                motion, held, done, _core.SLICE, steps, every,
+                motion, held, done, most, steps, every,
                 rows[1:].ctypes.data, byref(status))
         kept = rows if status.value >= 0 else rows[:1 + done // every]
         return kept.view(Table), done, status.value
@@ -288,4 +323,5 @@ class Machine:
 def simulate(scene: str = "chaos", t_end: float | None = None, every: int = 1,
              scheme: Scheme | str | None = None, **settings) -> Table:
     """The rows of one motion; settings are those of Machine."""
+    known(settings, ranges(), Machine, simulate)
     return Machine(scene, **settings).run(t_end, every, scheme)

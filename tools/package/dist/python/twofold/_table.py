@@ -5,6 +5,7 @@ from html import escape
 
 import numpy as np
 
+from ._check import word
 from ._names import Folds, Mode, Region, Status
 
 UNITS = {"t": "s", "r": "m", "v": "m/s", "omega": "rad/s", "phi": "rad",
@@ -25,7 +26,7 @@ def _cell(name, value):
     if name == "set":
         return "|".join(str(mode) for mode in Mode if value >> mode & 1)
     if name in MEMBERS and isinstance(value, np.integer):
-        return str(MEMBERS[name](value))
+        return "".join(str(one) for one in MEMBERS[name] if one == value)
     return f"{value:.6g}" if isinstance(value, np.floating) else str(value)
 
 
@@ -35,6 +36,8 @@ class Table(np.ndarray):
     a table."""
 
     def __getitem__(self, key):
+        if isinstance(key, str) and self.dtype.names:
+            word("name of a column", key, self.dtype.names)
         got = super().__getitem__(key)
         plain = isinstance(got, Table) and got.dtype.names is None
         return got.view(np.ndarray) if plain else got
