@@ -40,7 +40,7 @@ void LANES(twofold_lanes)(const motion_t *of, tf_state_block_t *states,
                           uint64_t to) {
   const tf_machine_t *machine = &of->machine->machine;
   for (size_t at = 0; at < n; at += TF_LANES) {
-    tf_input_t u = tf_scene_input(of->scene, machine, from + 1);
+    tf_input_t u = tf_input_default(machine);
     if (input) u = *input;
     for (uint64_t i = from + 1; i <= to; i++) {
       if (!input) u = tf_scene_input(of->scene, machine, i);
@@ -166,39 +166,36 @@ uint64_t SHARED(twofold_run)(const motion_t *of, tf_input_t *input,
   return end;
 }
 
-#define DRAWS 64 /* of at most four modes: none is missed */
-
-/* One step that ends in a mode, if one does: by the rule, in that mode from the
- * start, or by a draw that ends a rest, as at the h = g = 0 that a step comes
- * to. */
+/* Whether a step ends in a mode: by the rule, from that mode on, or by one of
+ * many draws that end a rest, as at the h = g = 0 that a step comes to. */
 static bool ends_in(const motion_t *of, const tf_input_t *input,
                     unsigned mode) {
   const tf_state_t before = *of->state;
   const tf_compensation_t low = *of->low;
   tf_compensated_t machine = *of->machine;
-  tf_contact_t *contact = &machine.machine.contact;
+  tf_contact_t *by = &machine.machine.contact;
   motion_t forced = *of;
   forced.machine = &machine;
-  for (uint32_t i = 0; i < DRAWS; i++) {
-    if (i > 0) {
-      of->state->mode = (uint8_t)(i == 1 ? mode : TF_PINNED);
-      of->state->seed = i;
-      contact->rule = i == 1 ? TF_RULE_PERSIST : TF_RULE_RANDOM;
-      contact->exit_threshold = mode == TF_PINNED ? 0 : UINT64_MAX;
-    }
-    const bool ends =
-        one_step(&forced, input) >= 0 && of->report->mode == mode;
-    of->state->seed = before.seed;
-    if (ends) return true;
-    *of->state = before;
+  for (uint32_t i = 0; i < 64; i++) {
     *of->low = low;
+    if (one_step(&forced, input) >= 0 && of->report->mode == mode) {
+      of->state->seed = before.seed;
+      return true;
+    }
+    *of->state = before;
+    of->state->mode = (uint8_t)(i == 0 ? mode : TF_PINNED);
+    of->state->seed = i;
+    by->rule = i == 0 ? TF_RULE_PERSIST : TF_RULE_RANDOM;
+    by->exit_threshold = mode == TF_PINNED ? 0 : UINT64_MAX;
   }
+  *of->state = before;
+  *of->low = low;
   return false;
 }
 
-/* One step into a mode that it may take, whatever the rule would. Where none
- * ends in that, because stick or rest may be left no sooner than within the
- * step, they end in it. Returns: the status; TF_BAD_PARAMETER: not that mode. */
+/* One step into a mode that it may take, whatever the rule would; where it is
+ * possible only within the step, stick or rest ends in it. Returns: the status;
+ * TF_BAD_PARAMETER: not that mode. */
 tf_status_t SHARED(twofold_take)(const motion_t *of, const tf_input_t *input,
                                  unsigned mode) {
   const tf_state_t before = *of->state;

@@ -3,7 +3,6 @@ for a number, and an integer modulo its size."""
 from __future__ import annotations
 
 import difflib
-import inspect
 import math
 import numbers
 import operator
@@ -60,7 +59,8 @@ def word(name, value, words, hints={}):
         raise TypeError(f"{name} is {value!r}, not a str")
     if value in words:
         return value
-    close = difflib.get_close_matches(value, (*words, *hints), 1)
+    close = difflib.get_close_matches(
+        value, [one for one in (*words, *hints) if one != value], 1)
     raise ValueError(f"{name} is {value!r}, not one of " + ", ".join(words)
                      + "".join(f"; did you mean {hints.get(one, one)!r}?"
                                for one in close))
@@ -74,17 +74,6 @@ def member(name, value, kind):
         return kind[value]
     names = {str(one): one for one in kind}
     return names[word(name, value, names)]
-
-
-def settings(given, parameters, *takers):
-    """Settings that are parameters, or arguments of what takes them."""
-    if not given.keys() <= {*parameters}:
-        own = {name: name for one in takers for name, argument in
-               inspect.signature(one).parameters.items()
-               if argument.kind is not argument.VAR_KEYWORD}
-        for name in [name for name in given if name not in own]:
-            word("name of a parameter", name, parameters,
-                 {**own, "select": "rule"})  # as the command line has it
 
 
 def column(name, values, kinds, low, high, unit=""):

@@ -2,13 +2,13 @@
 from __future__ import annotations
 
 import math
-from ctypes import byref
+from ctypes import Structure, byref
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from . import _core
 from ._check import LIMIT, STEPS, column, columns, integer, member, word
-from ._check import settings as known
 from ._core import LANES, NO_MODE, parameters
 from ._machine import START, Machine, placed
 from ._names import Law, Mode, Rule, Scheme, Status
@@ -23,7 +23,9 @@ class Ensemble:
     length and one dimension, or numbers. seed: of rule "random", one a state.
     """
 
-    def __init__(self, machine: Machine, r, omega, v=None, h=None, seed=None):
+    def __init__(self, machine: Machine, r: ArrayLike, omega: ArrayLike,
+                 v: ArrayLike | None = None, h: ArrayLike | None = None,
+                 seed: ArrayLike | None = None):
         if not isinstance(machine, Machine):
             raise TypeError(f"machine is {machine!r}, not a Machine")
         self.machine, self.core = machine, machine.core
@@ -45,7 +47,7 @@ class Ensemble:
             self.core.call_ensemble_put(self.states.ctypes.data, i,
                                         byref(one.state))
 
-    def step(self, steps: int = 1, inputs=None) -> None:
+    def step(self, steps: int = 1, inputs: Structure | None = None) -> None:
         """Takes so many steps. inputs: of Machine.input(), held; their alpha is
         that of the first step, and 0 behind it. None: those of the scene. A
         state whose step is refused stays where it is; see status. Where
@@ -79,9 +81,9 @@ class Ensemble:
 
     def table(self) -> Table:
         """All of them, a row for each state."""
-        names = list(self._columns())
-        return np.rec.fromarrays([self[name] for name in names],
-                                 names=names).view(Table)
+        own = {name: self[name] for name in self._columns()}
+        return np.rec.fromarrays(own.values(), dtype=[
+            (name, one.dtype) for name, one in own.items()]).view(Table)
 
     def __repr__(self):
         return f"{self.n} states of {self.machine!r}\n{self.table()!r}"
@@ -137,11 +139,8 @@ def _axis(name, values):
     if name not in KINDS:
         return np.atleast_1d(column(name, values, "iu" if name == "seed" else
                                     "iuf", -math.inf, math.inf))
-    names = [str(member(name, value, KINDS[name])) for value in (
-        [values] if np.ndim(values) == 0 else values)]
-    if not names:
-        raise ValueError(f"{name} has no values")
-    return np.array(names)
+    return np.array([str(member(name, value, KINDS[name])) for value in (
+        values if np.ndim(values) and len(values) else [values])])
 
 
 def _point(row, scene, t_end, scheme, settings):
@@ -159,8 +158,7 @@ def _point(row, scene, t_end, scheme, settings):
     found = _outcomes(rows, energy, machine.energy())
     for name, value in found.items():
         row[name] = value
-    flags = rows["status"].copy()
-    flags[0] = 0  # of the start
+    flags = rows["status"] * (rows["t"] > 0)  # the start has none
     counts = [np.count_nonzero(flags == flag) for flag in FLAGS]
     row["status"] = ("stopped" if status < 0 else
                      "flagged" if any(counts) else "done")
@@ -168,10 +166,9 @@ def _point(row, scene, t_end, scheme, settings):
         reason = machine.core.call_status_name(status).decode()
         row["reason"] = f"step {done + 1}: {reason}"
     elif any(counts):
-        row["reason"] = "".join(
-            f"{count} {what}; " for count, what in zip(
-                counts, ("steps degraded", "coarse", "stalled"))
-        ) + f"first at t = {rows['t'][np.flatnonzero(flags)[0]]:.9g} s"
+        row["reason"] = (
+            "{} steps degraded; {} coarse; {} stalled; first at t = {:.9g} s"
+            .format(*counts, rows["t"][np.flatnonzero(flags)[0]]))
     return None
 
 
@@ -188,7 +185,6 @@ def sweep(scene: str = "chaos", over: dict | None = None,
     """
     if not (over is None or isinstance(over, dict)):
         raise TypeError(f"over is {over!r}, not a dict of axes")
-    known(settings, parameters(), Machine, sweep)
     axes = {word("name of an axis", name, (*parameters(), *OTHER_AXES)):
             _axis(name, values) for name, values in (over or {}).items()}
     for name in axes.keys() & settings.keys():
@@ -201,11 +197,9 @@ def sweep(scene: str = "chaos", over: dict | None = None,
         table[name] = grid
     for name in NUMBERS:
         table[name] = math.nan
-    errors = []
-    for at in np.ndindex(table.shape):
-        point = {name: table[name][at].item() for name in axes}
-        errors.append(_point(table[at], scene, t_end, scheme,
-                             {**settings, **point}))
+    errors = [_point(table[at], scene, t_end, scheme, {**settings, **{
+        name: table[name][at].item() for name in axes}})
+              for at in np.ndindex(table.shape)]
     if all(errors):
         raise errors[0]
     return table.view(Table)

@@ -4,26 +4,30 @@ from __future__ import annotations
 import copy
 import ctypes
 import math
-from ctypes import byref, c_int
+from ctypes import Structure, byref, c_int
+from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from . import _core
 from ._check import (LIMIT, STEPS, column, flag, integer, member, number,
-                     refuse, settings as known, word)
-from ._core import CORES, NO_MODE, parameters as ranges
+                     refuse, word)
+from ._core import CORES, NO_MODE
 from ._names import Law, Mode, Rest, Rule, Scheme
 from ._table import Table
 
-# Of |sin(gamma)|; below it h does not depend on v.
-LEAST_SINE = 1e-6
 # Float loses a motion in the rounding of its state at shorter steps [s].
 SHORT_STEP = 1e-3
 INPUTS = {"omega0": "rad/s", "r0": "m", "force": "N", "torque": "N m",
           "alpha": "rad/s^2"}
-BUFFERS = "state", "low", "report", "_params", "_machine"
-JUMPS = Law.JUMP, Law.COULOMB
 START = {"r": "m", "v": "m/s", "omega": "rad/s", "h": "m/s", "phi": "rad"}
+BUFFERS = "state", "low", "report", "_params", "_machine"
+# What else a mistyped setting may be; the command line selects by a rule.
+HINTS = {"select": "rule", **{name: name for name in (
+    *START, "real", "law", "rule", "rest", "with_angle", "seed", "t_end",
+    "every", "scheme", "over")}}
+JUMPS = Law.JUMP, Law.COULOMB
 
 
 def placed(r, omega, v, h):
@@ -42,6 +46,7 @@ class Machine:
       "random".
     with_angle: whether the angle of the disc is integrated.
     r, v, omega, h, phi: the start; None: that of the scene. h instead of v.
+    state: its r, v, w, phi, tick, seed and mode.
     parameters: those to be changed, by name, in SI units (parameters()).
     Raises ValueError that names a parameter, its value and its range.
     """
@@ -53,23 +58,23 @@ class Machine:
                  r: float | None = None, v: float | None = None,
                  omega: float | None = None, h: float | None = None,
                  phi: float | None = None, **parameters: float):
-        self.core = core = CORES[word("real", real, CORES)]
+        core: Any = CORES[word("real", real, CORES)]
+        self.core = core
         self.scene = core.scenes[word("scene", scene, core.scenes)]
         self.name, self.seed = scene, seed
         self._params = ctypes.create_string_buffer(
             ctypes.string_at(byref(self.scene, core.Scene.params.offset),
                              core.size["params"]), core.size["params"])
-        known(parameters, ranges(), Machine)
         for name, value in parameters.items():
-            one = self._range(name)
+            one = self._range(name, HINTS)
             rounded = core.real(number(name, value)).value
             self._put(one.offset, core.real, number(
                 name, rounded, one.low, one.high, one.unit.decode()))
-        for name, value, kind in (("law", law, Law), ("rule", rule, Rule),
+        for name, given, kind in (("law", law, Law), ("rule", rule, Rule),
                                   ("rest", rest, Rest)):
-            if value is not None:
+            if given is not None:
                 self._put(core.size[name], ctypes.c_uint,
-                          member(name, value, kind))
+                          member(name, given, kind))
         if with_angle is not None or phi is not None:
             self._put(core.size["with_angle"], ctypes.c_bool, flag(
                 "with_angle", True if with_angle is None else with_angle))
@@ -93,9 +98,9 @@ class Machine:
         return kind(ctypes.c_uint.from_buffer(self._params,
                                               self.core.size[name]).value)
 
-    def _range(self, name):
+    def _range(self, name, hints={}):
         known = {one.name.decode(): one for one in self.core.ranges}
-        return known[word("name of a parameter", name, known)]
+        return known[word("name of a parameter", name, known, hints)]
 
     def __getitem__(self, name: str) -> float:
         """Value of a parameter in SI units, by its name."""
@@ -132,22 +137,18 @@ class Machine:
         seed = integer("seed", self.seed if seed is None else seed, 0,
                        2 ** 32 - 1)
         old = self.__dict__.copy()
-        self.state = self.core.State(seed=seed, mode=NO_MODE)
+        self.state: Structure = self.core.State(seed=seed, mode=NO_MODE)
         self.low = self.core.Low()
         self.report = ctypes.create_string_buffer(self.core.size["report"])
         status = self.core.call_begin(
             self._motion(scheme), (self.core.real * len(START))(*start))
         if status < 0:
             self.__dict__ = old
-            if self._sine() < LEAST_SINE and math.isnan(start[1]) and not (
-                    math.isnan(start[3]) and self.scene.v_is_given):
-                raise ValueError(f"{what}: no speed v gives the slip speed h, "
-                                 "because sin(gamma) = 0; give v")
+            if math.isnan(start[1]) and abs(math.sin(self["gamma"])) < 1e-6:
+                what += (": no speed v gives a slip speed h, because "
+                         "sin(gamma) = 0; give v")
         self.core.fail(status, what)
         self._begun = start, bytes(self.state)
-
-    def _sine(self):
-        return abs(math.sin(self["gamma"]))
 
     def _motion(self, scheme=0):
         return self.core.Motion(
@@ -172,7 +173,7 @@ class Machine:
             setattr(self, name, kind.from_buffer_copy(held[name]) if kind else
                     ctypes.create_string_buffer(held[name], len(held[name])))
 
-    def input(self, **changed: float):
+    def input(self, **changed: float) -> Structure:
         """The inputs of a machine that nothing drives, with changes: omega0
         [rad/s], r0 [m], force [N], torque [N m], alpha [rad/s^2]."""
         given = self.core.call_input_default(self._machine)
@@ -182,7 +183,7 @@ class Machine:
                                         INPUTS[name]))
         return given
 
-    def turntable_to(self, inputs, omega0: float) -> None:
+    def turntable_to(self, inputs: Structure, omega0: float) -> None:
         """Moves the turntable of inputs, of input(), on to omega0 [rad/s] at
         the end of the next step: alpha becomes the mean over that step."""
         self._held(inputs)
@@ -210,22 +211,18 @@ class Machine:
             self._motion(), rows.ctypes.data, byref(count)), "two_folds")
         return rows[:count.value].view(Table)
 
-    def regions(self, r, omega) -> Table:
+    def regions(self, r: ArrayLike, omega: ArrayLike) -> Table:
         """The regions of h = 0 over r [m] and omega [rad/s], arrays of one
         dimension, under the inputs at t = 0: a table of the shape (len(r),
         len(omega)); NaN where lambda or delassus is not defined."""
         axes = [np.atleast_1d(column(name, values, "iuf", -LIMIT, LIMIT))
                 for name, values in (("r", r), ("omega", omega))]
-        law, sine = self._get("law", Law), self._sine()
-        if law not in JUMPS:
-            raise ValueError(f"regions needs law jump or coulomb, not {law}")
-        if not sine >= LEAST_SINE:
-            raise ValueError(f"regions needs |sin(gamma)| in [{LEAST_SINE:g}, "
-                             f"1], it is {sine:g}")
         rows = np.zeros([axis.size for axis in axes], self.core.place)
         rows["r"], rows["omega"] = np.meshgrid(*axes, indexing="ij")
         self.core.fail(self.core.call_regions(
-            self._motion(), rows.ctypes.data, rows.size), "regions")
+            self._motion(), rows.ctypes.data, rows.size),
+            "regions needs law jump or coulomb and |sin(gamma)| in [1e-06, 1], "
+            f"not law {self._get('law', Law)} and gamma = {self['gamma']:g}")
         return rows.view(Table)
 
     def energy(self) -> float:
@@ -251,31 +248,26 @@ class Machine:
         return self._motion(scheme)
 
     def futures(self, scheme: Scheme | str | None = None,
-                inputs=None) -> dict[Mode, Machine]:
+                inputs: Structure | None = None) -> dict[Mode, Machine]:
         """What the next step may be: for each mode of the set that it reports,
-        and the one that it takes, a machine one step on that has taken it,
-        whatever the rule takes; never none. An escaping stick may be left at
-        any time: each step within its region has both slips beside it. A mode
-        that no whole step ends in, for it is possible only from an instant
-        within the step on, is one in which stick or rest ends with the step:
-        the next may find another one; one that is over before the end of a step
-        of located is left out. scheme and inputs are those of run(); raises
+        and that which it takes, a machine one step on in it, whatever the rule
+        takes; never none. An escaping stick may be left at any time, so each
+        step has both slips beside it. Where a mode is possible only within the
+        step, stick or rest is left into it at the end; one that is over by then
+        (under located) is left out. scheme and inputs: those of run(). Raises
         ValueError where the step is refused."""
         scheme = self._scheme(scheme)
         held = None if inputs is None else self._held(inputs)
         self._ready(scheme)
-        found, status = {}, 0
-        for mode in Mode:
-            other = self.copy()
-            status = self.core.call_take(other._motion(scheme), held, mode)
-            if status >= 0:
-                found[mode] = other
-        if not found:
-            self.core.fail(status, "step 1")
-        return found
+        all_ = {mode: self.copy() for mode in Mode}
+        taken = {mode: self.core.call_take(one._motion(scheme), held, mode)
+                 for mode, one in all_.items()}
+        self.core.fail(max(taken.values()), "step 1")
+        return {mode: all_[mode] for mode in Mode if taken[mode] >= 0}
 
     def run(self, t_end: float | None = None, every: int = 1,
-            scheme: Scheme | str | None = None, inputs=None) -> Table:
+            scheme: Scheme | str | None = None,
+            inputs: Structure | None = None) -> Table:
         """Steps on for t_end [s] (default: the scene's length), the nearest
         whole number of steps.
 
@@ -301,10 +293,9 @@ class Machine:
         every = integer("every", every, 1, STEPS)
         if t_end is None:
             t_end = self.scene.t_end
-        count = self.core.real(number("t_end", t_end, 0, STEPS * self["dt"],
-                                      "s")).value / self["dt"]
-        steps = math.floor(count)
-        steps += count - steps >= 0.5  # round() goes to even
+        t_end = number("t_end", t_end, 0, STEPS * self["dt"], "s")
+        steps, rest = divmod(self.core.real(t_end).value / self["dt"], 1)
+        steps = int(steps) + (rest >= 0.5)  # round() goes to even
         held = None if inputs is None else self._held(inputs)
         motion = self._ready(scheme)
         rows = np.zeros(1 + -(-steps // every), self.core.row)
@@ -323,5 +314,4 @@ class Machine:
 def simulate(scene: str = "chaos", t_end: float | None = None, every: int = 1,
              scheme: Scheme | str | None = None, **settings) -> Table:
     """The rows of one motion; settings are those of Machine."""
-    known(settings, ranges(), Machine, simulate)
     return Machine(scene, **settings).run(t_end, every, scheme)

@@ -78,7 +78,7 @@ class Table(np.ndarray):
         by = next((name for name in ("mode", "final", "region")
                    if name in self.dtype.names), None)
         style = {"linestyle": "", "marker": ".", "markersize": 2, **style}
-        for one in MEMBERS.get(by, (None,)):
+        for one in MEMBERS.get(by or "", (None,)):
             part = self if one is None else self[self[by] == one]
             if part.size:
                 axes.plot(part[x].ravel(), part[y].ravel(), **{
