@@ -10,15 +10,12 @@ import numpy as np
 import twofold
 from twofold import _core
 
-def interrupt(*_):
-    raise KeyboardInterrupt
-
-signal.signal(signal.SIGALRM, interrupt)
+signal.signal(signal.SIGALRM, signal.default_int_handler)
 slices = _core.SLICE
 assert twofold.__version__ == sys.argv[1]
-for real in ("double", "float"):
+for real, scene in ("double", "chaos"), ("float", "driven"):
     # An ensemble has the bits of single steps.
-    machine = twofold.Machine("chaos", real=real, rule="random")
+    machine = twofold.Machine(scene, real=real, rule="random")
     start = np.repeat([0.1, 0.18, 0.3], [3, 40, 4])
     many = twofold.Ensemble(machine, start, -1.037, h=1e-10, seed=range(7, 54))
     many.step(20000)
@@ -28,7 +25,7 @@ for real in ("double", "float"):
         last = machine.run(20000 * machine["dt"], 20000, "moreau")[-1]
         for name in ("r", "v", "omega", "h", "g", "F", "M", "mode", "set"):
             assert last[name] == many[name][i], (name, i)
-    assert len(set(many["r"][3:43])) > 1
+    assert len(set(many["r"][3:43])) > 1 or scene == "driven"
     # A ramp of one step, behind which the turntable keeps its speed. Slices of
     # a run are seen neither in its rows nor in its end.
     ends = set()

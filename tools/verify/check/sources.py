@@ -7,8 +7,8 @@ import sys
 from glob import glob
 from pathlib import Path
 
-from findings import (DEFINES, FULL, asked, checked, files_in, commit, missing,
-                      need, passes, version, wrong)
+from findings import (BUILD, DEFINES, FULL, asked, checked, files_in, commit,
+                      missing, need, passes, version, wrong)
 import driven
 
 CPPCHECK = ("cppcheck", "--quiet", "--std=c99", "-Iinclude", "-Isrc",
@@ -43,10 +43,14 @@ def shell():
 
 
 def python():
-    """No name is unknown, defined twice or imported in vain."""
+    """No name is unknown, defined twice or imported in vain; the types of the
+    package agree."""
     need("pyflakes3", "pyflakes3")
     files = [*scripts(r"python3?\b", ".py")]
     passes("pyflakes3", "pyflakes3", *files)
+    need("mypy", "mypy")
+    passes("mypy", "mypy", "--ignore-missing-imports", "--cache-dir",
+           BUILD / "mypy", "tools/package/dist/python/twofold")
     checked(f"{len(files)} programs and modules")
 
 

@@ -4,6 +4,7 @@ function and method, with each kind of bad value. Run by in_python.py, where the
 module is installed."""
 import ctypes
 import math
+import pickle
 from fractions import Fraction
 
 import numpy as np
@@ -155,8 +156,20 @@ def judge(real):
     raises(ValueError, "name of an input", machine.input, thrust=1)
     raises(ValueError, "not both", twofold.Machine, v=0, h=0)
     raises(ValueError, "did you mean 'chaos'?", twofold.Machine, "choas")
-    raises(ValueError, "did you mean 'kappa'?", twofold.sweep, "chaos",
-           {"kapa": 1})
+    raises(ValueError, "not law", twofold.Machine("smooth").regions, 0.1, -1)
+    raises(ValueError, "needs law", twofold.simulate, "smooth", 0, 1, "located")
+    raises(ValueError, "no speed v gives", twofold.Machine, gamma=0)
+    for hint, over, settings in (
+            ("kappa", {"kapa": 1}, {}), ("omega", None, {"omga": 1}),
+            ("chaos", None, {"scene": "chaso"}), ("t_end", None, {"tend": 1})):
+        raises(ValueError, f"did you mean {hint!r}?", twofold.sweep,
+               **{"over": over, **settings})
+    for kind, over in (
+            (TypeError, ["r"]), (TypeError, {"r": [1, None]}),
+            (ValueError, {"r": np.ma.array([1, 2], mask=[0, 1])}),
+            (ValueError, {"r": BAD_SHAPE[0]}), (ValueError, {"law": "jmp"}),
+            (ValueError, {"mu": 1})):
+        raises(kind, [*over][0], twofold.sweep, over=over, mu=2)
     for given in ({}, {"v": 0, "h": 0}):
         raises(ValueError, "either v or h", machine.place, 0.1, -1, **given)
         raises(ValueError, "either v or h", twofold.Ensemble, machine, 0.1, -1,
@@ -183,6 +196,13 @@ def judge_good():
     many.step(0)
     assert [*many["seed"]] == [0, 2 ** 32 - 1] and [*many["tick"]] == [2, 2]
     assert len(twofold.Ensemble(machine, 0.1, -1, v=0)) == 1
+    assert [len(twofold.simulate(t_end=t)) for t in (5e-5, 2.5e-4)] == [2, 4]
+    rows = twofold.sweep("chaos", {
+        "law": [*twofold.Law][:2], "rule": "SLIP_PLUS", "kappa": [1, -5]}, 1e-3)
+    assert "refused" in repr(rows) and len(rows) == 2
+    for held in (machine, many):
+        same = pickle.loads(pickle.dumps(held))
+        assert repr(held) == repr(same)
     assert set(twofold.scenes()) and len(twofold.parameters()) == 22
 
 

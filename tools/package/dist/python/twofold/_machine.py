@@ -27,7 +27,6 @@ BUFFERS = "state", "low", "report", "_params", "_machine"
 HINTS = {"select": "rule", **{name: name for name in (
     *START, "real", "law", "rule", "rest", "with_angle", "seed", "t_end",
     "every", "scheme", "over")}}
-JUMPS = Law.JUMP, Law.COULOMB
 
 
 def placed(r, omega, v, h):
@@ -235,7 +234,8 @@ class Machine:
             short = self.core is CORES["float"] and self["dt"] < SHORT_STEP
             return Scheme.COMPENSATED if short else Scheme.MOREAU
         scheme, law = member("scheme", scheme, Scheme), self._get("law", Law)
-        if scheme == Scheme.LOCATED and law not in (*JUMPS, Law.NONE):
+        if scheme == Scheme.LOCATED and law not in (
+                Law.JUMP, Law.COULOMB, Law.NONE):
             raise ValueError("scheme is located, which needs law jump, coulomb "
                              f"or none, not {law}; moreau takes every law")
         return scheme
