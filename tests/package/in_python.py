@@ -5,7 +5,7 @@ import sys
 from harness import BUILD, DIST, ROOT, equal, folder, lacks, run, version
 
 PROGRAM = """\
-import signal, sys
+import contextlib, signal, sys
 import numpy as np
 import twofold
 from twofold import _core
@@ -57,10 +57,8 @@ for real, scene in ("double", "chaos"), ("float", "driven"):
                          lambda: [machine.state.tick])):
         inputs = machine.input(alpha=0.1)
         signal.setitimer(signal.ITIMER_REAL, 0.1)
-        try:
+        with contextlib.suppress(KeyboardInterrupt):
             step()
-        except KeyboardInterrupt:
-            pass
         tick, = set(ticks())
         assert tick < 10**7 and (inputs.alpha == 0) == (tick > 0), tick
 """

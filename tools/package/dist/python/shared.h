@@ -40,8 +40,7 @@ void LANES(twofold_lanes)(const motion_t *of, tf_state_block_t *states,
                           uint64_t to) {
   const tf_machine_t *machine = &of->machine->machine;
   for (size_t at = 0; at < n; at += TF_LANES) {
-    tf_input_t u = tf_input_default(machine);
-    if (input) u = *input;
+    tf_input_t u = input ? *input : tf_input_default(machine);
     for (uint64_t i = from + 1; i <= to; i++) {
       if (!input) u = tf_scene_input(of->scene, machine, i);
       tf_ensemble_step(machine, states + at / TF_LANES,
@@ -166,49 +165,33 @@ uint64_t SHARED(twofold_run)(const motion_t *of, tf_input_t *input,
   return end;
 }
 
-/* Whether a step ends in a mode: by the rule, from that mode on, or by one of
- * many draws that end a rest, as at the h = g = 0 that a step comes to. */
-static bool ends_in(const motion_t *of, const tf_input_t *input,
-                    unsigned mode) {
-  const tf_state_t before = *of->state;
-  const tf_compensation_t low = *of->low;
-  tf_compensated_t machine = *of->machine;
-  tf_contact_t *by = &machine.machine.contact;
-  motion_t forced = *of;
-  forced.machine = &machine;
-  for (uint32_t i = 0; i < 64; i++) {
-    *of->low = low;
-    if (one_step(&forced, input) >= 0 && of->report->mode == mode) {
-      of->state->seed = before.seed;
-      return true;
-    }
-    *of->state = before;
-    of->state->mode = (uint8_t)(i == 0 ? mode : TF_PINNED);
-    of->state->seed = i;
-    by->rule = i == 0 ? TF_RULE_PERSIST : TF_RULE_RANDOM;
-    by->exit_threshold = mode == TF_PINNED ? 0 : UINT64_MAX;
-  }
-  *of->state = before;
-  *of->low = low;
-  return false;
-}
-
-/* One step into a mode that it may take, whatever the rule would; where it is
- * possible only within the step, stick or rest ends in it. Returns: the status;
+/* One step into a mode that it may take, whatever the rule would: from that
+ * mode on, or by one of many draws that end a rest, as at the h = g = 0 that a
+ * step comes to; where the mode is possible only within the step, stick or
+ * rest, to be reached in the same ways, ends in it. Returns: the status;
  * TF_BAD_PARAMETER: not that mode. */
 tf_status_t SHARED(twofold_take)(const motion_t *of, const tf_input_t *input,
                                  unsigned mode) {
   const tf_state_t before = *of->state;
   const tf_compensation_t low = *of->low;
+  tf_compensated_t machine = *of->machine;
+  tf_contact_t *by = &machine.machine.contact;
+  motion_t forced = *of;
   const tf_status_t status = one_step(of, input);
-  if (status < 0 || of->report->mode == mode) return status;
   const unsigned set = of->report->set;
-  *of->state = before;
-  *of->low = low;
-  if (!has(set, mode)) return TF_BAD_PARAMETER;
-  if (ends_in(of, input, mode)) return of->report->status;
-  for (unsigned held = TF_PINNED; held >= TF_STICK_PLUS; held--) {
-    if (has(set, held) && ends_in(of, input, held)) {
+  if (status < 0 || of->report->mode == mode) return status;
+  forced.machine = &machine;
+  for (unsigned i = TF_MODES; has(set, mode) && i >= TF_STICK_PLUS; i--) {
+    const unsigned to = i == TF_MODES ? mode : i;
+    for (uint32_t draw = 0; has(set, to) && draw < 64; draw++) {
+      *of->state = before;
+      *of->low = low;
+      of->state->mode = (uint8_t)(draw == 0 ? to : TF_PINNED);
+      of->state->seed = draw;
+      by->rule = draw == 0 ? TF_RULE_PERSIST : TF_RULE_RANDOM;
+      by->exit_threshold = to == TF_PINNED ? 0 : UINT64_MAX;
+      if (one_step(&forced, input) < 0 || of->report->mode != to) continue;
+      of->state->seed = before.seed;
       of->state->mode = of->report->mode = (uint8_t)mode;
       return of->report->status;
     }
