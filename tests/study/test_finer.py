@@ -76,14 +76,7 @@ def starts(_):
     check(abs(kicked - plain) > 2e-4, f"a kick does not: {kicked}")
 
 
-def names(_):
-    """A name that is none is told."""
-    said, error = call("colour=1", code=2, program=FINER)
-    check(said == "" and "colour=1" in error, f"{said}{error}")
-
-
 TESTS = [("finer: the core's law smooth comes to its motion", agreement),
          ("finer: contraction tends to that of the stick", contraction),
          ("finer: a kick grows by Kummer's function", growth),
-         ("finer: the start is forgotten, a kick is not", starts),
-         ("finer: a name that is none is told", names)]
+         ("finer: the start is forgotten, a kick is not", starts)]

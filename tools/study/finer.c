@@ -47,9 +47,10 @@ static const char *const form_names[FORMS] = {"algebraic", "tanh",     "arctan",
 
 // Name and default of each option. The machine, as scene `chaos` has it; width
 // [m/s], or rad (angle), or 1/k (two_piece). until [s]; fold: r of the two-fold
-// [m]; exit: a motion has left where |h| is that many widths; kick: what is
-// added to h at the two-fold [m/s]. r, w, x: the start, x is h in widths, by
-// default where `chaos` lands in the sliding region before the two-fold.
+// [m]; exit: a motion has left where |h| is that many widths, and only=1 ends
+// it there; kick: what is added to h at the two-fold [m/s]. r, w, x: the start,
+// x is h in widths, by default where `chaos` lands in the sliding region before
+// the two-fold.
 // samples, seed, delta: that many motions, in which kick is multiplied and w
 // changed (by the share delta) by draws from (-1, 1).
 #define OPTIONS(X)                  \
@@ -68,6 +69,7 @@ static const char *const form_names[FORMS] = {"algebraic", "tanh",     "arctan",
   X(until, 3)                       \
   X(fold, 0.1859)                   \
   X(exit, 3)                        \
+  X(only, 0)                        \
   X(kick, 0)                        \
   X(r, 0.191960972)                 \
   X(w, -1.053244828)                \
@@ -248,7 +250,8 @@ static outcome_t follow(motion_t *k, double kick, ref_state_t x) {
   outcome_t out = {NAN, NAN, NAN, NAN, NAN, 0, 0, 0, 0, x};
   real_t dt = (real_t)1e-6L;
   const real_t until = (real_t)given.until;
-  while ((double)x.t < given.until - 1e-14 && isnan(out.zero_t)) {
+  while ((double)x.t < given.until - 1e-14 && isnan(out.zero_t) &&
+         (given.only == 0 || out.side == 0)) {
     dt = ref_smaller(dt, until - x.t);
     ref_state_t next = advance(k, x, &dt);
     const double grown =
@@ -299,12 +302,14 @@ static void sample(motion_t k, double delta, double kick) {
   const real_t width = layer_width(&k, ref_slip(q, start).g);
   const outcome_t out =
       follow(&k, kick, ref_with_h(q, start, (real_t)given.x * width));
+  const ref_slip_t end = ref_slip(q, out.end);
   printf(
       "%s,%d,%.6g,%.6g,%.6g,%d,%.12g,%.12g,%.12g,%.12g,%.12g,%.9g,%.9g,"
-      "%d,%ld,%.3g,%.12g,%.17g,%.17g,%.17g\n",
+      "%d,%ld,%.3g,%.17g,%.12g,%.17g,%.17g,%.17g\n",
       form_names[form], REF_BITS, given.width, delta, kick, out.side,
       out.fold_t, out.exit_t, out.exit_r, out.zero_t, out.zero_r, out.before,
-      out.behind, out.windings, k.steps, (double)k.error, (double)out.end.t,
+      out.behind, out.windings, k.steps, (double)k.error,
+      (double)(end.h / layer_width(&k, end.g)), (double)out.end.t,
       (double)out.end.r, (double)ref_v(q, out.end), (double)ref_w(q, out.end));
 }
 
@@ -348,7 +353,7 @@ int main(int argc, char **argv) {
   uint64_t seed = (uint64_t)given.seed;
   puts(
       "form,bits,width,delta,kick,side,fold_t,exit_t,exit_r,zero_t,zero_r,"
-      "before,behind,windings,steps,error,t,r,v,w");
+      "before,behind,windings,steps,error,x,t,r,v,w");
   for (int n = 0; n < given.samples; n++) {
     const double of_start = given.samples > 1 ? draw(&seed) : 1;
     const double of_kick = given.samples > 1 ? draw(&seed) : 1;

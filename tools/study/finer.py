@@ -18,7 +18,7 @@ from __future__ import annotations
 import json
 import math
 from pathlib import Path
-from typing import Callable, Iterator, Optional, Sequence
+from typing import Any, Callable, Iterator, Optional, Sequence
 
 import numpy as np
 import pandas as pd
@@ -155,23 +155,28 @@ def turning(fold: TwoFold, run: Callable[..., list[str]],
     return effective, sign * low, sign * high
 
 
+def delassus(r: Any, kappa: float) -> Any:
+    """A, by which a force across the wheel's plane changes h' [1/kg]."""
+    scene = families.SCENE
+    sine, cosine = math.sin(scene["gamma"]), math.cos(scene["gamma"])
+    return (r ** 2 + (scene["beta"] * sine) ** 2
+            + kappa * r * cosine) / (scene["beta"] ** 2 + r ** 2)
+
+
 def contraction(twofold: str, form: str, folder: Path) -> float:
     """C, the integral of A phi'(phi^-1(F/mu)) mu over the stick that leads to
     the two-fold, by the core's set-valued stick alone: the layer's contraction
     is exp(-C/width) as the width goes to 0. The last 0.07 ms, in which A goes
     to 0, are a share of 3e-7."""
-    path, scene = folder / "stick.csv", families.SCENE
+    path = folder / "stick.csv"
     table.said(
         twofold, "run", "chaos", "--scheme", "located", "--dt", "1e-4",
         "--t-end", "0.1236", "--set", "r=0.191960972", "--set",
         "omega=-1.053244828", "--set", "h=0", "--every", "1", "--out", path)
     rows = table.read(path)
-    sine, cosine = math.sin(scene["gamma"]), math.cos(scene["gamma"])
-    inertia = scene["beta"] ** 2 + rows.r ** 2
-    delassus = (rows.r ** 2 + (scene["beta"] * sine) ** 2
-                + scene["kappa"] * rows.r * cosine) / inertia
     return float(integrate.simpson(
-        delassus * [slope(form, force) for force in rows.F], x=rows.t))
+        delassus(rows.r, families.SCENE["kappa"])
+        * [slope(form, force) for force in rows.F], x=rows.t))
 
 
 def follow(work: Path, twofold: str) -> None:

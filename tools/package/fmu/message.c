@@ -51,8 +51,8 @@ static uint64_t scaled(double value, int *exponent) {
   return digits;
 }
 
-// DIGITS digits, a point after the first `before` of them, or none where that is
-// 0; without the zeros at the end of a fraction.
+// DIGITS digits, a point after the first `before` of them, or none where that
+// is 0; without the zeros at the end of a fraction.
 static void say_digits(fmu_message_t *message, uint64_t digits, int before) {
   char letter[DIGITS];
   int used = DIGITS;
