@@ -2,7 +2,7 @@
 # Makefile. tools/study/run makes a section and its page in docs/, which is kept
 # by keep-SECTION; the counts behind it are kept in docs/study.
 #
-#   CYCLES=20 MACHINES=200 SIDE=8 DESIGNS=4 MECHANISMS=100   less of a section
+#   CYCLES=20 MACHINES=200 MECHANISMS=100   less of a section
 #   FIGURES='tyre atlas'   of figures: some of them
 #   ONLY='counts map'      of test-shards: tests whose names have one of these
 
@@ -35,8 +35,9 @@ $(FINER): $(BUILD)/study/finer-%: $(FINER_SOURCES) \
 	  -o $@
 
 .PHONY: statistics keep-statistics recurrence recurrence-page keep-recurrence \
-  noise keep-noise finer keep-finer mechanisms keep-mechanisms trolley \
-  keep-trolley figures keep-figures keep-futures figures-gnuplot test-shards
+  noise keep-noise finer keep-finer sides keep-sides mechanisms \
+  keep-mechanisms trolley keep-trolley figures keep-figures keep-futures \
+  figures-gnuplot test-shards
 statistics: ## exits and returns of chaos, counted (15 minutes)
 statistics: $(two) $(BUILD)/study/machines
 	$(study) exits
@@ -52,6 +53,9 @@ noise: $(two)
 finer: ## what finer laws select behind the two-fold (10 minutes)
 finer: $(two) $(FINER)
 	$(study) finer
+sides: ## their first sides at 200 widths a decade (50 minutes)
+sides: $(two) $(FINER)
+	$(study) sides
 mechanisms: ## two-folds of 100000 random mechanisms (5 minutes)
 	$(study) mechanisms
 keep-statistics: ## copy what statistics made to docs/
@@ -62,6 +66,8 @@ keep-noise: ## copy what noise made to docs/
 	$(study) noise keep
 keep-finer: ## copy what finer made to docs/
 	$(study) finer keep
+keep-sides: ## copy what sides made to docs/
+	$(study) sides keep
 keep-mechanisms: ## copy what mechanisms made to docs/
 	$(study) mechanisms keep
 trolley: ## two-folds of a castor, and what follows them

@@ -64,9 +64,10 @@ import exits  # noqa: E402
 import finer  # noqa: E402
 import noise  # noqa: E402
 import recurrence  # noqa: E402
+import sides  # noqa: E402
 
 for name, module in (("exits", exits), ("finer", finer), ("noise", noise),
-                     ("recurrence", recurrence)):
+                     ("recurrence", recurrence), ("sides", sides)):
     judge_page(name, module.PAGE)
 table = pandas.read_csv("docs/study/exits-sides.csv").set_index("run")
 runs = {name: options for name, options in exits.first_cycles()
@@ -75,5 +76,5 @@ if not runs:
     wrong("no run of first exits is kept")
 for number, (name, options) in enumerate(runs.items(), SEED):
     judge_sides(name, options, table.loc[name], number)
-checked(f"4 pages of the counts that are kept; {len(runs)} runs of first exits "
+checked(f"5 pages of the counts that are kept; {len(runs)} runs of first exits "
         f"again, {SAMPLES} samples each")
