@@ -448,7 +448,7 @@ class Study:
             ["predicted; rounding is a kick of so many u", ", ".join(
                 "-" if np.isnan(one) else f"{one:.1e} m/s" for one in
                 map(self.predicted, UNITS)) + "; " + ", ".join(
-                    "-" if np.isnan(one) else f"{one:.0f}" for one in
+                    "-" if np.isnan(one) else f"{one:.1g}" for one in
                     map(self.rounding, UNITS))],
             ["measured E above what is predicted",
              f"{over[1:].min():.1g} to {over[1:].max():.1g} %; at the least "
