@@ -11,7 +11,7 @@ set yrange [-1:1]
 set xtics 0.5
 set ytics 0.5
 set xlabel 'ξ  (1 is 0.02 rad/s in ω)'
-set ylabel 'η' offset 1.5
+set ylabel 'η' offset 3
 set object 1 rectangle from 0,0 to 1,1 fc rgb shade[1] fs solid noborder behind
 set object 2 rectangle from -1,-1 to 0,0 fc rgb shade[2] fs solid noborder \
   behind

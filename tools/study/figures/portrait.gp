@@ -11,7 +11,7 @@ set title sprintf('(a) slip in the plane of (g, h), r = %g m', r0) \
 set xrange [-1:1]; set yrange [-1:1]
 set xtics 0.5; set ytics 0.5
 set xlabel 'rolling speed g [any unit]'
-set ylabel 'lateral speed h [the same]' offset 1.5
+set ylabel 'lateral speed h [the same]' offset 2
 set angles degrees
 at = data.'/directions.dat'
 plot '+' using (-1):(0):(1):(0) every ::0::0 with vectors nohead lw 7 \
