@@ -356,7 +356,7 @@ def parts(kept: Path) -> dict[str, str]:
     long = of["returns"].cycles[0]
     numbers = of["machines"].astype(str)
     return {
-        "made": f"Made in {made.seconds} s on {made.processors} processors; "
+        "made": f"Made in {made.seconds} s, JOBS={made.processors}; "
                 f"run `long`, {long} cycles, took {made.long} s. One\nprocess "
                 f"takes {made.us_a_cycle / 1000:.2g} ms a cycle.",
         "returns": returns_table(of["returns"]),
