@@ -91,6 +91,8 @@ $(if $(DEADMAN),$(call must_be_whole,DEADMAN,0))
 # The scenes that a board has room for, where not for all.
 BOARD_SCENE := $(or $(firstword $(BOARD_SCENES)),chaos)
 SCENE ?= $(BOARD_SCENE)
+$(foreach one,SCENE START KEY,$(if $(word 2,$($(one))),$(error \
+  $(one)='$($(one))' has a blank, and make takes it for two names)))
 
 ifneq ($(BOARD_SMALL),)
 ifneq ($(filter generic,$(SCENE))$(filter-out plotter csv,$(FORMAT))$(UPLINK),)

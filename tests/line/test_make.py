@@ -117,7 +117,7 @@ def test_all_take_the_same_keys():
     Path("folder").mkdir(mode=0o700)
     judge_key("folder", "Is a directory")
     judge_key("none", "No such file or directory")
-    for path in "folder", "none", "key5":
+    for path in "folder", "none", "key5", "a key":
         code, _, said = make("FORMAT=frames", "UPLINK=yes", "NAMED=-keys",
                              f"KEY={Path(path).resolve()}")
         same((code, said.count("KEY="), "grep" in said), (2, 1, False))
