@@ -97,31 +97,6 @@ static void mix_two_fold(draw_t *d, const tf_two_fold_t *at) {
   mix_small(d, at->paper_case);
 }
 
-TEST(golden_surfaces) {
-  draw_t d = population(5);
-  for (unsigned n = 0; n < 20000; n++) {
-    tf_machine_t k;
-    if (any_machine(&d, n, &k) != TF_OK) continue;
-    const tf_input_t u = any_input(&d, &k);
-    const tf_state_t x = any_state(&d, &k, &u);
-    tf_surface_t at;
-    const tf_status_t status = tf_surface_at(&k, &u, x.r, x.v, x.w, &at);
-    mix_small(&d, (unsigned)status);
-    if (status != TF_OK) continue;
-    mix_real(&d, at.lie_plus);
-    mix_real(&d, at.lie_minus);
-    mix_real(&d, at.delassus);
-    mix_real(&d, at.lambda);
-    mix_rate(&d, &at.plus);
-    mix_rate(&d, &at.minus);
-    mix_rate(&d, &at.stick);
-    mix_rate(&d, &at.scaled);
-    mix_small(&d, at.region);
-    mix_small(&d, at.lambda_is_given);
-  }
-  check_golden("surface", d.hash);
-}
-
 TEST(golden_two_folds) {
   draw_t d = population(6);
   for (unsigned n = 0; n < 20000; n++) {
@@ -143,22 +118,4 @@ TEST(golden_two_folds) {
     }
   }
   check_golden("two-folds", d.hash);
-}
-
-TEST(golden_designs) {
-  draw_t d = population(7);
-  for (unsigned n = 0; n < 20000; n++) {
-    tf_machine_t k;
-    if (any_machine(&d, n, &k) != TF_OK) continue;
-    const tf_input_t u = any_input(&d, &k);
-    const tf_state_t x = any_state(&d, &k, &u);
-    tf_design_t design;
-    const tf_status_t status = tf_design_two_fold(&k, &u, x.r, x.w, &design);
-    mix_small(&d, (unsigned)status);
-    mix_real(&d, design.kappa);
-    mix_real(&d, design.k2);
-    mix_small(&d, design.obstacle);
-    mix_two_fold(&d, &design.two_fold);
-  }
-  check_golden("design", d.hash);
 }

@@ -184,6 +184,21 @@ def test_a_frame_of_another_start_is_told():
               in said, said)
 
 
+def test_parts_of_two_starts_are_told():
+    """Also where all have the tag of the key, and by those who ask for it."""
+    parts = []
+    for _ in range(2):
+        Path("stream").write_bytes(b"")
+        with keyed(port="stream"):
+            until(lambda: Path("stream").stat().st_size > 25000, "frames")
+        parts.append(Path("stream").read_bytes().split(b"\0"))
+    for at in 90, 171, 252:
+        Path("stream").write_bytes(b"\0".join(parts[0][:at] + parts[1][at:]))
+        for more in [], ["--key", "key", "--verify"]:
+            said = call("monitor", "stream", *more, code=6)[1]
+            check("frames are of another run" in said, f"{at} {more}: {said}")
+
+
 def test_no_session_comes_again():
     starts.starts([program("double", "keyed")])
 

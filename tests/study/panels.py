@@ -23,7 +23,6 @@ from matplotlib import image
 # one. A plot that has no mark, or is not there, is an error.
 PLOTS = {
     "atlas": (1, 1, 1, 1, 1, 1, 2),
-    "chaos": (8, 8),
     "exits": (2, 3, 2, 2, 5),
     "normal": (6, 9, 10),
     "portrait": (6, 5, 7),

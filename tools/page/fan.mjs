@@ -20,10 +20,9 @@ export class Fan {
 
   // The futures of the step that ends at a tick, for so many seconds; or none.
   show(tick, seconds) {
-    const all = tick === null ? []
-      : this.motion.futures(tick, seconds, SAMPLES);
     this.tick = tick;
-    this.futures = all.filter(({ rows }) => rows.length);
+    this.futures = tick === null ? []
+      : this.motion.futures(tick, seconds, SAMPLES);
     this.exits = this.futures.filter(({ mode }) => mode === 2 || mode === 3)
       .flatMap(({ rows }) => this.motion.exits(rows, EXITS));
     this.began = performance.now();
@@ -31,19 +30,13 @@ export class Fan {
     if (tick === null) return;
     $('choices').append(
       element('span', {}, `t = ${short(tick * this.motion.dt, 7)} s`),
-      ...all.map(({ mode, rows }) => this.#button(mode, rows.length &&
-        this.futures.findIndex((at) => at.mode === mode) + 1)));
+      ...this.futures.map(({ mode }, at) => this.#button(mode, at + 1)));
   }
 
-  // number: 0 where the future cannot be chosen.
   #button(mode, number) {
     return element('button', { className: `mode mode${mode}`,
-      disabled: !number,
-      onclick: () => this.choose(mode),
-      title: number ? `Go on with it (${number})`
-        : 'Possible in this step, but a step into it ends in another mode' },
-    (number ? `${number}  ` : '') +
-      this.motion.core.modes[mode].replace('-', '−'),
+      onclick: () => this.choose(mode), title: `Go on with it (${number})` },
+    `${number}  ${this.motion.core.modes[mode].replace('-', '−')}`,
     element('i', {}, `: ${WORDS[mode]}`));
   }
 

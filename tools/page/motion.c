@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "module.h"
+#include "package/fmu/take.h"
 
 // A set-up is a scene whose parameters and start the page alters. The angle is
 // drawn, so it is integrated here in every scene; nothing depends on it.
@@ -196,55 +197,44 @@ static void note_change(unsigned mode, unsigned before) {
   to[4] = report.choices;
 }
 
+static void note_step(const tf_input_t *input, const tf_report_t *before) {
+  applied = *input;
+  table += input->omega0 * machine.dt;
+  note_change(before->mode, before->set);
+}
+
 // Returns: the status of the last step; if that is < 0 it was refused, and no
 // further one was taken. Changes are those of this call alone.
 int32_t EXPORT(step)(uint32_t steps) {
   tf_status_t status = begun ? TF_OK : TF_BAD_STATE;
   changes = 0;
   for (; steps > 0 && status >= 0; steps--) {
-    const unsigned mode = report.mode, before = report.set;
+    const tf_report_t before = report;
     const tf_input_t input = next_input();
     status = tf_step(&machine, &state, &input, &report);
-    if (status < 0) break;
-    applied = input;
-    table += input.omega0 * machine.dt;
-    note_change(mode, before);
+    if (status >= 0) note_step(&input, &before);
   }
   return status;
 }
 
-// Returns: as step. Where the step does not end in the mode, nothing of it is
-// kept, and the status is TF_BAD_PARAMETER.
-static int32_t try_step(uint32_t mode) {
-  const tf_state_t old_state = state;
-  const tf_report_t old_report = report;
-  const tf_input_t old_applied = applied;
-  const double old_table = table;
-  int32_t status = step(1);
-  if (status >= 0 && report.mode == mode) return status;
-  if (status >= 0) status = TF_BAD_PARAMETER;
-  state = old_state;
-  report = old_report;
-  applied = old_applied;
-  table = old_table;
-  changes = 0;
-  return status;
+static tf_status_t step_under(void *input) {
+  return tf_step(&machine, &state, input, &report);
 }
 
-// One step into a mode of its solution set, whatever the rule would take; the
-// rule goes on from there. Returns: as try_step.
+// One step into a mode that it may take (take.h); the rule goes on from there.
+// Returns: as step; of what is < 0 nothing is kept.
 int32_t EXPORT(take)(uint32_t mode) {
   if (mode >= TF_MODES || !begun) return TF_BAD_PARAMETER;
-  const int32_t status = try_step(mode);
-  if (status != TF_BAD_PARAMETER) return status;
-  const tf_rule_t rule = machine.contact.rule;
-  const uint8_t old_mode = state.mode;
-  state.mode = (uint8_t)mode;
-  machine.contact.rule = TF_RULE_PERSIST;
-  const int32_t forced = try_step(mode);
-  machine.contact.rule = rule;
-  if (forced < 0) state.mode = old_mode;
-  return forced;
+  const tf_report_t before = report;
+  tf_input_t input = next_input();
+  changes = 0;
+  const tf_status_t status =
+      take_mode(step_under, &input, &state, &machine.contact, &report, mode);
+  if (status >= 0)
+    note_step(&input, &before);
+  else
+    report = before;
+  return status;
 }
 
 double *EXPORT(look)(void) {

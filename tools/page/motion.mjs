@@ -167,9 +167,7 @@ export class Motion {
   }
 
   // The futures of the step that ends at a tick: each mode of its set and where
-  // that leads in so many seconds, in `samples` rows. Those are empty where the
-  // step ends in another mode although this one is possible: a slip does not
-  // enter an escaping stick, and rest ends where a stick attracts.
+  // that leads in so many seconds, in `samples` rows.
   futures(tick, seconds, samples) {
     if (tick < 1 || !this.#before(tick)) return [];
     const { scout } = this;
@@ -182,11 +180,7 @@ export class Motion {
     const set = scout.look()[AT.set];
     for (let mode = 0; mode < 5; mode++) {
       scout.restore(before);
-      if (!(set >> mode & 1)) continue;
-      if (scout.c.take(mode) < 0) {
-        found.push({ mode, rows: [] });
-        continue;
-      }
+      if (!(set >> mode & 1) || scout.c.take(mode) < 0) continue;
       const rows = [before, scout.look().slice()];
       for (let i = 0; i < samples && scout.c.step(steps) >= 0; i++)
         rows.push(scout.look().slice());

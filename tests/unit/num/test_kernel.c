@@ -101,7 +101,8 @@ static void judge_extremes(const tf_tyre_t *tyre, real *worst) {
 
 /* The anchors T = tan(a n pi/16) where most of them are steep. Those above pi/4
  * come down from T(inf), which is exact: a sum of angles would multiply the
- * rounding of its terms. By the square mean, which tells that from chance. */
+ * rounding of its terms, and T[6] is that of the smallest angle. By the square
+ * mean, which tells that from chance. */
 TEST(anchors_error_bound) {
   real sum[TF_TYRE_ANCHORS] = {0};
   const int count = samples(20000);
@@ -114,7 +115,7 @@ TEST(anchors_error_bound) {
     }
   }
   for (int n = 1; n < TF_TYRE_ANCHORS - 1; n++)
-    if (!CHECK(sqrtl(sum[n]) < 1.2L)) printf("# T[%d]\n", n);
+    if (!CHECK(sqrtl(sum[n]) < (n == 6 ? 0.85L : 1.2L))) printf("# T[%d]\n", n);
 }
 
 TEST(angle_kernel_error_bound) {

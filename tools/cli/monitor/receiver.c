@@ -115,8 +115,13 @@ bool cli_receiver_open(cli_receiver_t *receiver, tf_frame_t *frame,
   const bool is_own = tf_frame_untag(frame, key, &session);
   const bool is_of_now = begins || session == receiver->session;
   receiver->forged += !is_own;
-  receiver->unknown += is_own && !is_of_now;
-  return is_own && is_of_now;
+  if (!is_own) return false;
+  receiver->unknown += !is_of_now;
+  // Another start begins by its schema, what was joined to this one does not.
+  if (receiver->has_schema && !is_of_now && !receiver->is_apart)
+    note_other(receiver, frame->tick);
+  receiver->is_apart = !is_of_now;
+  return is_of_now;
 }
 
 static bool take_schema(cli_receiver_t *receiver, const tf_frame_t *frame) {

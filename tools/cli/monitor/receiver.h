@@ -19,8 +19,9 @@ typedef struct {
   uint32_t sequence; ///< least number of a command that is still taken
   uint64_t schemas;  ///< that have come
   bool knows_run;
-  uint32_t run;        ///< hash of the run, of the last schema or heartbeat
-  uint64_t other_runs; ///< schemas and heartbeats that do not fit those before
+  uint32_t run;  ///< hash of the run, of the last schema or heartbeat
+  bool is_apart; ///< the last frame with the key's tag is of another start
+  uint64_t other_runs; ///< changes of the run that no start explains
   uint32_t next;       ///< number of the frame behind the last one
   bool knows_chain;    ///< no frame is missing since a heartbeat or number 0
   bool breaks;         ///< the last frame is a heartbeat of another chain

@@ -319,6 +319,12 @@ static int end_lateness(cli_run_t *run, int code) {
 static int open_files(cli_run_t *run, const cli_args_t *args) {
   if (args->save != NULL) {
     CLI_TRY(cli_output_begin(&run->saved, "--save", args->save, false));
+    if (!cli_is_regular(run->output.to.descriptor)) {
+      cli_say(
+          "twofold: note: --save %s: rows go to %s, which is no file: "
+          "whether they are kept, its reader knows\n",
+          args->save, run->output.name);
+    }
   }
   if (args->lateness != NULL) {
     static cli_lateness_t lateness;

@@ -98,6 +98,8 @@ def main():
             (package / "examples/chaos/src").mkdir()
             shutil.copy(DEMO, package / "examples/chaos/src/main.c")
         shutil.copy(ROOT / "LICENSE", package / "LICENSE")
+        if template == "python":
+            shutil.copy(HERE.parent / "fmu/take.h", package)
         if template in ("cmake", "python"):
             archive(package, folder / template
                     / f"twofold-{version()}.tar.gz")

@@ -6,6 +6,7 @@
 
 #include "fmu_scene.h"
 #include "model.h"
+#include "take.h"
 
 // How far, in steps of dt, the length of a communication step may be from a
 // whole number. Importers send 0.016666666666666677.
@@ -211,29 +212,36 @@ static fmu_status_t refuse_step(fmu_t *fmu, tf_status_t status) {
                     tf_status_name(status));
 }
 
-static tf_status_t step_once(const fmu_motion_t *motion,
-                             const tf_input_t *input, tf_state_t *state,
-                             tf_report_t *report) {
-  return motion->values.whole[FMU_SCHEME] == FMU_LOCATED
-             ? tf_step_located(&motion->machine, state, input, report)
-             : tf_step(&motion->machine, state, input, report);
+typedef struct {
+  fmu_motion_t *motion;
+  tf_input_t input;
+} coming_t;
+
+static tf_status_t step_once(void *of) {
+  const coming_t *coming = of;
+  fmu_motion_t *motion = coming->motion;
+  return (motion->values.whole[FMU_SCHEME] == FMU_LOCATED ? tf_step_located
+                                                          : tf_step)(
+      &motion->machine, &motion->state, &coming->input, &motion->report);
+}
+
+static tf_status_t take_step(coming_t *coming, unsigned mode) {
+  fmu_motion_t *motion = coming->motion;
+  return take_mode(step_once, coming, &motion->state, &motion->machine.contact,
+                   &motion->report, mode);
 }
 
 // The report of the last step does not tell: its set is that of its end or of
 // an instant within it, which may be past. So the step is tried in each mode.
 fmu_status_t fmu_check_open(fmu_t *fmu, fmu_status_t status, unsigned mode,
                             uint64_t end) {
-  const fmu_motion_t *motion = &fmu->motion;
-  const tf_input_t input = input_at(motion, motion->state.tick + 1, end);
   fmu_message_t *message = fmu_begin_message(fmu);
   const char *comma = "; open in the next step: ";
   fmu_say(message, "take = %s is not open", tf_mode_name(mode));
   for (unsigned other = 0; other < TF_MODES; other++) {
-    tf_state_t state = motion->state;
-    tf_report_t report;
-    state.mode = (uint8_t)other;
-    if (step_once(motion, &input, &state, &report) < 0 || report.mode != other)
-      continue;
+    fmu_motion_t motion = fmu->motion;
+    coming_t coming = {&motion, input_at(&motion, motion.state.tick + 1, end)};
+    if (take_step(&coming, other) < 0) continue;
     if (other == mode) return FMU_OK;
     fmu_say(message, "%s%s", comma, tf_mode_name(other));
     comma = ", ";
@@ -255,18 +263,17 @@ static void log_event(fmu_t *fmu) {
 static fmu_status_t advance(fmu_t *fmu, uint64_t end, bool *event) {
   fmu_motion_t *motion = &fmu->motion;
   const unsigned mode = motion->report.mode, set = motion->report.set;
-  const unsigned take = (unsigned)motion->values.whole[FMU_TAKE];
-  const tf_input_t input = input_at(motion, motion->state.tick + 1, end);
-  if (motion->takes) motion->state.mode = (uint8_t)take;
+  const unsigned wanted = (unsigned)motion->values.whole[FMU_TAKE];
+  coming_t coming = {motion, input_at(motion, motion->state.tick + 1, end)};
   const tf_status_t status =
-      step_once(motion, &input, &motion->state, &motion->report);
-  if (status < 0) return refuse_step(fmu, status);
-  if (motion->takes && motion->report.mode != take) {
+      motion->takes ? take_step(&coming, wanted) : step_once(&coming);
+  if (motion->takes && status == TF_BAD_PARAMETER) {
     go_back(fmu);
-    return fmu_check_open(fmu, fmu->refusal, take, end);
+    return fmu_check_open(fmu, fmu->refusal, wanted, end);
   }
+  if (status < 0) return refuse_step(fmu, status);
   motion->takes = false;
-  motion->values.real[FMU_TURNTABLE] = (double)input.omega0;
+  motion->values.real[FMU_TURNTABLE] = (double)coming.input.omega0;
   tf_tally_count(&motion->tally, motion->state.tick, status);
   *event = motion->report.mode != mode || motion->report.set != set;
   if (*event) {

@@ -27,7 +27,7 @@ set key samplen 1.6 spacing 1.1
 array shade[4] = ['#cfe6f5', '#f7cfb5', '#ffffff', '#eeeeee']
 region(name) = name eq 'sliding' ? 1 : name eq 'escaping' ? 2 : \
   name eq 'crossing_up' ? 3 : name eq 'crossing_down' ? 4 : NaN
-# Colours of the modes slip+, slip-, stick+, stick-, pinned, as in docs/chaos.png
+# Colours of the modes slip+, slip-, stick+, stick-, pinned
 array mode_colour[5] = [red, orange, blue, green, black]
 array mode_name[5] = ['slip+', 'slip-', 'stick+', 'stick-', 'pinned']
 # A row of the key above all panels: say @KEYROW, then plot -1 notitle and the

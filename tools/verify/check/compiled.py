@@ -220,10 +220,8 @@ def figures():
     place = place_of("gcc", "-O3")
     program, drawn = place / "double/twofold", place / "figures"
     quietly("rm", "-rf", drawn)
-    # Two are shared, and not of FIGURES.
     names = [path.stem for path in files_in(
-        "tools/study/figures", pattern="*.gp")
-        if path.stem not in ("style", "chaos")]
+        "tools/study/figures", pattern="*.gp") if path.stem != "style"]
     if not in_common(
             "gcc", "-O3", *(drawn / f"{name}.svg" for name in names),
             "SAMPLES_random=400", "SAMPLES_noise=6", "SAMPLES_smoothing=4",
@@ -231,10 +229,6 @@ def figures():
             "WINDOW=--r 0.1:0.28:37 --omega=-1.16:-0.88:29",
             "ATLAS=--r 0.0025:0.5:200 --omega=-1.4975:-0.5:20"):
         wrong("a figure cannot be drawn")
-    passes("no motion", program, "run", "chaos", "--t-end", 10, "--dt", "1e-4",
-           "--every", 10, "--out", drawn / "chaos.csv")
-    passes("no picture", "gnuplot", "-e", f"csv='{drawn}/chaos.csv'; "
-           f"out='{drawn}/chaos.svg'", "tools/study/figures/chaos.gp")
     made = drawn / "futures.made"
     passes("no moving picture", "tools/study/figures/futures.py", program, made)
     passes("docs/futures.svg is of another core: make keep-futures", "cmp",

@@ -8,6 +8,7 @@
 #endif
 #include <math.h>
 
+#include "take.h"
 #include "twofold.c"
 
 #ifdef TF_REAL_FLOAT
@@ -165,38 +166,26 @@ uint64_t SHARED(twofold_run)(const motion_t *of, tf_input_t *input,
   return end;
 }
 
-/* One step into a mode that it may take, whatever the rule would: from that
- * mode on, or by one of many draws that end a rest, as at the h = g = 0 that a
- * step comes to; where the mode is possible only within the step, stick or
- * rest, to be reached in the same ways, ends in it. Returns: the status;
- * TF_BAD_PARAMETER: not that mode. */
+typedef struct {
+  motion_t of;
+  const tf_input_t *input;
+  tf_compensation_t low;
+} forced_t;
+
+static tf_status_t forced_step(void *of) {
+  const forced_t *forced = of;
+  *forced->of.low = forced->low;
+  return one_step(&forced->of, forced->input);
+}
+
+/* One step into a mode that it may take: see take.h. */
 tf_status_t SHARED(twofold_take)(const motion_t *of, const tf_input_t *input,
                                  unsigned mode) {
-  const tf_state_t before = *of->state;
-  const tf_compensation_t low = *of->low;
   tf_compensated_t machine = *of->machine;
-  tf_contact_t *by = &machine.machine.contact;
-  motion_t forced = *of;
-  const tf_status_t status = one_step(of, input);
-  const unsigned set = of->report->set;
-  if (status < 0 || of->report->mode == mode) return status;
-  forced.machine = &machine;
-  for (unsigned i = TF_MODES; has(set, mode) && i >= TF_STICK_PLUS; i--) {
-    const unsigned to = i == TF_MODES ? mode : i;
-    for (uint32_t draw = 0; has(set, to) && draw < 64; draw++) {
-      *of->state = before;
-      *of->low = low;
-      of->state->mode = (uint8_t)(draw == 0 ? to : TF_PINNED);
-      of->state->seed = draw;
-      by->rule = draw == 0 ? TF_RULE_PERSIST : TF_RULE_RANDOM;
-      by->exit_threshold = to == TF_PINNED ? 0 : UINT64_MAX;
-      if (one_step(&forced, input) < 0 || of->report->mode != to) continue;
-      of->state->seed = before.seed;
-      of->state->mode = of->report->mode = (uint8_t)mode;
-      return of->report->status;
-    }
-  }
-  return TF_BAD_PARAMETER;
+  forced_t forced = {*of, input, *of->low};
+  forced.of.machine = &machine;
+  return take_mode(forced_step, &forced, of->state, &machine.machine.contact,
+                   of->report, mode);
 }
 
 /* The two-folds, with K in the paper's time. */
