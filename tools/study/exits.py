@@ -7,7 +7,6 @@ of one sample of another kind are not, and have its size in common: a sample
 counts as one.
 """
 import os
-import subprocess
 import sys
 import time
 from collections import Counter
@@ -55,9 +54,10 @@ def returns() -> Iterator[Run]:
 
 def perturbed() -> Iterator[Run]:
     """Perturbations, over many cycles. Where they chatter at rest a second
-    costs most, so that few of these are followed, and not for long."""
+    costs most, so that few of these are followed, and not for long. Below a
+    width of some 2e-6 m/s rounding would decide (finer.py)."""
     for half, step in ("", ""), ("-half", " --dt 5e-5"):
-        for size in ("1e-6", "1e-5", "1e-4"):
+        for size in ("5e-6", "1e-5", "1e-4"):
             yield f"many-smoothing-{size}{half}", (
                 f"--by smoothing --size {size} --samples 20 --cycles 20 "
                 f"--patience 100{step}")
@@ -67,15 +67,12 @@ def perturbed() -> Iterator[Run]:
 
 
 def first_cycles() -> Iterator[Run]:
-    """Exits, and the winding at a section 2 mm past the two-fold; of smoothing,
-    which leaves earlier, at 1 mm. Of random exits enough to tell a difference
-    of 0.05 from none."""
+    """Exits, and the winding at a section 2 mm past the two-fold. Of random
+    exits enough to tell a difference of 0.05 from none."""
     one = "--patience 0.25 --section 2e-3"
-    near = "--patience 0.25 --section 1e-3"
     for rate in (30, 300, 3000):
-        rest = f"--samples 7000 --near 100 --rate {rate}"
-        yield f"family-{rate}", f"{one} {rest}"
-        yield f"near-{rate}", f"{near} {rest}"
+        yield (f"family-{rate}",
+               f"{one} --samples 7000 --near 100 --rate {rate}")
     for rate in (300, 150):
         yield f"exit-random-{rate}", (f"{one} --samples 20000 --near 100 "
                                       f"--rate {rate}")
@@ -83,9 +80,6 @@ def first_cycles() -> Iterator[Run]:
         for kind in ("hysteresis", "delay"):
             yield (f"exit-{kind}-{size}",
                    f"{one} --samples 1000 --by {kind} --size {size}")
-    for size in ("5e-7", "2.5e-7", "1.25e-7"):
-        yield f"exit-smoothing-{size}", (
-            f"{near} --samples 1000 --by smoothing --size {size} --dt 5e-5")
 
 
 def all_runs() -> list[Run]:
@@ -123,22 +117,6 @@ def follow(work: Path, twofold: str) -> None:
         cycles.shards(work / name, twofold, ["chaos", *options.split(),
                                              "--seed", str(i)])
         done += steps_of(options)
-        if name == "long":
-            long = time.time() - begin
-    pd.DataFrame([{"seconds": round(time.time() - begin), "long": round(long),
-                   "processors": driven.processors(), **cost(twofold)}]
-                 ).to_csv(work / "made.csv", index=False)
-
-
-def cost(twofold: str) -> dict[str, object]:
-    """Time of a cycle, of one process."""
-    with subprocess.Popen(
-            [twofold, "diverge", "chaos", "--samples", "400", "--cycles", "10",
-             "--patience", "300"], stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL) as job:
-        _, code, used = os.wait4(job.pid, 0)
-        job.returncode = code
-    return {"us_a_cycle": round(1e6 * used.ru_utime / 4000)}
 
 
 # What is counted.
@@ -234,16 +212,13 @@ def all_nearest(work: Path) -> Iterator[dict[str, object]]:
     arrived = table.read(work / "exit-delay-2.5e-6-returns.csv",
                          counted=True)["arrived"]
     arrival = table.quantile(arrived[arrived > 0], 0.5).value
-    for name in "family", "near":
-        family = pd.concat([cycles.passages(
-            work / f"{name}-{rate}-exits.csv",
-            work / f"{name}-{rate}-returns.csv", 0)
-            for rate in (30, 300, 3000)])
-        for run, _ in first_cycles():
-            if run.startswith("exit-") and run != "exit-random-150" and \
-                    ("smoothing" in run) == (name == "near"):
-                yield count_nearest(work, run, family,
-                                    0 if "random" in run else arrival)
+    family = pd.concat([cycles.passages(
+        work / f"family-{rate}-exits.csv", work / f"family-{rate}-returns.csv",
+        0) for rate in (30, 300, 3000)])
+    for run, _ in first_cycles():
+        if run.startswith("exit-") and run != "exit-random-150":
+            yield count_nearest(work, run, family,
+                                0 if "random" in run else arrival)
 
 
 def count(work: Path, kept: Path, build: str) -> None:
@@ -261,8 +236,7 @@ def count(work: Path, kept: Path, build: str) -> None:
     keep("returns", [count_returns(run, read(run, "returns"))
                      for run, _ in many])
     keep("sides", [count_exits(run, read(run, "exits")) for run, _ in
-                   first_cycles() if run.startswith("exit-") or
-                   run == "near-300"])
+                   first_cycles() if run.startswith("exit-")])
     times = (read("long", "returns")["time"].dropna() // QUARTER).astype(int)
     keep("times", [{"quarter": i, "returns": k}
                    for i, k in sorted(Counter(times).items())])
@@ -279,7 +253,6 @@ def count(work: Path, kept: Path, build: str) -> None:
     said = driven.output(f"{build}/study/machines", MACHINES).splitlines()
     keep("machines", [dict(zip(("two_folds", "machines", "of_case_1"),
                                map(int, line.split()))) for line in said[2:]])
-    (kept / "exits-made.csv").write_bytes((work / "made.csv").read_bytes())
 
 
 # What the page shows.
@@ -330,8 +303,10 @@ def exits_table(sides: pd.DataFrame, close: pd.DataFrame) -> str:
     """How far exits are from the set-valued motion."""
     rows = sides.merge(close, how="left", on="run")
     return table.markdown(
-        ["run", "exits", "wound there", "median distance", "90 %", "by chance"],
-        [[row.run, row.exits, row.wound, interval(row, "median"),
+        ["run", "exits", "by slip+", "wound there", "median distance", "90 %",
+         "by chance"],
+        [[row.run, row.exits, table.share(row.up, row.exits).text(3),
+          row.wound, interval(row, "median"),
           interval(row, "p90"), f"{row.by_chance:.3g}"]
          for _, row in rows.iterrows()
          if row.wound > 0 and not np.isnan(row.by_chance)])
@@ -350,15 +325,9 @@ def gathered(times: pd.DataFrame) -> str:
 def parts(kept: Path) -> dict[str, str]:
     """What the page has of the counts."""
     of = {name: table.read(kept / f"exits-{name}.csv") for name in (
-        "returns", "sides", "distances", "nearest", "machines", "times",
-        "made")}
-    made = of["made"].iloc[0]
-    long = of["returns"].cycles[0]
+        "returns", "sides", "distances", "nearest", "machines", "times")}
     numbers = of["machines"].astype(str)
     return {
-        "made": f"Made in {made.seconds} s, JOBS={made.processors}; "
-                f"run `long`, {long} cycles, took {made.long} s. One\nprocess "
-                f"takes {made.us_a_cycle / 1000:.2g} ms a cycle.",
         "returns": returns_table(of["returns"]),
         "gathered": gathered(of["times"]),
         "distances": distances_table(of["distances"]),

@@ -42,6 +42,8 @@ LAST_BITS = {24: range(16, 25), 53: range(18, 27), 64: range(20, 27)}
 STARTS = 1e-15, 1e-12, 1e-9, 1e-6, 1e-3
 KICKED = 1e-12, 1e-8  # [m/s]
 KICKED_WIDTHS = range(16, 27, 2)
+COLOURS = ("#000000", "#E69F00", "#56B4E9", "#009E73", "#0072B2", "#D55E00",
+           "#CC79A7")  # Okabe and Ito's, of the forms
 TURNED = range(22, 29, 2)  # widths at which the kick is sought that turns it
 SINGLE = {1e-6: (113, range(8, 22, 3)), 1e-7: (64, range(10, 17, 3))}
 # What is kept of each motion, with so many digits; `after` and `zero_after`
@@ -212,13 +214,13 @@ def draw(study: Study, path: Path) -> None:
     motions leave."""
     figure, (left, right) = pictures.pyplot.subplots(1, 2, figsize=(11, 4.5))
     exact = study.exact.reset_index()
-    for form, rows in exact.groupby("form", sort=False):
+    for (form, rows), colour in zip(exact.groupby("form", sort=False), COLOURS):
         decided = rows.dropna(subset="disturbance")
         left.loglog(decided.effective, decided.disturbance, "o-", ms=3, lw=0.8,
-                    label=form)
+                    color=colour, label=form)
         out = rows[rows.side != 0]
-        right.semilogx(out.effective, 1e3 * out.exit_r, "-", lw=0.6,
-                       color="0.4")
+        right.semilogx(out.effective, 1e3 * out.exit_r, "-", lw=0.8,
+                       color=colour)
     left.loglog(study.turned.width, study.turned.high, "s", ms=6, mfc="none",
                 color="black", label="turns the exit")
     for bits, name in (24, "float"), (53, "double"), (64, "x87"):

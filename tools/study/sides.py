@@ -163,7 +163,8 @@ def parts(kept: Path) -> dict[str, str]:
     forms = table.markdown(
         ["form", "read at [widths]", "leave", "to slip+", "changes of side",
          "of a random order", "last change at [m/s]"], lines)
-    found = rows.iloc[len(READ):].sides.map(lambda one: len(turns(one)))
+    found = rows.iloc[len(READ):].sides.map(lambda one: " ".join(
+        side for side, _ in itertools.groupby(one.replace("0", ""))))
     each = dict(zip(LINES, found))
     canards = table.markdown(
         ["width [m/s]", "E before", *(f"ratio {ratio}" for ratio in RATIOS)],

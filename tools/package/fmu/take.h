@@ -21,13 +21,13 @@ static inline tf_status_t take_mode(take_step_t *step, void *of,
   const tf_state_t before = *state;
   const tf_contact_t own = *contact;
   tf_status_t status = step(of);
-  const unsigned set = report->set;
+  const unsigned modes = report->set;
   if (status < 0 || report->mode == mode) return status;
   status = TF_BAD_PARAMETER;
-  for (unsigned i = TF_MODES; (set >> mode & 1u) != 0 && i >= TF_STICK_PLUS;
+  for (unsigned i = TF_MODES; (modes >> mode & 1u) != 0 && i >= TF_STICK_PLUS;
        i--) {
     const unsigned to = i == TF_MODES ? mode : i;
-    for (uint32_t draw = 0; (set >> to & 1u) != 0 && draw < 64; draw++) {
+    for (uint32_t draw = 0; (modes >> to & 1u) != 0 && draw < 64; draw++) {
       *state = before;
       state->mode = (uint8_t)(draw == 0 ? to : TF_PINNED);
       state->seed = draw;

@@ -14,7 +14,7 @@ import sys
 from pathlib import Path
 
 from findings import (BUILD, DEFINES, FULL, asked, checked, in_common,
-                      missing, place_of, quietly, wrong)
+                      missing, need, place_of, quietly, wrong)
 
 PLACE = place_of("gcc", "-O3")
 STRICT = ("-std=c99 -O2 -Wall -Wextra -pedantic -Wconversion "
@@ -218,7 +218,11 @@ def judge_tutorial():
 
 
 BUILD.mkdir(parents=True, exist_ok=True)
+need("gcc", "gcc")
 lines = len(text.splitlines())
+for line in Path("docs/FINDINGS.md").read_text().splitlines():
+    if len(line) > 300:
+        wrong(f"docs/FINDINGS.md: {len(line)} characters, at most 300: {line}")
 if lines > 100:
     wrong(f"README.md: {lines} lines, at most 100")
 for command in ("make run", "make test"):
