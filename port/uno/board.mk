@@ -1,6 +1,6 @@
 # Arduino Uno: ATmega328P, 8 bits at 16 MHz, 32 KB flash, 2 KB RAM. It has room
-# for two scenes without a set-valued law, of which `string` leaves none for the
-# boot loader; the Mega has room for all.
+# for two scenes without a set-valued law, of which `string` leaves 1.9 kB; the
+# Mega has room for all.
 AVR_CHIP := atmega328p
 AVR_MACHINE := arduino-uno
 AVR_STACK := 832

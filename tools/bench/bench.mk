@@ -69,7 +69,7 @@ size: ## flash, RAM, stack, cost of every board (or ONLY=uno)
 keep-bench: ## copy what they made to docs/
 	$(run_bench) --keep
 
-bench-ensemble: ## many states at once (try EXTRA=-mavx2)
+bench-ensemble: ## many states at once (EXTRA=-mavx2 BUILD=build/avx2)
 bench-ensemble: $(BENCHES)
 	@for v in $(VARIANTS); do echo "== $$v" && $(BUILD)/$$v/bench ensemble || \
 	  exit 1; done

@@ -140,6 +140,9 @@ def print_parts(board: str, real: str) -> None:
             parts[next((group for group, of in GROUPS.items()
                         if re.search(of, name)), "loop, line, start")] += size
         table[scene] = {**parts, "flash": sizes.flash}
+    if not table:
+        say(f"{board} takes none of the scenes in {real}")
+        raise SystemExit(1)
     print(pd.DataFrame(table).T.to_string())
 
 
@@ -175,6 +178,12 @@ def scene_of(name: str, text: str) -> str:
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(f"based-on chaos\n{text}", encoding="ascii")
     return str(path)
+
+
+def names(section: str) -> list[str]:
+    """Boards that a section may be asked of."""
+    return sorted({name for name, _ in RACERS} if section == "boards"
+                  else boards())
 
 
 def race(names: list[str]) -> pd.DataFrame:
