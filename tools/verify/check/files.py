@@ -25,7 +25,7 @@ tools/cli        15391  14500
 tools/board       1385   1200
 tools/package     5850   5200
 tools/page        4380   4200
-tools/bench       4410   4200
+tools/bench        4422   4200
 tools/study       5374   4200
 tools/verify      6065   6500
 tests            28000  25000
