@@ -2,10 +2,12 @@
 h = g = 0, docs/NOISE.md.
 
 Each sample is one cycle, so samples are independent. Each size is followed at
-three steps at h = g = 0: --fine N, 2 N and 4 N. Of the largest size, whose
-wheels rest longest next to it, there are a tenth of the cycles, at longer
-steps. Shares have Wilson's interval, medians that of order statistics. The
-distance of two laws lies within the band of that of their samples.
+three steps at h = g = 0: FINE. Of the largest size, whose wheels rest longest
+next to it, there are a tenth of the cycles, at longer steps, and two fifths at
+N = 128. Shares have
+Wilson's interval. The distance of two laws lies within the band of that of
+their samples. Times of return are a staircase, of a round each: a median does
+not see how many wheels go a second one, the share below SECOND does.
 """
 import os
 import sys
@@ -24,16 +26,18 @@ from pictures import pyplot
 PAGE = "docs/NOISE.md"
 CYCLES = int(os.environ.get("CYCLES") or 1000)
 # In the order of their seeds; 1e-4 at 8 would take an hour.
-FINE = {"1e-4": (2, 4, 1), "1e-5": (8, 16, 32), "1e-6": (8, 16, 32),
-        "1e-7": (4, 8, 16)}
+FINE = {"1e-6": (8, 32, 128), "1e-5": (8, 32, 128), "1e-7": (4, 8, 16),
+        "1e-4": (2, 4, 1)}
 TENTH, SLOW = "1e-4", 40  # times as long a cycle takes
+SECOND = 3  # [s]: earliest return of a wheel that goes a second round
 AT = "--section", "2e-3"
 RANDOM = "--rate", "300", "--near", "100", "--patience", "0.25"
 COLOURS = "#D55E00", "#E69F00", "#009E73", "#0072B2"
 
 
-def samples_of(size: str) -> int:
-    return max(CYCLES // 10, 1) if size == TENTH else CYCLES
+def samples_of(size: str, fine: int) -> int:
+    return max(CYCLES // 10 if size == TENTH else
+               CYCLES * 2 // 5 if fine == 128 else CYCLES, 1)
 
 
 def follow(work: Path, twofold: str) -> None:
@@ -41,11 +45,12 @@ def follow(work: Path, twofold: str) -> None:
     runs = [("random", [*RANDOM, "--samples", str(20 * CYCLES)])]
     runs += [(f"{size}-{fine}",
               ["--by", "noise", "--size", size, "--fine", str(fine),
-               "--patience", "100", "--samples", str(samples_of(size))])
+               "--patience", "100", "--samples", str(samples_of(size, fine))])
              for size, fines in FINE.items() for fine in fines]
     begin, done = time.time(), 0.0
-    cost = [0.0] + [fine * samples_of(size) * (SLOW if size == TENTH else 1)
-                    for size, fines in FINE.items() for fine in fines]
+    cost = [0.0] + [
+        fine * samples_of(size, fine) * (SLOW if size == TENTH else 1)
+        for size, fines in FINE.items() for fine in fines]
     for seed, (name, words) in enumerate(runs, 1):
         took = time.time() - begin
         left = took * (sum(cost) / done - 1) if done > 0 else float("nan")
@@ -79,14 +84,19 @@ def count(work: Path, kept: Path, build: str) -> None:
         rows = table.read(work / f"{name}-exits.csv", counted=True)
         return rows["phase"].dropna()
 
+    def returns(name: str) -> pd.Series:
+        rows = table.read(work / f"{name}-returns.csv", counted=True)
+        return rows["time"][rows["outcome"] == "returned"]
+
     found, times = [], {}
-    for size, fines in ((size, sorted(fines)) for size, fines in FINE.items()):
+    for size in sorted(FINE, key=float, reverse=True):
+        fines = sorted(FINE[size])
         for fine, finer in zip(fines, (*fines[1:], None)):
             name = f"{size}-{fine}"
             exits = table.read(work / f"{name}-exits.csv", counted=True)
             back = table.read(work / f"{name}-returns.csv", counted=True)
             here = exits["phase"].dropna()
-            times[size] = back["time"][back["outcome"] == "returned"]
+            times[size] = returns(name)
             found.append({
                 "size": size, "fine": fine, "cycles": len(back),
                 "exits": len(exits), "up": (exits["side"] == "slip+").sum(),
@@ -94,7 +104,9 @@ def count(work: Path, kept: Path, build: str) -> None:
                 **estimates("random", distance(here, phase("random"))),
                 **estimates("finer", distance(
                     here, phase(f"{size}-{finer}") if finer else here[:0])),
-                **estimates("time", table.quantile(times[size], 0.5))})
+                "early": (times[size] < SECOND).sum(),
+                **estimates("later", distance(times[size], returns(
+                    f"{size}-{finer}") if finer else here[:0]))})
     pd.DataFrame(found).to_csv(kept / "noise.csv", index=False)
     draw(kept, times)
 
@@ -123,7 +135,7 @@ def draw(kept: Path, times: dict[str, pd.Series]) -> None:
                           [[one.value - one.low for one in found],
                            [one.high - one.value for one in found]],
                           fmt="o", ms=4, lw=1, color=colour,
-                          label=("N", "2 N", "4 N")[step])
+                          label=("first N", "second", "third")[step])
             axes.set(xscale="log", xlabel="size of the noise [m/s^1.5]")
     left.set(ylabel="distance of the phases from random exits", ylim=(0, None))
     middle.set(ylabel="share of the exits by slip+")
@@ -153,8 +165,9 @@ def parts(kept: Path) -> dict[str, str]:
              for _, row in rows.iterrows()]),
         "returns": table.markdown(
             ["size", "N", "cycles", "share that returned",
-             "median of return [s]"],
+             f"of these within {SECOND} s", "times, from the next finer step"],
             [[f"{row['size']:g}", f"{row.fine:.0f}", f"{row.cycles:.0f}",
               table.share(row.returned, row.cycles).text(3),
-              kept_estimate(row, "time").text(4)]
+              table.share(row.early, row.returned).text(3),
+              kept_estimate(row, "later").text(2)]
              for _, row in rows.iterrows()])}
