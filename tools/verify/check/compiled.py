@@ -172,15 +172,15 @@ def coverage():
     attribute that makes them one (kernel.h) is renamed to one without effect.
 
     Programs, not the command line: whoever breaks the core should hear it from
-    a test that names what broke. Those of units in double and those of laws in
-    float are enough, and without test_branch, which takes long."""
+    a test that names what broke. Those of units in double, of analysis and laws
+    in float are enough, and without test_branch, which takes long."""
     need("gcov", "gcc")
     need("gcovr", "gcovr")
     place = BUILD / "coverage"
     quietly("rm", "-rf", place)
     programs = [f"{place}/{real}/{test[:-2]}" for real, rooms in (
         ("double", ("unit", "line", "regress")),
-        ("float", ("law", "golden", "regress")))
+        ("float", ("law", "golden", "regress", "unit/analysis")))
         for test in tests_in(*(f"tests/{room}" for room in rooms))
         if not test.endswith("/test_branch.c")]
     if not build("CC=gcc", f"BUILD={place}", "OPT=-O0",
