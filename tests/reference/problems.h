@@ -12,12 +12,12 @@
 enum { REF_SIXTEENTHS = 16, REF_KEPT = 5 };
 
 /// tests/data has states at sixteenths of t_grid, where the tests' steps may
-/// end, and events up to t_end.
+/// end, and events up to there, or up to t_events.
 typedef struct {
   ref_machine_t machine;
   ref_real_t r, omega;
-  ref_real_t h, v; ///< v or 0: from h
-  ref_real_t t_grid, t_end;
+  ref_real_t h, v;             ///< v or 0: from h
+  ref_real_t t_grid, t_events; ///< or 0
   const char *name;
   int kept[REF_KEPT]; ///< the sixteenths, ascending; none: the quarters
 } ref_problem_t;
@@ -35,53 +35,46 @@ static const ref_problem_t ref_problems[] = {
      .machine = {COMMON, BODY, KAPPA, GAMMA},
      START,
      .t_grid = 2,
-     .t_end = 10},
+     .t_events = 10},
     {.name = "gamma_zero",
      .machine = {COMMON, BODY, KAPPA},
      .r = N(0.3),
      .omega = N(-0.8),
      .v = N(0.1),
-     .t_grid = 10,
-     .t_end = 10},
+     .t_grid = 10},
     {.name = "gamma_right",
      .machine = {COMMON, BODY, KAPPA,
                  .gamma = N(1.5707963267948966192313216916397514420986)},
      .r = N(0.3),
      .omega = N(-0.8),
      .v = N(0.1),
-     .t_grid = 10,
-     .t_end = 10},
+     .t_grid = 10},
     {.name = "coulomb",
      .machine = {COMMON, BODY, GAMMA, .law = REF_COULOMB},
      .r = N(0.18),
      .omega = N(-0.6),
      .h = N(0.3),
-     .t_grid = 10,
-     .t_end = 10},
+     .t_grid = 10},
     {.name = "frictionless",
      .machine = {COMMON, BODY, GAMMA, .law = REF_FREE},
      START,
-     .t_grid = 10,
-     .t_end = 10},
+     .t_grid = 10},
     {.name = "smooth",
      .machine = {COMMON, BODY, KAPPA, GAMMA, .epsilon = N(0.0001),
                  .law = REF_SMOOTH},
      START,
      .t_grid = N(2.5),
-     .t_end = N(2.5),
      .kept = {4, 8, 13, 16}},
     {.name = "rolling",
      .machine = {COMMON, BODY, KAPPA, GAMMA},
      .r = N(0.95),
      .omega = N(1.3),
-     .t_grid = 10,
-     .t_end = 10},
+     .t_grid = 10},
     {.name = "string",
      .machine = {COMMON, BODY, GAMMA, .k = 1, .delta = 1, .sigma = 1,
                  .rho = N(0.66666666666666666667), .a = 1, .law = REF_STRING},
      START,
-     .t_grid = N(2.5),
-     .t_end = N(2.5)},
+     .t_grid = N(2.5)},
     {.name = "driven",
      .machine = {COMMON, BODY, KAPPA, GAMMA, .knots = 5,
                  .knot = {{.t = 0, .omega0 = -1},
@@ -90,15 +83,13 @@ static const ref_problem_t ref_problems[] = {
                           {.t = 8, .omega0 = 1},
                           {.t = 10, .omega0 = 0}}},
      START,
-     .t_grid = 12,
-     .t_end = 12},
+     .t_grid = 12},
     {.name = "crossings",
      .machine = {COMMON, .beta = N(0.3), .k2 = 30, .mu = N(0.2), KAPPA, GAMMA},
      .r = N(0.6),
      .omega = N(0.5),
      .h = N(-0.01),
      .t_grid = 2,
-     .t_end = 2,
      .kept = {4, 5, 8, 12, 16}},
     {.name = "stickslip",
      .machine = {COMMON, .beta = N(0.2), .k2 = 20, .mu = 3, KAPPA, GAMMA},
@@ -106,7 +97,6 @@ static const ref_problem_t ref_problems[] = {
      .omega = N(-0.8),
      .h = N(-0.01),
      .t_grid = 2,
-     .t_end = 2,
      .kept = {4, 8, 11, 13, 16}}};
 enum { REF_PROBLEMS = sizeof ref_problems / sizeof *ref_problems };
 

@@ -26,7 +26,6 @@ PLOTS = {
     "exits": (2, 3, 2, 2, 5),
     "normal": (6, 9, 10),
     "portrait": (6, 5, 7),
-    "precision": (),  # as many as there are peers
     "regions": (9, 6),
     "return": (4, 3, 8),
     "set": (11, 11, 8),
@@ -83,7 +82,7 @@ def wrong(path: Path) -> Iterator[str]:
         yield f"{path}: {error}"
         return
     counts = tuple(len(plots) for _, plots in found)
-    if not counts or PLOTS[name] not in (counts, ()):
+    if PLOTS[name] != counts:
         yield f"{path}: plots in its panels: {counts}, not {PLOTS[name]}"
     for letter, plots in found:
         # The first plot of the row of the key only holds its place.

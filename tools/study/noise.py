@@ -4,10 +4,10 @@ h = g = 0, docs/NOISE.md.
 Each sample is one cycle, so samples are independent. Each size is followed at
 three steps at h = g = 0: FINE. Of the largest size, whose wheels rest longest
 next to it, there are a tenth of the cycles, at longer steps, and two fifths at
-N = 128. Shares have
-Wilson's interval. The distance of two laws lies within the band of that of
-their samples. Times of return are a staircase, of a round each: a median does
-not see how many wheels go a second one, the share below SECOND does.
+N = 128. Shares have Wilson's interval. The distance of two laws lies within the
+band of that of their samples. Times of return are a staircase, of a round each:
+a median does not see how many wheels go a second one, the share below SECOND
+does.
 """
 import os
 import sys

@@ -93,17 +93,11 @@ static const struct ends path = {2,
                                      0.1,
                                      draw_impulses};
 
-const class_t class_path = {.name = "path",
-                            .about = "ends of motions with one future",
-                            .machines = 2000,
-                            .t_end = 0.9,
-                            .begin = begin,
-                            .judge = judge,
-                            .ends = &path};
-const class_t class_impulses = {.name = "impulses",
-                                .about = "impulses shorter than the step",
-                                .machines = 2000,
-                                .t_end = 0.1,
-                                .begin = begin,
-                                .judge = judge,
-                                .ends = &impulses};
+#define CLASS(of, words, end)                                        \
+  {                                                                  \
+    .name = #of, .about = (words), .machines = 2000, .t_end = (end), \
+    .begin = begin, .judge = judge, .ends = &(of)                    \
+  }
+const class_t class_path = CLASS(path, "ends of motions with one future", 0.9);
+const class_t class_impulses =
+    CLASS(impulses, "impulses shorter than the step", 0.1);

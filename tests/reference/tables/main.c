@@ -52,7 +52,7 @@ static void follow(const ref_problem_t *problem, course_t *out) {
     if (out->states < REF_KEPT && kept[out->states] == i)
       out->kept[out->states++] = row_of(&q, orbit.x);
   }
-  ref_run(&orbit, problem->t_end);
+  if (problem->t_events > 0) ref_run(&orbit, problem->t_events);
   out->last = row_of(&q, orbit.x);
 }
 
