@@ -20,6 +20,11 @@ static const cli_command_t *find(cli_closest_t *closest) {
   return i < cli_command_count ? &cli_commands[i] : NULL;
 }
 
+const cli_command_t *cli_find_command(const char *name) {
+  cli_closest_t closest = cli_closest_to(name);
+  return find(&closest);
+}
+
 // There is help on every word but this one: the closest that has some.
 static int no_help(const char *word) {
   cli_closest_t closest = cli_closest_to(word);
@@ -179,6 +184,9 @@ static int choose(int argc, char *const argv[]) {
   }
   if (asks_for_help(1, argv)) {
     return cli_help(argc - 1, argv + 1);
+  }
+  if (strcmp(argv[0], "complete") == 0) {
+    return cli_complete(argc - 1, argv + 1);
   }
   if (strcmp(argv[0], "--version") == 0) {
     (void)puts("twofold " TF_VERSION ", tf_real_t is " CLI_NUMBER_TYPE);

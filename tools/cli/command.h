@@ -44,8 +44,21 @@ typedef struct {
 extern const cli_command_t cli_commands[];
 extern const size_t cli_command_count;
 
+/// The command of a name, NULL: there is none.
+const cli_command_t *cli_find_command(const char *name);
+
+/// Whether it takes an option; not a heading among them.
+static inline bool cli_takes(const cli_command_t *command,
+                             const cli_option_t *option) {
+  return option->name != NULL && (option->commands & command->bit) != 0;
+}
+
 int cli_help(int argc, char *const argv[]);
 int cli_completions(int argc, char *const argv[]);
+
+/// Prints what may stand behind words, for the scripts of the completions.
+int cli_complete(int argc, char *const argv[]);
+
 int cli_scenes(int argc, char *const argv[]);
 
 /// What the codes of all commands mean.

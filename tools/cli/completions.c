@@ -1,5 +1,6 @@
-// Completions for three shells, from the same tables as the reading of command
-// lines. The texts are those of the help, up to their first pause.
+// Completions. The script of a shell asks the program itself, by the command
+// `complete WORD...`, what may stand behind these words: so it offers what the
+// tables of commands and options have, and is as old as no program.
 
 #include <stdio.h>
 #include <string.h>
@@ -8,203 +9,100 @@
 #include "text/message.h"
 #include "twofold.h"
 
-static const char shells[] = "bash zsh fish";
+static const struct {
+  const char *shell, *script;
+} scripts[] = {
+    {"bash",
+     "_twofold() {\n"
+     "  local words\n"
+     "  words=$(\"${COMP_WORDS[0]}\" complete \\\n"
+     "    \"${COMP_WORDS[@]:1:COMP_CWORD-1}\") || compopt +o default\n"
+     "  COMPREPLY=($(compgen -W \"$(cut -f 1 <<<\"$words\")\" -- \\\n"
+     "    \"${COMP_WORDS[COMP_CWORD]}\"))\n"
+     "}\n"
+     "complete -o default -F _twofold twofold"},
+    {"zsh",
+     "#compdef twofold\n"
+     "_twofold() {\n"
+     "  local text=\"$($words[1] complete ${words[2,CURRENT-1]})\" files=$?\n"
+     "  local -a offered=(${(f)text//:/\\:})\n"
+     "  offered=(\"${offered[@]/$'\\t'/:}\")\n"
+     "  _describe word offered\n"
+     "  (( files )) || _files\n"
+     "}\n"
+     "if [ \"$funcstack[1]\" = _twofold ]; then _twofold; else "
+     "compdef _twofold twofold; fi"},
+    {"fish",
+     "function __twofold\n"
+     "  set -l words (commandline -opc)\n"
+     "  $words[1] complete $words[2..]\n"
+     "end\n"
+     "complete -c twofold -f -a '(__twofold)'\n"
+     "complete -c twofold -n '__twofold >/dev/null' -F"}};
+#define SHELLS (sizeof scripts / sizeof scripts[0])
 
-static bool takes(const cli_command_t *command, const cli_option_t *option) {
-  return option->name != NULL && (option->commands & command->bit) != 0;
+// A word, and of what it means a clause.
+static void offer(const char *word, const char *what) {
+  (void)printf("%s\t%.*s\n", word, (int)strcspn(what, ";(["), what);
 }
 
-static bool takes_file(const cli_option_t *option) {
-  return (option->how & (CLI_READS | CLI_WRITES)) != 0;
-}
-
-// What a shell shows of a text: no more than a clause, and no character that
-// means something to it.
-static void print_brief(const char *text) {
-  size_t length = strcspn(text, ";([");
-  length -= length > 0 && text[length - 1] == ' ';
-  for (size_t i = 0; i < length; i++) {
-    (void)putchar(strchr("'\"`$\\]:", text[i]) != NULL ? ' ' : text[i]);
-  }
-}
-
-static void print_commands(void) {
+static void offer_commands(void) {
   for (size_t i = 0; i < cli_command_count; i++) {
-    (void)printf("%s ", cli_commands[i].name);
+    offer(cli_commands[i].name, cli_commands[i].what);
   }
 }
 
-// colon: what stands for one at the end.
-static void print_choices(const cli_option_t *option, const char *colon) {
-  for (const cli_choice_t *at = option->choices; at->name != NULL; at++) {
-    const size_t bare = strcspn(at->name, ":");
-    (void)printf("%.*s%s ", (int)bare, at->name,
-                 at->name[bare] != '\0' ? colon : "");
-  }
-}
-
-// The words that stand in place of options, of a command without any.
-static void print_words(const cli_command_t *command) {
+// What may stand in place of an option.
+static void offer_words(const cli_command_t *command) {
   if (strcmp(command->name, "help") == 0) {
-    print_commands();
+    offer_commands();
   } else if (strcmp(command->name, "completions") == 0) {
-    (void)fputs(shells, stdout);
+    for (size_t i = 0; i < SHELLS; i++) offer(scripts[i].shell, "");
   } else if (command->bit != 0 && command->take == NULL) {
     for (size_t i = 0; i < TF_SCENES; i++) {
-      (void)printf("%s ", tf_scenes[i]->name);
+      offer(tf_scenes[i]->name, tf_scenes[i]->shows);
     }
   }
 }
 
-static void bash_command(const cli_command_t *command) {
+static int offer_value(const cli_option_t *option) {
+  for (const cli_choice_t *at = option->choices; at != NULL && at->name != NULL;
+       at++) {
+    offer(at->name, at->what);
+  }
+  return (option->how & (CLI_READS | CLI_WRITES)) != 0 ? CLI_DONE : CLI_USAGE;
+}
+
+// What may stand behind some words. The code is CLI_DONE where a file may, too.
+int cli_complete(int argc, char *const argv[]) {
+  const cli_command_t *command = argc > 0 ? cli_find_command(argv[0]) : NULL;
+  if (command == NULL) {
+    offer_commands();
+    offer("--version", "");
+    return CLI_USAGE;
+  }
   for (size_t i = 0; i < cli_option_count; i++) {
     const cli_option_t *option = &cli_options[i];
-    if (!takes(command, option) || option->value == NULL) {
-      continue;
+    if (cli_takes(command, option) && option->value != NULL &&
+        strcmp(option->name, argv[argc - 1]) == 0) {
+      return offer_value(option);
     }
-    (void)printf("  %s:%s) ", command->name, option->name);
-    if (option->choices != NULL) {
-      (void)fputs("words='", stdout);
-      print_choices(option, ":");
-      (void)fputs("' ", stdout);
-    } else if (!takes_file(option)) {
-      (void)fputs("compopt +o default ", stdout);
-    }
-    (void)puts(";;");
   }
-  (void)printf("  %s:*) words='", command->name);
-  print_words(command);
+  offer_words(command);
   for (size_t i = 0; i < cli_option_count; i++) {
-    if (takes(command, &cli_options[i])) {
-      (void)printf("%s ", cli_options[i].name);
+    if (cli_takes(command, &cli_options[i])) {
+      offer(cli_options[i].name, cli_options[i].what);
     }
   }
-  (void)puts("' ;;");
-}
-
-static void print_bash(void) {
-  (void)fputs(
-      "_twofold() {\n"
-      "  local words= before=${COMP_WORDS[COMP_CWORD-1]}\n"
-      "  case $COMP_CWORD in 1) before=twofold ;; esac\n"
-      "  case ${COMP_WORDS[1]}:$before in\n"
-      "  *:twofold) words='",
-      stdout);
-  print_commands();
-  (void)puts("--version' ;;");
-  for (size_t i = 0; i < cli_command_count; i++) {
-    bash_command(&cli_commands[i]);
-  }
-  (void)puts(
-      "  esac\n"
-      "  COMPREPLY=($(compgen -W \"$words\" -- "
-      "\"${COMP_WORDS[COMP_CWORD]}\"))\n"
-      "}\n"
-      "complete -o default -F _twofold twofold");
-}
-
-static void zsh_option(const cli_option_t *option) {
-  const bool repeats = (option->how & CLI_REPEATABLE) != 0;
-  (void)printf(" \\\n      '%s%s%s[", repeats ? "*" : "", option->name,
-               option->value != NULL ? "=" : "");
-  print_brief(option->what);
-  (void)putchar(']');
-  if (option->value != NULL) {
-    (void)fputs(":value:", stdout);
-    if (option->choices != NULL) {
-      (void)putchar('(');
-      print_choices(option, "\\:");
-      (void)putchar(')');
-    } else if (takes_file(option)) {
-      (void)fputs("_files", stdout);
-    }
-  }
-  (void)putchar('\'');
-}
-
-static void print_zsh(void) {
-  (void)puts("#compdef twofold\n_twofold() {\n  local -a commands=(");
-  for (size_t i = 0; i < cli_command_count; i++) {
-    (void)printf("    '%s:", cli_commands[i].name);
-    print_brief(cli_commands[i].what);
-    (void)puts("'");
-  }
-  (void)puts(
-      "  )\n"
-      "  if (( CURRENT == 2 )); then\n"
-      "    _describe command commands\n"
-      "    return\n"
-      "  fi\n"
-      "  local command=$words[2]\n"
-      "  shift words\n"
-      "  (( CURRENT-- ))\n"
-      "  case $command in");
-  for (size_t i = 0; i < cli_command_count; i++) {
-    const cli_command_t *command = &cli_commands[i];
-    (void)printf("  %s) _arguments", command->name);
-    for (size_t k = 0; k < cli_option_count; k++) {
-      if (takes(command, &cli_options[k])) {
-        zsh_option(&cli_options[k]);
-      }
-    }
-    (void)fputs(" \\\n      '*: :{_alternative \"words:word:(", stdout);
-    print_words(command);
-    (void)puts(")\" \"files:file:_files\"}' ;;");
-  }
-  (void)puts(
-      "  esac\n}\n"
-      "if [ \"$funcstack[1]\" = _twofold ]; then _twofold; else "
-      "compdef _twofold twofold; fi");
-}
-
-static void fish_option(const cli_command_t *command,
-                        const cli_option_t *option) {
-  (void)printf("complete -c twofold -n '__fish_seen_subcommand_from %s' -l %s",
-               command->name, option->name + 2);
-  if (option->value != NULL) {
-    (void)fputs(takes_file(option) ? " -r -F" : " -x", stdout);
-  }
-  if (option->choices != NULL) {
-    (void)fputs(" -a '", stdout);
-    print_choices(option, ":");
-    (void)putchar('\'');
-  }
-  (void)fputs(" -d '", stdout);
-  print_brief(option->what);
-  (void)puts("'");
-}
-
-static void print_fish(void) {
-  (void)puts("complete -c twofold -n __fish_use_subcommand -f");
-  for (size_t i = 0; i < cli_command_count; i++) {
-    const cli_command_t *command = &cli_commands[i];
-    (void)printf("complete -c twofold -n __fish_use_subcommand -a %s -d '",
-                 command->name);
-    print_brief(command->what);
-    (void)printf(
-        "'\ncomplete -c twofold -n "
-        "'__fish_seen_subcommand_from %s' -a '",
-        command->name);
-    print_words(command);
-    (void)puts("'");
-    for (size_t k = 0; k < cli_option_count; k++) {
-      if (takes(command, &cli_options[k])) {
-        fish_option(command, &cli_options[k]);
-      }
-    }
-  }
+  return CLI_DONE;
 }
 
 int cli_completions(int argc, char *const argv[]) {
-  static const struct {
-    const char *name;
-    void (*print)(void);
-  } known[] = {{"bash", print_bash}, {"zsh", print_zsh}, {"fish", print_fish}};
-  for (size_t i = 0; argc == 1 && i < sizeof known / sizeof known[0]; i++) {
-    if (strcmp(argv[0], known[i].name) == 0) {
-      known[i].print();
+  for (size_t i = 0; argc == 1 && i < SHELLS; i++) {
+    if (strcmp(argv[0], scripts[i].shell) == 0) {
+      (void)puts(scripts[i].script);
       return cli_finish_stdout();
     }
   }
-  return cli_message(CLI_USAGE, "completions: of which shell? (%s)", shells);
+  return cli_message(CLI_USAGE, "completions: of which shell? (bash zsh fish)");
 }
