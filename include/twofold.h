@@ -13,7 +13,6 @@
 #ifndef TWOFOLD_H
 #define TWOFOLD_H
 
-#include "twofold/command.h"     // tf_command_seal, tf_frame_tag: of a host
 #include "twofold/compensated.h" // tf_step_compensated: float, small steps
 #include "twofold/contact.h"     // tf_contact_modes: your own mechanism
 #include "twofold/design.h"      // tf_design_two_fold
@@ -34,9 +33,7 @@
 #include "twofold/surface.h"     // tf_surface_at: sliding, escaping, crossing
 #include "twofold/tally.h"       // tf_tally_count: flagged steps
 #include "twofold/telemetry.h"   // tf_send_state, tf_read_state
-#include "twofold/text.h"        // tf_text_row: rows of a board
 #include "twofold/tyre.h"        // tf_tyre_force: the laws of friction
-#include "twofold/wire.h"        // sizes and types of frames
 
 #define TF_VERSION "0.3.0"
 

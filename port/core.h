@@ -26,7 +26,6 @@
 #include "twofold/located.h"
 #include "twofold/scene.h"
 #include "twofold/step.h"
-#include "twofold/text.h"
 #ifdef SCENE_HEADER
 #include SCENE_HEADER
 #endif
@@ -91,12 +90,8 @@
 #endif
 
 #include "../src/link/command.c"
-#include "../src/link/crc.c"
-#include "../src/link/decimal.c"
 #include "../src/link/frame.c"
 #include "../src/link/link.c"
-#include "../src/link/siphash.c"
-#include "../src/link/tag.c"
 #include "../src/link/telemetry.c"
 #include "../src/link/text.c"
 #include "../src/scene/scene.c"

@@ -62,11 +62,10 @@ void port_halt(int code);
 /// Optional, with BOARD_BOOT in board.mk: a number that this board has never
 /// given before, in this start or an earlier one, from which a firmware with a
 /// key makes its session. So it is in what survives a start, or random in all
-/// of its 32 bits; a count is kept before it is given. Called once after
-/// port_init, and after the last command of a session. May wait for hardware,
-/// for a bounded time.
+/// of its 32 bits; a count is kept before it is given. Called once, after
+/// port_init. May wait for hardware, for a bounded time.
 /// Returns: the number; 0 where none can be had: then the program does not
-///   start, or takes no more commands.
+///   start.
 uint32_t port_boot(void);
 
 #endif

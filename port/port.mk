@@ -17,7 +17,7 @@
 #                    default those of half a second
 #   KEY=             a file of 32 hexadecimal digits and white space behind
 #                    them, which its owner alone may read: commands need the
-#                    tag of this key, and what the board sends has it
+#                    tag of this key
 #   KEY_WEAK=no      or yes: also where a board cannot tell one start from the
 #                    others
 #   BAUD=            of its line, of those that it has; for `host` of the line
@@ -198,7 +198,7 @@ FIRMWARE_FLAGS += -DBAUD=$(BAUD)u
 ifeq ($(PROGRAM),firmware)
 CHECK_LINE = @$(BUILD)/$(REAL)/constants --line \
   '$(if $(filter generic,$(SCENE)),$(START),$(SCENE))' $(FORMAT) $(RATE) \
-  $(EVERY) $(BAUD) $(UPLINK) $(if $(KEY),key)
+  $(EVERY) $(BAUD) $(UPLINK)
 endif
 endif
 ifeq ($(SCENE),generic)

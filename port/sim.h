@@ -79,20 +79,16 @@ static bool sim_begin(void) {
   const tf_status_t status =
       tf_simulation_open(&sim.simulation, SCENE, &params, 1);
   sim.simulation.deadman = DEADMAN;
-  sim.link.line = tf_line_of_frames(RATE, BAUD, SCENE->name, BUILD_NAME, true,
-                                    SIM_WANTS_TAG);
+  sim.link.line = tf_line_of_frames(RATE, BAUD, SCENE->name, BUILD_NAME, true);
   sim.link.every = sim.every = sim.until = EVERY;
   return status == TF_OK && sim_begin_session();
 }
 
-// The times of the first bytes differ from start to start. With a key the
-// session after the last number of one is of the board's choice, too.
+// The times of the first bytes differ from start to start.
 static void sim_receive(uint8_t byte, uint32_t when) {
   if (sim.link.session == 0) tf_link_add_entropy(&sim.link, when);
 #ifdef UPLINK_KEY
-  const uint32_t session = sim.link.session;
   tf_link_receive_tagged(&sim.link, byte, sim_key);
-  if (sim.link.session != session && !sim_begin_session()) sim.link.session = 0;
 #else
   tf_link_receive(&sim.link, byte);
 #endif

@@ -11,23 +11,11 @@
 static uint32_t telemetry_sequence;
 static uint8_t telemetry_description; // its next part
 static uint32_t telemetry_run;
-
 static uint32_t telemetry_chain;
 
-// With a key each frame names the session of the last schema and has a tag.
-#ifdef UPLINK_KEY
-static uint32_t telemetry_session;
-#define TELEMETRY_SESSION(now) (telemetry_session = (now))
-#define telemetry_tagged(frame, size) \
-  tf_frame_tag(frame, size, telemetry_session, sim_key)
-#else
-#define TELEMETRY_SESSION(now) (now)
-#define telemetry_tagged(frame, size) (size)
-#endif
-
-// A frame as it goes out, of which the next heartbeat tells. Returns: its size.
+// Counts a frame in the chain that the next heartbeat reports. Returns: its
+// size.
 static unsigned telemetry_done(uint8_t *frame, size_t size) {
-  size = telemetry_tagged(frame, size);
   const uint8_t *crc = frame + size - 1 - TF_FRAME_CRC;
   telemetry_chain = tf_frame_chain(telemetry_chain, crc);
   return (unsigned)size;
@@ -86,8 +74,8 @@ static tf_schema_t telemetry_described(void) {
                         .takes_commands = SIM_TAKES_COMMANDS,
                         .run = telemetry_run};
 #ifdef UPLINK
-  schema.wants_tag = schema.has_tags = SIM_WANTS_TAG;
-  schema.session = TELEMETRY_SESSION(sim.link.session);
+  schema.wants_tag = SIM_WANTS_TAG;
+  schema.session = sim.link.session;
   schema.sequence = sim.link.next;
   schema.deadman = sim.simulation.deadman;
 #endif
@@ -126,7 +114,7 @@ static size_t telemetry_answer(uint8_t *to) {
 }
 #endif
 
-static size_t telemetry_untagged(uint8_t *to) {
+static size_t telemetry_next(uint8_t *to) {
 #ifdef UPLINK
   const size_t n = telemetry_answer(to);
   if (n > 0) return n;
@@ -152,7 +140,7 @@ static size_t telemetry_untagged(uint8_t *to) {
 }
 
 static unsigned telemetry_other(uint8_t *to) {
-  const size_t n = telemetry_untagged(to);
+  const size_t n = telemetry_next(to);
   return n > 0 ? telemetry_done(to, n) : 0;
 }
 

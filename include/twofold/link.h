@@ -1,11 +1,18 @@
 /// @file
-/// The uplink: commands that come over a line, applied at the boundary between
-/// two steps. Without them nobody can change parameters from outside.
-/// A command of the open session with a new number waits in a queue until
-/// tf_link_boundary is called at its tick or later, and its answer in the same
-/// place until tf_link_answer is called: memory is bounded and no answer is
-/// lost. A command that finds the queue full is counted, gets no answer, and
-/// may be sent again. What is refused on arrival never fills the queue.
+/// Commands: the frames that go up, from a host to a board, and what a board
+/// does with them. docs/PROTOCOL.md describes their bytes and the codes of their
+/// answers. A command acts once, and in one start of the board only: it names
+/// the session that the schema states, and its number is larger than those of
+/// all commands before it. On a line that others reach it ends with a tag, made
+/// with the board's key:
+///   session (4) | data | tag (8), if the board wants one
+///
+/// A board applies commands at the boundary between two steps. A command of the
+/// open session with a new number waits in a queue until tf_link_boundary is
+/// called at its tick or later, and its answer in the same place until
+/// tf_link_answer is called: memory is bounded and no answer is lost. A command
+/// that finds the queue full is counted, gets no answer, and may be sent again.
+/// What is refused on arrival never fills the queue.
 ///   when the program starts:          tf_link_open(&link, scene, &params);
 ///   and, where it has such a number:  tf_link_begin_session(&link, n, key);
 ///   else with each byte before it has a session:
@@ -16,10 +23,52 @@
 #ifndef TWOFOLD_LINK_H
 #define TWOFOLD_LINK_H
 
-#include "twofold/command.h"
-#include "twofold/simulation.h"
+#include "twofold/telemetry.h"
 
 TF_BEGIN_C
+
+/// Bytes of the session before the data of a command, and of the tag behind.
+#define TF_SESSION_BYTES 4u
+#define TF_TAG_BYTES 8u
+/// Bytes of a key.
+#define TF_KEY_BYTES 16u
+/// Where the data of a command have to be for tf_command_seal.
+#define TF_COMMAND_AT (TF_FRAME_AT + TF_SESSION_BYTES)
+/// Longest data that a board of this real type takes: those of TF_UP_RESTORE.
+#define TF_COMMAND_DATA (8 + TF_STATE_BYTES)
+/// Longest payload that it takes.
+#define TF_COMMAND_BYTES (TF_SESSION_BYTES + TF_COMMAND_DATA + TF_TAG_BYTES)
+/// Longest data that a frame has room for.
+#define TF_COMMAND_MOST (TF_FRAME_PAYLOAD - TF_SESSION_BYTES - TF_TAG_BYTES)
+
+/// Codes of an answer, beside tf_status_t.
+typedef enum {
+  TF_ANSWER_DONE = 0,      ///< it took effect
+  TF_ANSWER_UNKNOWN = -16, ///< no such type of command
+  TF_ANSWER_LENGTH = -17,  ///< its payload is too long or too short
+  TF_ANSWER_EMPTY = -18,   ///< there is no snapshot to restore
+  TF_ANSWER_FAR = -19,     ///< dated too far ahead
+  TF_ANSWER_OLD = -20,     ///< its number, or every number, is used up
+  TF_ANSWER_FOREIGN = -21, ///< it names another session
+  TF_ANSWER_TAG = -22,     ///< its tag is not that of the board's key
+  TF_ANSWER_LINE = -23     ///< the line does not carry so many records
+} tf_answer_code_t;
+
+/// Completes a command around its data: a frame with session, data and tag.
+/// TF_UP_DESCRIBE has neither session nor tag: by it a host learns the session.
+/// wire: in/out, TF_FRAME_SIZE(TF_SESSION_BYTES + length + TF_TAG_BYTES) bytes;
+///   in, the data at wire + TF_COMMAND_AT; out, the bytes for the line.
+/// type: in. length: in, of the data, 0 to TF_COMMAND_MOST: a host may command
+///   boards of the other real type. session: in, as the schema states it.
+/// sequence: in/out, number of this command; then that of the next.
+/// tick: in, when it is to take effect; 0: at once.
+/// key: in, TF_KEY_BYTES, or NULL for a board that wants no tag.
+/// Returns: bytes of the frame; 0 where length is too large (wire and sequence
+///   untouched).
+#define tf_command_seal TF_LINK(tf_command_seal)
+TF_API size_t tf_command_seal(uint8_t *wire, uint8_t type, size_t length,
+                              uint32_t session, uint32_t *sequence,
+                              uint64_t tick, const uint8_t *key);
 
 /// Commands that can wait, or whose answers can.
 #define TF_LINK_QUEUE 4
@@ -52,7 +101,6 @@ typedef struct {
   bool has_aside;   ///< `aside` is in use
   uint8_t waiting;  ///< entries of the queue in use, in order of arrival
   uint32_t session; ///< that commands have to name; 0: none yet
-  uint32_t before;  ///< whose numbers are all used up; 0: none
   uint32_t noise;   ///< of which the session is made
   uint32_t next;    ///< least number of a command that is still taken
   uint32_t lost;    ///< numbers that were passed over, modulo 2^32
@@ -78,11 +126,10 @@ TF_API void tf_link_open(tf_link_t *link, const tf_scene_t *scene,
 #define tf_link_add_entropy TF_LINK(tf_link_add_entropy)
 TF_API void tf_link_add_entropy(tf_link_t *link, uint32_t noise);
 
-/// Begins a session that no other number gives: a permutation of 32 bits that
-/// the key chooses, so that who has no key does not foresee it. Called at the
-/// start, and again where a byte has made link->session another one.
-/// link: in/out. number: in, > 0, never given before, in this start of the
-///   program or an earlier one. key: in, TF_KEY_BYTES.
+/// Begins a session that no other number gives: the key chooses a permutation
+/// of 32 bits, so that the session is unpredictable without it.
+/// link: in/out. number: in, > 0, never given in an earlier start of the
+///   program. key: in, TF_KEY_BYTES.
 #define tf_link_begin_session TF_LINK(tf_link_begin_session)
 TF_API void tf_link_begin_session(tf_link_t *link, uint32_t number,
                                   const uint8_t *key);

@@ -1,9 +1,8 @@
 /// @file
 /// Telemetry: the frames that go down, from the board to the host.
-/// docs/PROTOCOL.md describes their payloads byte by byte. The firmware of
-/// port/ sends all but two, which are there for other firmware: the compact
-/// frame and the frame of a parameter. Each tf_send function writes one whole
-/// frame into memory; a program contains only those that it calls.
+/// docs/PROTOCOL.md describes their payloads byte by byte. Each tf_send function
+/// writes one whole frame into memory; a program contains only those that it
+/// calls. Last, a state as text.
 /// wire: out, TF_FRAME_SIZE of the payload's bytes.
 /// sequence: in/out, number of this frame; then that of the next.
 /// tick: in, of the state that the contents belong to.
@@ -13,7 +12,6 @@
 
 #include "twofold/frame.h"
 #include "twofold/simulation.h"
-#include "twofold/wire.h"
 
 TF_BEGIN_C
 
@@ -23,9 +21,7 @@ typedef enum {
   TF_DOWN_LAYOUT = 0x02,    ///< names, types, scales, units of one payload
   TF_DOWN_STATE = 0x03,     ///< the complete state
   TF_DOWN_REPORT = 0x04,    ///< tf_report_t of the last step
-  TF_DOWN_COMPACT = 0x05,   ///< state and mode for a slow line
   TF_DOWN_HEARTBEAT = 0x06, ///< counters of the real-time loop
-  TF_DOWN_PARAMETER = 0x07, ///< one parameter: value, range, name, unit
   TF_DOWN_ANSWER = 0x08,    ///< the result of a command
   TF_DOWN_EXPIRED = 0x09,   ///< inputs from outside have expired
   TF_UP_INPUT = 0x41,
@@ -47,10 +43,8 @@ typedef enum {
 #define TF_LAYOUT_BYTES TF_FRAME_PAYLOAD
 #define TF_STATE_BYTES (4 * TF_REAL_BYTES + 5)
 #define TF_REPORT_BYTES (6 * TF_REAL_BYTES + 5)
-#define TF_COMPACT_BYTES (3 * TF_REAL_BYTES + 2)
 #define TF_HEARTBEAT_BYTES 72u
 #define TF_EXPIRED_BYTES 4u
-#define TF_PARAMETER_BYTES (3 * TF_REAL_BYTES + 32)
 
 /// Contents of a schema frame.
 typedef struct {
@@ -60,7 +54,6 @@ typedef struct {
   uint8_t scheme; ///< 0: tf_step, 1: tf_step_located, 2: tf_step_compensated
   bool takes_commands; ///< the build has an uplink
   bool wants_tag;      ///< commands without the tag of its key are refused
-  bool has_tags;       ///< frames that go down end as tf_frame_tag makes them
   bool ends;           ///< the last frame is a heartbeat; a board's has no end
   uint32_t session;    ///< that commands have to name; 0: none yet
   uint32_t sequence;   ///< least number of a command that is still taken
@@ -68,8 +61,8 @@ typedef struct {
   uint32_t run;        ///< tf_run_hash: in the heartbeats of this run too
 } tf_schema_t;
 
-/// Counters of a real-time loop, each modulo 2^32, but for those of steps that
-/// were not TF_OK, which stay at 2^32 - 1.
+/// Counters of a real-time loop, in the order of their payload. Each is modulo
+/// 2^32, except those of steps that were not TF_OK: they stay at 2^32 - 1.
 typedef struct {
   uint32_t steps;    ///< taken
   uint32_t refused;  ///< by the scheme; the state is untouched
@@ -116,8 +109,6 @@ TF_API size_t tf_send_schema(uint8_t *wire, uint32_t *sequence, uint64_t tick,
 TF_API_DATA const char *const tf_layout_state;
 #define tf_layout_report TF_LINK(tf_layout_report)
 TF_API_DATA const char *const tf_layout_report;
-#define tf_layout_compact TF_LINK(tf_layout_compact)
-TF_API_DATA const char *const tf_layout_compact;
 #define tf_layout_heartbeat TF_LINK(tf_layout_heartbeat)
 TF_API_DATA const char *const tf_layout_heartbeat;
 
@@ -140,12 +131,6 @@ TF_API size_t tf_send_report(uint8_t *wire, uint32_t *sequence, uint64_t tick,
                              const tf_report_t *report,
                              tf_input_source_t source);
 
-/// Frame TF_DOWN_COMPACT, of TF_COMPACT_BYTES: r, v, w, mode and choices.
-#define tf_send_compact TF_LINK(tf_send_compact)
-TF_API size_t tf_send_compact(uint8_t *wire, uint32_t *sequence,
-                              const tf_state_t *state,
-                              const tf_report_t *report);
-
 /// Frame TF_DOWN_HEARTBEAT, of TF_HEARTBEAT_BYTES.
 #define tf_send_heartbeat TF_LINK(tf_send_heartbeat)
 TF_API size_t tf_send_heartbeat(uint8_t *wire, uint32_t *sequence,
@@ -156,28 +141,12 @@ TF_API size_t tf_send_heartbeat(uint8_t *wire, uint32_t *sequence,
 TF_API void tf_read_heartbeat(const uint8_t *payload,
                               tf_heartbeat_t *heartbeat);
 
-/// Frame TF_DOWN_PARAMETER, of up to TF_PARAMETER_BYTES: value, range, name and
-/// unit, for a host that learns here which index TF_UP_PARAMETER needs.
-/// index: in, into tf_parameter_ranges.
-/// Returns: bytes of the frame; 0 if there is no such parameter.
-#define tf_send_parameter TF_LINK(tf_send_parameter)
-TF_API size_t tf_send_parameter(uint8_t *wire, uint32_t *sequence,
-                                uint64_t tick, const tf_params_t *params,
-                                unsigned index);
-
 /// Reads the payload of TF_DOWN_STATE, TF_STATE_BYTES from a sender of the same
 /// real type, and the tick from the header of its frame.
 /// state: out, not validated.
 #define tf_read_state TF_LINK(tf_read_state)
 TF_API void tf_read_state(const uint8_t *payload, uint64_t tick,
                           tf_state_t *state);
-
-/// Reads the payload of TF_DOWN_REPORT, TF_REPORT_BYTES from a sender of the
-/// same real type (`twofold monitor`, which reads both, has its own).
-/// report: out, not validated.
-/// Returns: whose inputs the step had, a tf_input_source_t; not validated.
-#define tf_read_report TF_LINK(tf_read_report)
-TF_API uint8_t tf_read_report(const uint8_t *payload, tf_report_t *report);
 
 /// What a line carries, and what telemetry asks of it [bytes/s].
 typedef struct {
@@ -188,17 +157,27 @@ typedef struct {
 } tf_line_t;
 
 /// Of frames: state and report in each record, and, where commands are taken,
-/// the answer to one; a heartbeat, a schema and the three layouts each second;
-/// of each also the tail that it has where has_tags.
+/// the answer to one; a heartbeat, a schema and the three layouts each second.
 /// baud: in, of 10 bits a byte; 0: not known. scene, build: in, names.
 #define tf_line_of_frames TF_LINK(tf_line_of_frames)
 TF_API tf_line_t tf_line_of_frames(uint32_t rate, uint32_t baud,
                                    const char *scene, const char *build,
-                                   bool takes_commands, bool has_tags);
+                                   bool takes_commands);
 
 /// Returns: what a record every so many steps, > 0, asks of the line.
 #define tf_line_asks TF_LINK(tf_line_asks)
 TF_API uint64_t tf_line_asks(const tf_line_t *line, uint32_t every);
+
+/// Longest line.
+#define TF_TEXT_ROW_ROOM 96
+
+/// A state as text, for the serial plotter of the Arduino IDE: writes "r:0.18 v:1.2 omega:-1.037 h:1e-10 g:0.05" and a newline, in up to
+/// six digits, without a terminating zero.
+/// out: out, TF_TEXT_ROW_ROOM characters. state, report: in.
+/// Returns: the length.
+#define tf_text_row TF_LINK(tf_text_row)
+TF_API size_t tf_text_row(char *out, const tf_state_t *state,
+                          const tf_report_t *report);
 
 TF_END_C
 

@@ -4,8 +4,6 @@
 STM32F4_FLAGS := -DSTM32F4_USART=2 -DSTM32F4_HSE_MHZ=8u \
   -DSTM32F4_HSE_IS_CLOCK=1
 include port/arch/stm32f4.mk
-BOARD_SOURCES += port/arch/stm32f4_count.c
-BOARD_BOOT := count of starts in flash
 # An STM32F405 with the second of its USARTs: the addresses are the same.
 BOARD_RUN := qemu-system-arm -M netduinoplus2 -display none -monitor none \
   -semihosting-config enable=on,target=native -serial null -serial stdio

@@ -2,12 +2,27 @@
 // and a decoder that takes any byte at any time. Payloads are only bytes here.
 #include "twofold/frame.h"
 
-#include "crc.h"
-#include "header.h"
-#include "twofold/wire.h"
+#include "parts.h"
 
 // Of a frame without its zeros: COBS code, header and CRC.
 #define SHORTEST (1 + TF_FRAME_HEADER + TF_FRAME_CRC)
+
+// Reflected, polynomial 0xEDB88320, four bits at a time: a table of 16 words
+// instead of 256, for boards whose constants lie in RAM.
+TF_API uint32_t tf_crc32(uint32_t crc, const uint8_t *bytes, size_t length) {
+  static const uint32_t table[16] = {
+      0x00000000u, 0x1db71064u, 0x3b6e20c8u, 0x26d930acu,
+      0x76dc4190u, 0x6b6b51f4u, 0x4db26158u, 0x5005713cu,
+      0xedb88320u, 0xf00f9344u, 0xd6d6a3e8u, 0xcb61b38cu,
+      0x9b64c2b0u, 0x86d3d2d4u, 0xa00ae278u, 0xbdbdf21cu};
+  crc = ~crc;
+  for (size_t i = 0; i < length; i++) {
+    crc ^= bytes[i];
+    crc = crc >> 4 ^ table[crc & 15u];
+    crc = crc >> 4 ^ table[crc & 15u];
+  }
+  return ~crc;
+}
 
 // Seven bits a byte, the lowest first, and the top bit set: no byte is zero.
 // The bits follow the data in the order of a code word of the CRC, so that
@@ -38,7 +53,8 @@ static void stuff(uint8_t *code, const uint8_t *end) {
   *last = (uint8_t)(end - last);
 }
 
-TF_API bool tf_unstuff(uint8_t *code, size_t length) {
+// Undoes it. Returns: whether its chain of distances ends at the end.
+static bool unstuff(uint8_t *code, size_t length) {
   size_t next = code[0];
   for (size_t at = 1; at < length; at++)
     if (at == next) {
@@ -105,7 +121,7 @@ static bool unpack_frame(tf_decoder_t *decoder, size_t used,
   uint8_t *code = decoder->buffer;
   const size_t stuffed = used - TF_FRAME_CRC; // if there are so many
   if (used < SHORTEST || !has_crc(code + stuffed, tf_crc32(0, code, stuffed)) ||
-      !tf_unstuff(code, stuffed)) {
+      !unstuff(code, stuffed)) {
     decoder->bad++;
     return false;
   }
@@ -152,32 +168,12 @@ TF_API bool tf_decoder_push(tf_decoder_t *decoder, uint8_t byte,
   return false;
 }
 
-static void append(tf_decoder_t *decoder, const uint8_t *bytes, size_t length) {
-  const size_t left = (size_t)decoder->size - decoder->used;
-  if (length > left) {
-    decoder->overflowed = true;
-    length = left;
-  }
-  uint8_t *at = decoder->buffer + decoder->used;
-  for (size_t i = 0; i < length; i++) at[i] = bytes[i];
-  decoder->used = (uint16_t)(decoder->used + length);
-}
-
 TF_API bool tf_decoder_block(tf_decoder_t *decoder, const uint8_t *bytes,
                              size_t length, size_t *taken, tf_frame_t *frame) {
   size_t at = 0;
-  while (at < length) {
-    size_t end = at;
-    while (end < length && bytes[end] != 0) end++;
-    append(decoder, bytes + at, end - at);
-    at = end;
-    if (at == length) break;
-    at++;
-    if (complete_frame(decoder, frame)) {
-      *taken = at;
-      return true;
-    }
-  }
-  *taken = length;
-  return false;
+  bool is_complete = false;
+  while (at < length && !is_complete)
+    is_complete = tf_decoder_push(decoder, bytes[at++], frame);
+  *taken = at;
+  return is_complete;
 }

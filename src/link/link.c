@@ -4,27 +4,15 @@
 #include "twofold/link.h"
 
 #include "../model/kinematics.h"
-#include "crc.h"
-#include "siphash.h"
+#include "parts.h"
 
 #define SESSION_ROUNDS 8u
+#define REAL_SIZE TF_REAL_BYTES
 
 TF_API void tf_link_open(tf_link_t *link, const tf_scene_t *scene,
                          const tf_params_t *params) {
-  link->scene = scene;
+  *link = (tf_link_t){.scene = scene, .describe = true};
   link->params = *params;
-  link->has_saved = false;
-  link->describe = true;
-  link->has_aside = false;
-  link->waiting = 0;
-  link->session = 0;
-  link->before = 0;
-  link->noise = 0;
-  link->next = 0;
-  link->lost = 0;
-  link->ignored = 0;
-  link->every = 0;
-  link->line.carries = 0;
   tf_decoder_init(&link->decoder, link->buffer, sizeof link->buffer);
 }
 
@@ -57,29 +45,23 @@ TF_API void tf_link_begin_session(tf_link_t *link, uint32_t number,
   link->describe = true;
 }
 
-// Whether a command names the open session and comes for the first time; of the
-// session before, whose last number is used up, nothing does. Returns:
+// Whether a command names the open session and comes for the first time. The
+// last number is never taken, so that numbers never begin again. Returns:
 // TF_ANSWER_DONE, or why not.
 static int admit(const tf_link_t *link, const tf_frame_t *frame) {
   if (frame->length < TF_SESSION_BYTES) return TF_ANSWER_LENGTH;
   const uint32_t named = (uint32_t)tf_wire_get(frame->payload, 4);
-  const bool is_past = named == link->before;
-  if (named == 0 || (named != link->session && !is_past))
-    return TF_ANSWER_FOREIGN;
-  return is_past || frame->sequence < link->next ? TF_ANSWER_OLD
-                                                 : TF_ANSWER_DONE;
+  if (named == 0 || named != link->session) return TF_ANSWER_FOREIGN;
+  return frame->sequence < link->next || frame->sequence == UINT32_MAX
+             ? TF_ANSWER_OLD
+             : TF_ANSWER_DONE;
 }
 
 // The number is used up, whatever becomes of the command: one that is refused
-// today might act tomorrow if it were sent again. After the last number comes
-// another session.
+// today might act tomorrow if it were sent again.
 static void use_number(tf_link_t *link, uint32_t sequence) {
   link->lost += sequence - link->next;
   link->next = sequence + 1u;
-  if (sequence < UINT32_MAX) return;
-  link->before = link->session;
-  link->session = link->session == UINT32_MAX ? 1 : link->session + 1u;
-  link->describe = true;
 }
 
 // Takes a command, its data behind the session.
@@ -195,14 +177,12 @@ static int set_input(tf_simulation_t *simulation, const tf_command_t *command) {
     simulation->source = TF_INPUT_SCENE;
     return TF_ANSWER_DONE;
   }
-  const size_t real_bytes = TF_REAL_BYTES;
-  if (command->length != 5 * real_bytes) return TF_ANSWER_LENGTH;
   const uint8_t *at = command->data;
   const tf_input_t input = {tf_wire_get_real(at),
-                            tf_wire_get_real(at + real_bytes),
-                            tf_wire_get_real(at + 2 * real_bytes),
-                            tf_wire_get_real(at + 3 * real_bytes),
-                            tf_wire_get_real(at + 4 * real_bytes)};
+                            tf_wire_get_real(at + REAL_SIZE),
+                            tf_wire_get_real(at + 2 * REAL_SIZE),
+                            tf_wire_get_real(at + 3 * REAL_SIZE),
+                            tf_wire_get_real(at + 4 * REAL_SIZE)};
   if (!in_range(&simulation->state, &input)) return TF_BAD_STATE;
   tf_simulation_set_input(simulation, &input);
   return TF_ANSWER_DONE;
@@ -212,7 +192,6 @@ static int set_input(tf_simulation_t *simulation, const tf_command_t *command) {
 // expired stay so.
 static int set_deadman(tf_link_t *link, tf_simulation_t *simulation,
                        const tf_command_t *command) {
-  if (command->length != 4) return TF_ANSWER_LENGTH;
   simulation->deadman = (uint32_t)tf_wire_get(command->data, 4);
   simulation->left = simulation->deadman;
   link->describe = true;
@@ -225,8 +204,6 @@ static uint32_t every_of(const tf_command_t *command) {
 
 // What the line does not carry would be dropped, record by record.
 static int set_every(tf_link_t *link, const tf_command_t *command) {
-  if (link->every == 0) return TF_ANSWER_UNKNOWN;
-  if (command->length != 4) return TF_ANSWER_LENGTH;
   const uint32_t every = every_of(command);
   if (every == 0) return TF_BAD_PARAMETER;
   if (link->line.carries > 0 &&
@@ -240,7 +217,6 @@ static int set_every(tf_link_t *link, const tf_command_t *command) {
 // be prepared from them: a second copy would not fit a small stack.
 static int set_parameter(tf_link_t *link, tf_simulation_t *simulation,
                          tf_command_t *command) {
-  if (command->length != 1 + TF_REAL_BYTES) return TF_ANSWER_LENGTH;
   const unsigned index = command->data[0];
   command->index = (uint8_t)index;
   command->value = 0;
@@ -268,7 +244,6 @@ static int set_parameter(tf_link_t *link, tf_simulation_t *simulation,
 
 static int set_rule(tf_link_t *link, tf_simulation_t *simulation,
                     const tf_command_t *command) {
-  if (command->length != 5) return TF_ANSWER_LENGTH;
   const tf_rule_t before = link->params.rule;
   link->params.rule = (tf_rule_t)command->data[0];
   const tf_status_t status =
@@ -291,7 +266,6 @@ static int restore(const tf_link_t *link, tf_simulation_t *simulation,
     simulation->state = link->saved;
     return TF_ANSWER_DONE;
   }
-  if (command->length != 8 + TF_STATE_BYTES) return TF_ANSWER_LENGTH;
   tf_state_t state;
   tf_read_state(command->data + 8, tf_wire_get(command->data, 8), &state);
   if (state.tick >= TF_LINK_TICKS || state.mode >= TF_MODES ||
@@ -301,32 +275,36 @@ static int restore(const tf_link_t *link, tf_simulation_t *simulation,
   return TF_ANSWER_DONE;
 }
 
-// Commands without a payload.
-static int perform_plain(tf_link_t *link, tf_simulation_t *simulation,
-                         const tf_command_t *command) {
-  if (command->length != 0) return TF_ANSWER_LENGTH;
-  switch (command->type) {
-    case TF_UP_START:
-      simulation->running = true;
-      break;
-    case TF_UP_STOP:
-      simulation->running = false;
-      break;
-    case TF_UP_RESET:
-      return tf_simulation_start(simulation, link->scene,
-                                 simulation->state.seed);
-    case TF_UP_SNAPSHOT:
-      link->saved = simulation->state;
-      link->has_saved = true;
-      break;
-    default: // TF_UP_CLEAR acted on its arrival
-      break;
-  }
-  return TF_ANSWER_DONE;
+// Whether the data of a command are as long as its type wants. Of an input and
+// a state to restore they may be missing.
+static int judge_length(const tf_link_t *link, const tf_command_t *command) {
+  static const uint8_t wanted[] = {5 * REAL_SIZE,
+                                   1 + REAL_SIZE,
+                                   5,
+                                   0,
+                                   0,
+                                   0,
+                                   0,
+                                   8 + TF_STATE_BYTES,
+                                   0,
+                                   0,
+                                   4,
+                                   4};
+  const uint8_t last = link->every > 0 ? TF_UP_EVERY : TF_UP_DEADMAN;
+  if (command->type < TF_UP_INPUT || command->type > last)
+    return TF_ANSWER_UNKNOWN;
+  const bool may_be_missing =
+      command->type == TF_UP_INPUT || command->type == TF_UP_RESTORE;
+  return command->length == wanted[command->type - TF_UP_INPUT] ||
+                 (command->length == 0 && may_be_missing)
+             ? TF_ANSWER_DONE
+             : TF_ANSWER_LENGTH;
 }
 
 static int perform(tf_link_t *link, tf_simulation_t *simulation,
                    tf_command_t *command) {
+  const int code = judge_length(link, command);
+  if (code != TF_ANSWER_DONE) return code;
   switch (command->type) {
     case TF_UP_INPUT:
       return set_input(simulation, command);
@@ -340,14 +318,19 @@ static int perform(tf_link_t *link, tf_simulation_t *simulation,
       return set_deadman(link, simulation, command);
     case TF_UP_EVERY:
       return set_every(link, command);
+    case TF_UP_RESET:
+      return tf_simulation_start(simulation, link->scene,
+                                 simulation->state.seed);
     case TF_UP_START:
     case TF_UP_STOP:
-    case TF_UP_RESET:
+      simulation->running = command->type == TF_UP_START;
+      return TF_ANSWER_DONE;
     case TF_UP_SNAPSHOT:
-    case TF_UP_CLEAR:
-      return perform_plain(link, simulation, command);
-    default:
-      return TF_ANSWER_UNKNOWN;
+      link->saved = simulation->state;
+      link->has_saved = true;
+      return TF_ANSWER_DONE;
+    default: // TF_UP_CLEAR acted on its arrival
+      return TF_ANSWER_DONE;
   }
 }
 

@@ -2,8 +2,7 @@
 // that nothing is copied.
 #include "twofold/telemetry.h"
 
-#include "crc.h"
-#include "twofold/command.h"
+#include "parts.h"
 
 // Appends as much of a text as fits before `end`. Returns: the byte after it.
 static uint8_t *put_text(uint8_t *at, const uint8_t *end, const char *text) {
@@ -81,8 +80,7 @@ TF_API size_t tf_send_schema(uint8_t *wire, uint32_t *sequence, uint64_t tick,
   *at++ = (uint8_t)params->rule;
   *at++ = schema->scheme;
   *at++ = (uint8_t)(flags_of(params) | (schema->takes_commands ? 2u : 0u) |
-                    (schema->wants_tag ? 16u : 0u) | (schema->ends ? 32u : 0u) |
-                    (schema->has_tags ? 64u : 0u));
+                    (schema->wants_tag ? 16u : 0u) | (schema->ends ? 32u : 0u));
   at = tf_wire_put(at, schema->seed, 4);
   at = tf_wire_put(at, tf_params_hash(params), 4);
   at = tf_wire_put(at, schema->session, 4);
@@ -103,8 +101,6 @@ TF_API const char *const tf_layout_state =
 TF_API const char *const tf_layout_report =
     "h,real,1,m/s;g,real,1,m/s;F,real,1,N;M,real,1,N m;delassus,real,1,1/kg;"
     "residual,real,1,N;mode,u8;set,u8;choices,u8;status,i8;input,u8";
-TF_API const char *const tf_layout_compact =
-    "r,real,1,m;v,real,1,m/s;omega,real,1,rad/s;mode,u8;choices,u8";
 TF_API const char *const tf_layout_heartbeat =
     "steps,u32;refused,u32;overruns,u32;dropped,u32;bad,u32;ignored,u32;"
     "min,u32,1e-9,s;mean,u32,1e-9,s;max,u32,1e-9,s;period,u32,1e-9,s;"
@@ -143,28 +139,14 @@ TF_API size_t tf_send_report(uint8_t *wire, uint32_t *sequence, uint64_t tick,
   return seal(wire, TF_DOWN_REPORT, at, sequence, tick);
 }
 
-TF_API size_t tf_send_compact(uint8_t *wire, uint32_t *sequence,
-                              const tf_state_t *state,
-                              const tf_report_t *report) {
-  uint8_t *at = wire + TF_FRAME_AT;
-  at = tf_wire_put_real(at, state->r);
-  at = tf_wire_put_real(at, state->v);
-  at = tf_wire_put_real(at, state->w);
-  *at++ = state->mode;
-  *at++ = report->choices;
-  return seal(wire, TF_DOWN_COMPACT, at, sequence, state->tick);
-}
+// Of members in the order of the payload, without a gap.
+typedef char
+    heartbeat_is_as_sent[sizeof(tf_heartbeat_t) == TF_HEARTBEAT_BYTES ? 1 : -1];
 
 TF_API size_t tf_send_heartbeat(uint8_t *wire, uint32_t *sequence,
                                 uint64_t tick,
                                 const tf_heartbeat_t *heartbeat) {
-  const uint32_t counters[] = {
-      heartbeat->steps,    heartbeat->refused,   heartbeat->overruns,
-      heartbeat->dropped,  heartbeat->bad,       heartbeat->ignored,
-      heartbeat->exec_min, heartbeat->exec_mean, heartbeat->exec_max,
-      heartbeat->period,   heartbeat->degraded,  heartbeat->fell_back,
-      heartbeat->coarse,   heartbeat->stalled,   heartbeat->expired,
-      heartbeat->skipped,  heartbeat->run,       heartbeat->chain};
+  const uint32_t *counters = (const uint32_t *)(const void *)heartbeat;
   uint8_t *at = wire + TF_FRAME_AT;
   for (size_t i = 0; i < TF_HEARTBEAT_BYTES / 4; i++)
     at = tf_wire_put(at, counters[i], 4);
@@ -173,27 +155,19 @@ TF_API size_t tf_send_heartbeat(uint8_t *wire, uint32_t *sequence,
 
 TF_API void tf_read_heartbeat(const uint8_t *payload,
                               tf_heartbeat_t *heartbeat) {
-  uint32_t *const counters[] = {
-      &heartbeat->steps,    &heartbeat->refused,   &heartbeat->overruns,
-      &heartbeat->dropped,  &heartbeat->bad,       &heartbeat->ignored,
-      &heartbeat->exec_min, &heartbeat->exec_mean, &heartbeat->exec_max,
-      &heartbeat->period,   &heartbeat->degraded,  &heartbeat->fell_back,
-      &heartbeat->coarse,   &heartbeat->stalled,   &heartbeat->expired,
-      &heartbeat->skipped,  &heartbeat->run,       &heartbeat->chain};
+  uint32_t *counters = (uint32_t *)(void *)heartbeat;
   for (size_t i = 0; i < TF_HEARTBEAT_BYTES / 4; i++)
-    *counters[i] = (uint32_t)tf_wire_get(payload + 4 * i, 4);
+    counters[i] = (uint32_t)tf_wire_get(payload + 4 * i, 4);
 }
 
-// Without its payload a frame has TF_FRAME_SIZE(0) bytes, and its tail.
 TF_API tf_line_t tf_line_of_frames(uint32_t rate, uint32_t baud,
                                    const char *scene, const char *build,
-                                   bool takes_commands, bool has_tags) {
+                                   bool takes_commands) {
   // As one type, in which none of these sums comes near the end.
-  const uint32_t frame = TF_FRAME_SIZE(0) + (has_tags ? TF_TAIL_BYTES : 0u);
-  const uint32_t heartbeat = TF_HEARTBEAT_BYTES;
+  const uint32_t frame = TF_FRAME_SIZE(0u), heartbeat = TF_HEARTBEAT_BYTES;
   const uint32_t step = TF_STATE_BYTES + TF_REPORT_BYTES;
-  const uint32_t names = length_of(scene) + length_of(build);
-  const uint32_t schema = 29u + TF_REAL_BYTES + names + 2u;
+  const uint32_t names = length_of(scene) + length_of(build) + 2u;
+  const uint32_t schema = 29u + TF_REAL_BYTES + names;
   const uint32_t layouts = length_of(tf_layout_state) +
                            length_of(tf_layout_report) +
                            length_of(tf_layout_heartbeat) + 3u;
@@ -211,24 +185,6 @@ TF_API uint64_t tf_line_asks(const tf_line_t *line, uint32_t every) {
   return line->beside + (records + every - 1u) / every;
 }
 
-TF_API size_t tf_send_parameter(uint8_t *wire, uint32_t *sequence,
-                                uint64_t tick, const tf_params_t *params,
-                                unsigned index) {
-  if (index >= TF_PARAMETERS) return 0;
-  const tf_parameter_range_t *range = &tf_parameter_ranges[index];
-  const uint8_t *end = wire + TF_FRAME_AT + TF_PARAMETER_BYTES;
-  uint8_t *at = wire + TF_FRAME_AT;
-  *at++ = (uint8_t)index;
-  *at++ = (uint8_t)((range->laws >> params->law) & 1u);
-  at = tf_wire_put_real(at, value_of(params, index));
-  at = tf_wire_put_real(at, range->low);
-  at = tf_wire_put_real(at, range->high);
-  at = put_text(at, end, range->name);
-  at = put_text(at, end, ",");
-  at = put_text(at, end, range->unit);
-  return seal(wire, TF_DOWN_PARAMETER, at, sequence, tick);
-}
-
 TF_API void tf_read_state(const uint8_t *payload, uint64_t tick,
                           tf_state_t *state) {
   const size_t real_bytes = TF_REAL_BYTES;
@@ -240,23 +196,4 @@ TF_API void tf_read_state(const uint8_t *payload, uint64_t tick,
                    .tick = tick,
                    .seed = (uint32_t)tf_wire_get(payload + 4 * real_bytes, 4),
                    .mode = payload[4 * real_bytes + 4]};
-}
-
-TF_API uint8_t tf_read_report(const uint8_t *payload, tf_report_t *report) {
-  const size_t real_bytes = TF_REAL_BYTES;
-  const uint8_t *bytes = payload + 6 * real_bytes;
-  // The status is sent in two's complement.
-  const int status = bytes[3] < 128 ? bytes[3] : (int)bytes[3] - 256;
-  *report =
-      (tf_report_t){.mode = bytes[0],
-                    .set = bytes[1],
-                    .choices = bytes[2],
-                    .force = {tf_wire_get_real(payload + 2 * real_bytes),
-                              tf_wire_get_real(payload + 3 * real_bytes)},
-                    .slip = {tf_wire_get_real(payload),
-                             tf_wire_get_real(payload + real_bytes)},
-                    .delassus = tf_wire_get_real(payload + 4 * real_bytes),
-                    .residual = tf_wire_get_real(payload + 5 * real_bytes),
-                    .status = (tf_status_t)status};
-  return bytes[4];
 }

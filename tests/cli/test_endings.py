@@ -124,7 +124,8 @@ def test_merge():
 
 
 def test_monitor():
-    ends_well(["monitor", "rows", "--csv", "--out", "x", "--record", "y"],
+    ends_well(["monitor", "rows", "--format", "csv", "--out", "x",
+               "--record", "y"],
               ["run", "chaos", "--t-end", "0.01", "--format", "frames",
                "--out", "rows"])
 

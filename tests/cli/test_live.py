@@ -253,7 +253,7 @@ def monitor_draws_a_stream():
         check("t = 3.0000 s" in terminal.text(), terminal.text())
         check(re.search(r"frames, 1 broken, \d+ lost", terminal.text()),
               terminal.text())
-    done = plain(TWOFOLD, "monitor", "-", "--live", "--csv")
+    done = plain(TWOFOLD, "monitor", "-", "--live", "--format", "csv")
     check(done.returncode == 2 and b"--out FILE" in done.stderr, "code 2")
 
 

@@ -91,7 +91,7 @@ for name in x ./x "$D/x" other; do
     run chaos --t-end 0 --out "$name"
 done
 "$T" run chaos --t-end 0.01 --format frames --out stream 2>err
-expect 4 'another program writes this file' monitor stream --csv --out x
+expect 4 'another program writes this file' monitor stream --format csv --out x
 expect 4 'another program writes this file' \
   diverge chaos --samples 1 --patience 0.01 --exits y --returns x
 equal 'and it leaves no file' "$(there y y.part)" ''

@@ -62,7 +62,7 @@ equal 'nothing left to do: one row' "$(wc -l <out)" 2
 
 # In frames, too: the ticks go on.
 runs run chaos --from at --t-end 1.01 --format frames --out frames
-runs monitor frames --csv --out rows
+runs monitor frames --format csv --out rows
 runs run chaos --from at --t-end 1.01
 check 'frames go on' cmp rows out
 

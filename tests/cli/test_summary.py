@@ -149,7 +149,7 @@ def test_diverge():
 def test_monitor():
     call("run", "chaos", "--t-end", "0.005", "--format", "frames", "--out",
          "frames")
-    got = told("monitor", "frames", "--csv", "--out", "rows")
+    got = told("monitor", "frames", "--format", "csv", "--out", "rows")
     same((got["rows"], got["last"]["step"]), (len(rows_of("rows")), 50))
     two_folds = json.loads(call("singularities", "chaos")[0])
     same((got["parameters"], two_folds["units"]["r"]),
@@ -254,7 +254,7 @@ def test_provenance():
                    "--size", "1e-4", "--patience", "0.1", "--exits", "-"],
                   ["diverge", "chaos", "--exhaustive", "--depth", "1",
                    "--grid", "0.1", "--patience", "1"],
-                  ["monitor", "frames", "--csv"]):
+                  ["monitor", "frames", "--format", "csv"]):
         plain = call(*words)[0]
         lines = call(*words, "--provenance")[0].splitlines(keepends=True)
         same("".join(lines[4:]), plain)
@@ -268,7 +268,8 @@ def test_provenance():
     same(lines[2], "# scheme moreau, dt 0.0001 s")
     same(call(*SHORT, "--provenance", "--accuracy", "1")[0].splitlines()[2],
          lines[2] + ", accuracy 1")
-    same(re.match(CHAOS, lines[1])[1] in call("monitor", "frames", "--csv")[1],
+    same(re.match(CHAOS, lines[1])[1] in call("monitor", "frames",
+                                              "--format", "csv")[1],
          True)
     call(*SHORT, "--provenance", "--format", "plotter", code=2)
 

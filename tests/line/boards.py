@@ -54,7 +54,7 @@ def sealed(code):
 
 def framed(kind, number, tick, payload):
     """The bytes of a frame on the line (docs/PROTOCOL.md, section 1)."""
-    body = struct.pack("<BBBIQ", 3, kind, len(payload), number, tick) + payload
+    body = struct.pack("<BBBIQ", 4, kind, len(payload), number, tick) + payload
     return b"\0" + sealed(stuffed(body)) + b"\0"
 
 
@@ -158,14 +158,6 @@ class Line:
                              frame[3][4] == kind)
         check(answer[3][5] == 0, answer)
         return answer[2]
-
-    def use_up_to(self, number):
-        """A stop with that number, as another host would send it."""
-        self.describe()
-        os.write(self.line, framed(STOP, number, 0, self.session))
-        answer = self.listen(lambda frame: frame[0] == ANSWER and
-                             frame[3][4] == STOP)
-        return answer[3][5]
 
 
 def pass_on(line, came):

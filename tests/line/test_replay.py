@@ -80,7 +80,7 @@ def seal(path, lines):
 def record(path, schema, *rows):
     """Writes a record of commands: (step, (type, data)) each."""
     seal(path, ["tick,type,data,command",
-                f"0,01,{schema.hex()},schema of version 3",
+                f"0,01,{schema.hex()},schema of version 4",
                 *(f"{tick},{kind:02x},{data.hex()},-"
                   for tick, (kind, data) in rows)])
 
@@ -288,7 +288,7 @@ def test_frames_say_what_holds():
           == (9, int(plain["parameters"], 16)), schemas)
     sources = [data[-1] for kind, _, tick, data in got if kind == 4]
     check(sources == [0] * 201 + [1] * 20 + [2] * 80, sources)
-    call("monitor", "frames", "--csv", "--out", "read")
+    call("monitor", "frames", "--format", "csv", "--out", "read")
     check(Path("read").read_bytes() == Path("rows").read_bytes(),
           "monitor reads other rows")
 
@@ -303,7 +303,7 @@ def session():
     until the rows do. Returns: the exit code of monitor and what it says."""
     with Board("double") as board, open("told", "wb") as said:
         monitor = subprocess.Popen(
-            [TWOFOLD, "monitor", board.name, "--csv", "--out", "rows",
+            [TWOFOLD, "monitor", board.name, "--format", "csv", "--out", "rows",
              "--record", "record",
              *(word for one in SENT for word in ("--send", one))],
             stderr=said, stdin=subprocess.DEVNULL)
@@ -386,8 +386,8 @@ def wrong_records(lines):
             ([*words, "rows"], 2, "rows:1: no record"),
             ([*words, "none"], 2, "none: No such file")):
         refused(more, code, *texts)
-    seal("bad", [row.replace(" of version 3", "") for row in rows])
-    refused([*words, "bad"], 3, "'schema', here it is 'schema of version 3': "
+    seal("bad", [row.replace(" of version 4", "") for row in rows])
+    refused([*words, "bad"], 3, "'schema', here it is 'schema of version 4': "
             "record the session again")
     seal("bad", [row.replace(",44,,start", ",44,0g,start") for row in rows])
     refused([*words, "bad"], 2, "bad:", "no record of")
@@ -408,7 +408,7 @@ def test_firmware_of_a_scene_in_a_file():
     firmware = Path(FIRMWARE).parent / "own.scene-double/firmware-own.elf"
     for _ in range(5):
         Path("frames").write_bytes(output(firmware))
-        said = call("monitor", "frames", "--csv", "--out", "got",
+        said = call("monitor", "frames", "--format", "csv", "--out", "got",
                     code=(5, 6))[1]
         if Path("got").exists():
             break  # a busy computer may drop frames

@@ -44,8 +44,6 @@ def motion(form):
     shown = output(RUN[0], "monitor", "-", "--format", form,
                    input=stream).decode()
     check(output(*RUN, "--format", form).decode() == shown, "`run` has another")
-    check(output(RUN[0], "monitor", "-", "--as", form,
-                 input=stream).decode() == shown, "--as is not --format")
     check(shown.endswith("\n"), "it does not end with its line")
     return rows, shown.split("\n")[:-1]
 
@@ -100,7 +98,7 @@ def test_json_has_every_column_over_time():
 
 
 def test_csv_of_a_board():
-    """That of `monitor` has the bytes of `run` (tests/cli/test_monitor.sh)."""
+    """That of `monitor` has the bytes of `run` (test_monitor.py)."""
     sent = output(program("float", "csv")).decode("ascii")
     header, *rows = [line.split(",") for line in sent.split("\r\n")[:-1]]
     same((header, rows[0][:4]), (NAMES, ["0.000000", "0.18", "-0.03034",
@@ -118,13 +116,13 @@ def test_decoder_in_python_rejects():
     """What is no frame under a right CRC, as test_frame.c has it for the core:
     another version, a wrong length, a distance that leads out, and one byte too
     many."""
-    def piece(payload, version=3, longer=0):
+    def piece(payload, version=4, longer=0):
         return sealed(stuffed(struct.pack(
             "<BBBIQ", version, 7, len(payload) + longer, 1, 2) + payload))
     same([decode.decode(piece(bytes(size))) for size in (0, 238)],
          [(7, 1, 2, bytes(size)) for size in (0, 238)])
     same([decode.decode(bad) for bad in (
-        piece(b"", version=2), piece(b"1", longer=1), piece(b"1", longer=-1),
+        piece(b"", version=3), piece(b"1", longer=1), piece(b"1", longer=-1),
         sealed(b"\xff" + stuffed(bytes(15))[1:]), piece(bytes(240)), b"")],
          [None] * 6)
 

@@ -88,7 +88,7 @@ def test_a_splice_is_told():
             at = min(500, len(borders_of(other)) // 2)
             spliced = other[:borders_of(other)[at]] + one[borders_of(one)[at]:]
             same(len(runs(frames(spliced))), 2)
-            said = judged(spliced, "--csv", "--out", "rows", code=6)
+            said = judged(spliced, "--format", "csv", "--out", "rows", code=6)
             same(("more than one run" in said, Path("rows").exists(),
                   "\ndegraded " in said), (True, False, True))
 
@@ -128,7 +128,7 @@ def test_frames_put_between_two_heartbeats_are_told():
     judged(one[0], code=0)
     spliced = put(one, other, 4 + 2 * 120 + 2, 4 + 2 * 121 + 2)
     same((breaks(one[0]), breaks(spliced)), ([], [150]))
-    said = judged(spliced, "--csv", "--out", "rows", code=6)
+    said = judged(spliced, "--format", "csv", "--out", "rows", code=6)
     same(("between steps 100 and 150 frames are of another run" in said,
           Path("rows").exists()), (True, False))
     # Where one is missing that is told, and the chain begins anew.
@@ -138,11 +138,10 @@ def test_frames_put_between_two_heartbeats_are_told():
 
 
 def test_another_session_is_another_start():
-    """But for the first one of a start, and that after its last number."""
+    """But for the first one of a start."""
     found = frames(output(*RUN, "--every", "50", "--format", "frames"))
     schema, beat = found[0][3], found[-1][3]
-    for sessions, code in (((0, 7, 7, 8), 0), ((2**32 - 1, 1), 0), ((7, 9), 6),
-                           ((7, 0), 6)):
+    for sessions, code in (((0, 7, 7), 0), ((7, 8), 6), ((7, 0), 6)):
         sent = [(SCHEMA, 0, schema[:13] + struct.pack("<I", session)
                  + schema[17:]) for session in sessions]
         judged(chained([*sent, (HEARTBEAT, 0, beat)]), code=code)
@@ -197,11 +196,11 @@ def test_rows_of_a_part_do_not_get_the_name():
     cut = stream[:stream.index(b"\0\0", len(stream) // 2) + 1]
     for broken in b"", cut, stream + stream, stream[len(stream) // 2:]:
         Path("rows").write_text("kept")
-        said = judged(broken, "--csv", "--out", "rows",
+        said = judged(broken, "--format", "csv", "--out", "rows",
                       code=6 if broken else 4)
         same(Path("rows").read_text(), "kept")
         same("rows.part" in said or not Path("rows.part").exists(), True)
-    judged(stream, "--csv", "--out", "rows", code=0)
+    judged(stream, "--format", "csv", "--out", "rows", code=0)
     same(Path("rows").read_bytes().count(b"\n"), 12)
 
 
@@ -242,7 +241,7 @@ def test_no_file_is_written_twice():
     for words in (["frames", "--out", "./frames"], ["link", "--out", "frames"],
                   ["frames", "--record", "frames"],
                   ["frames", "--out", "new", "--record", "./new"]):
-        refused("monitor", "--csv", *words)
+        refused("monitor", "--format", "csv", *words)
         same(Path("frames").read_bytes() == stream, True)
         same(Path("new").exists(), False)
 

@@ -3,7 +3,7 @@
 #ifndef TESTS_SUPPORT_FRAME_IN_H
 #define TESTS_SUPPORT_FRAME_IN_H
 
-#include "link/crc.h"
+#include "link/parts.h"
 #include "tap.h"
 #include "twofold.h"
 

@@ -216,8 +216,6 @@ const cli_option_t cli_options[] = {
      .choices = formats, .usual = CLI_NOT_GIVEN, .noun = "format",
      .what = "of the rows (run: csv unless another is given; monitor: without "
              "it no rows, and a terminal shows --live):"},
-    {"--as", "NAME", CLI_MONITOR, CHOICE(format), .choices = formats,
-     .usual = CLI_NOT_GIVEN, .noun = "format", .what = "the same as --format"},
     {"--shard", "I/N", CLI_DIVERGE | CLI_SWEEP, OTHER, .read = read_shard,
      .what = "only part I of N of the samples or points; the files of all "
              "parts, one after the other, have the rows of the whole"},
@@ -241,7 +239,6 @@ const cli_option_t cli_options[] = {
              "--counts, --returns, --exits)"},
     {"--header", NULL, CLI_DIVERGE, FLAG(header),
      .what = "writes a header even if the shard is not the first"},
-    {"--csv", NULL, CLI_MONITOR, FLAG(csv), .what = "--format csv"},
     {"--live", NULL, CLI_RUN | CLI_MONITOR, FLAG(live),
      .what = "draws the planes (g, h) and (r, omega) and the modes over time "
              "in the terminal (run: with --realtime at the pace of the "
@@ -310,9 +307,6 @@ const cli_option_t cli_options[] = {
     {"--key", "FILE", CLI_MONITOR, TEXT(key), .how = CLI_READS,
      .what = "the key of a board that takes only tagged commands: a file of 32 "
              "hexadecimal digits that only its owner may read"},
-    {"--verify", NULL, CLI_MONITOR, FLAG(verify), .needs = "--key",
-     .what = "leaves out frames without the tag of the board's key, and counts "
-             "them"},
     {"--follow", NULL, CLI_MONITOR, FLAG(follow),
      .what = "waits until an unplugged device is back, or until a file grows"},
 };

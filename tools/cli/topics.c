@@ -19,7 +19,7 @@ typedef struct {
 
 static const topic_t topics[] = {
     {"csv columns",
-     "The rows of 'run' and 'monitor --csv': "
+     "The rows of 'run' and 'monitor --format csv': "
      "t,r,v,omega,h,g,F,M,mode,choices in s, m, m/s, rad/s, m/s, m/s, N, N "
      "m. Numbers are the shortest decimals that read back to the same bits. "
      "The start, every Nth step (--every N) and the last step have a row. "

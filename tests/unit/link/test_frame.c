@@ -1,7 +1,7 @@
 /* Frames on a line: what arrives, one wrong bit, and what the decoder counts.
  * Noise, and damage of any kind, are those of the fuzz target frame. */
 #include "frame_in.h"
-#include "link/crc.h"
+#include "link/parts.h"
 #include "tap.h"
 #include "twofold.h"
 

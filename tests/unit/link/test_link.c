@@ -185,18 +185,8 @@ TEST(records_are_as_many_as_the_line_carries) {
   CHECK_TOLD(&board, 0, TF_ANSWER_LENGTH);
   char name[300] = {0};
   memset(name, 'a', sizeof name - 1);
-  CHECK(tf_line_of_frames(1, 0, name, "", false, false).beside ==
-        tf_line_of_frames(1, 0, name + 61, "", false, false).beside);
-  /* A tail in state and report, with commands in an answer; and in five. */
-  for (unsigned i = 0; i < 2; i++) {
-    const bool up = i > 0;
-    const tf_line_t plain =
-        tf_line_of_frames(1, 0, "chaos", "twofold", up, false);
-    const tf_line_t tagged =
-        tf_line_of_frames(1, 0, "chaos", "twofold", up, true);
-    CHECK(tagged.record == plain.record + (2 + i) * TF_TAIL_BYTES);
-    CHECK(tagged.beside == plain.beside + 5 * TF_TAIL_BYTES);
-  }
+  CHECK(tf_line_of_frames(1, 0, name, "", false).beside ==
+        tf_line_of_frames(1, 0, name + 61, "", false).beside);
 }
 
 TEST(inputs_act_at_their_tick) {

@@ -61,11 +61,10 @@ static const tf_report_t report_shown = {
     {0, TF_R(-0.25)}, 2,    0, TF_OK};
 /* Its chain is that of the examples in float before it. */
 static tf_heartbeat_t heartbeat_shown(void) {
-  static const char *const before[] = {"schema", "layout", "state", "report",
-                                       "compact"};
+  static const char *const before[] = {"schema", "layout", "state", "report"};
   tf_heartbeat_t beat = {1000,    0, 2, 3, 1, 0, 5200, 5400, 9100,
                          1000000, 4, 0, 1, 3, 2, 93,   RUN,  0};
-  for (unsigned i = 0; i < 5; i++) {
+  for (unsigned i = 0; i < 4; i++) {
     const example_t frame = example(before[i]);
     const uint8_t *crc = frame.wire + frame.size - 1 - TF_FRAME_CRC;
     beat.chain = tf_frame_chain(beat.chain, crc);
@@ -133,24 +132,20 @@ TEST(documented_frames_decode) {
   uint32_t sequence = 0;
   size_t size = tf_send_schema(wire, &sequence, 0, &schema);
   judge("schema", 0x01, 0, 0, wire, own * size);
-  size = tf_send_layout(wire, &sequence, 0, TF_DOWN_COMPACT, tf_layout_compact);
+  size = tf_send_layout(wire, &sequence, 0, TF_DOWN_STATE, tf_layout_state);
   judge("layout", 0x02, 1, 0, wire, size);
   size = tf_send_state(wire, &sequence, &state_shown);
   judge("state", 0x03, 2, 1000, wire, own * size);
   judge("state-double", 0x03, 2, 1000, wire, (1 - own) * size);
   size = tf_send_report(wire, &sequence, 1000, &report_shown, TF_INPUT_SET);
   judge("report", 0x04, 3, 1000, wire, own * size);
-  size = tf_send_compact(wire, &sequence, &state_shown, &report_shown);
-  judge("compact", 0x05, 4, 1000, wire, own * size);
   const tf_heartbeat_t beat = heartbeat_shown();
   size = tf_send_heartbeat(wire, &sequence, 1000, &beat);
-  judge("heartbeat", 0x06, 5, 1000, wire, size);
-  size = tf_send_parameter(wire, &sequence, 1000, &tf_scenes[0]->params, 8);
-  judge("parameter", 0x07, 6, 1000, wire, own * size);
+  judge("heartbeat", 0x06, 4, 1000, wire, size);
   tf_wire_put(wire + TF_FRAME_AT, 2, TF_EXPIRED_BYTES);
   size =
       tf_frame_seal(wire, TF_DOWN_EXPIRED, TF_EXPIRED_BYTES, &sequence, 1000);
-  judge("expired", 0x09, 7, 1000, wire, size);
+  judge("expired", 0x09, 5, 1000, wire, size);
   judge_commands();
 }
 
@@ -180,14 +175,17 @@ TEST(state_and_report_read_back) {
   tf_read_state(frame.payload, frame.tick, &state);
   CHECK(same_state(&state, &state_shown));
   for (int status = TF_STEP_TOO_LONG; status <= TF_STALLED; status++) {
-    tf_report_t report = report_shown, decoded = report_shown;
+    tf_report_t report = report_shown;
     report.status = (tf_status_t)status;
     report.slip.h = 3;
     report.residual = 4;
     frame = frame_of(wire,
                      tf_send_report(wire, &sequence, 0, &report, TF_INPUT_SET));
-    CHECK(tf_read_report(frame.payload, &decoded) == TF_INPUT_SET);
-    CHECK(same_report(&report, &decoded));
+    const uint8_t *bytes = frame.payload + 6 * R;
+    CHECK(tf_wire_get_real(frame.payload) == 3);
+    CHECK(tf_wire_get_real(frame.payload + 5 * R) == 4);
+    CHECK(bytes[0] == report.mode && bytes[3] == (uint8_t)(int8_t)status);
+    CHECK(bytes[4] == TF_INPUT_SET);
   }
 }
 
@@ -208,7 +206,7 @@ TEST(schema_says_what_runs) {
   CHECK(!strcmp((const char *)at + 29 + R + 6, "demo"));
   CHECK(frame.length == 29 + R + 6 + 5);
   /* Each flag has a bit of its own. */
-  for (unsigned flags = 0; flags < 128; flags++) {
+  for (unsigned flags = 0; flags < 64; flags++) {
     if ((flags >> 2 & 3u) >= TF_REST_LAWS) continue;
     tf_params_t flagged = *params;
     flagged.rest = (tf_rest_law_t)(flags >> 2 & 3u);
@@ -217,7 +215,6 @@ TEST(schema_says_what_runs) {
     variant.takes_commands = flags & 2u;
     variant.wants_tag = flags & 16u;
     variant.ends = flags & 32u;
-    variant.has_tags = flags & 64u;
     variant.params = &flagged;
     frame = frame_of(wire, tf_send_schema(wire, &sequence, 0, &variant));
     CHECK(frame.payload[4] == flags);
@@ -269,32 +266,6 @@ TEST(schema_says_what_runs) {
   CHECK(tf_run_hash(0, &of, &start) != run);
 }
 
-TEST(parameters_are_described) {
-  uint8_t wire[LONGEST];
-  uint32_t sequence = 0;
-  const tf_params_t *params = &tf_scenes[0]->params;
-  for (unsigned i = 0; i < TF_PARAMETERS; i++) {
-    const tf_parameter_range_t *range = &tf_parameter_ranges[i];
-    tf_real_t value;
-    char text[40], want[40];
-    const tf_frame_t frame =
-        frame_of(wire, tf_send_parameter(wire, &sequence, 9, params, i));
-    const uint8_t *at = frame.payload;
-    memcpy(&value, (const char *)params + range->offset, sizeof value);
-    CHECK(at[0] == i && at[1] == ((range->laws >> params->law) & 1));
-    CHECK(tf_wire_get_real(at + 2) == value);
-    CHECK(tf_wire_get_real(at + 2 + R) == range->low);
-    CHECK(tf_wire_get_real(at + 2 + 2 * R) == range->high);
-    const size_t length = frame.length - (2u + 3 * R);
-    memcpy(text, at + 2 + 3 * R, length);
-    text[length] = '\0';
-    snprintf(want, sizeof want, "%s,%s", range->name, range->unit);
-    CHECK(!strcmp(text, want));
-  }
-  CHECK(tf_send_parameter(wire, &sequence, 9, params, TF_PARAMETERS) == 0);
-  CHECK(sequence == TF_PARAMETERS);
-}
-
 /* Bytes that a layout adds up to. */
 static unsigned bytes_of(const char *layout) {
   static const struct {
@@ -334,10 +305,9 @@ TEST(layouts_describe_the_payloads) {
     unsigned bytes;
   } all[] = {{tf_layout_state, TF_DOWN_STATE, TF_STATE_BYTES},
              {tf_layout_report, TF_DOWN_REPORT, TF_REPORT_BYTES},
-             {tf_layout_compact, TF_DOWN_COMPACT, TF_COMPACT_BYTES},
              {tf_layout_heartbeat, TF_DOWN_HEARTBEAT, TF_HEARTBEAT_BYTES}};
   uint32_t sequence = 0;
-  for (unsigned i = 0; i < 4; i++) {
+  for (unsigned i = 0; i < 3; i++) {
     uint8_t wire[LONGEST];
     CHECK(bytes_of(all[i].layout) == all[i].bytes);
     const tf_frame_t frame = frame_of(

@@ -1,5 +1,5 @@
 /* The text mode: numbers as printf would write them, in labelled pairs. */
-#include "link/decimal.h"
+#include "link/parts.h"
 #include "tap.h"
 #include "twofold.h"
 

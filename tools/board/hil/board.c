@@ -27,15 +27,11 @@ hil_code_t hil_message(hil_code_t code, const char *format, ...) {
 static hil_code_t take_session(hil_board_t *board, const uint8_t *at) {
   const uint32_t session = (uint32_t)tf_wire_get(at + 13, 4);
   if (session == board->session) return HIL_EQUAL;
-  const uint32_t follows =
-      board->session == UINT32_MAX ? 1 : board->session + 1u;
-  const bool is_next = (at[4] & 16u) != 0 || session == follows;
-  if (board->session != 0 && !(board->renews && is_next))
+  if (board->session != 0)
     return hil_message(HIL_STOPPED, "%s: the board was started anew",
                        board->source.name);
   if ((at[4] & 16u) != 0 && board->key == NULL)
     return hil_message(HIL_REFUSED, "the board wants a tag (--key)");
-  board->renews = false;
   board->session = session;
   board->sequence = (uint32_t)tf_wire_get(at + 17, 4);
   return HIL_EQUAL;
@@ -159,14 +155,12 @@ static hil_code_t listen_for(hil_board_t *board, int milliseconds) {
        tf_decoder_block(&board->decoder, at, length, &taken, &frame);) {
     at += taken;
     length -= taken;
-    uint32_t session = 0; // what has no tag is of somebody without the key
-    if (board->key != NULL && !tf_frame_untag(&frame, board->key, &session))
-      continue;
     HIL_TRY(take(board, &frame));
   }
   return HIL_EQUAL;
 }
 
+// number: in, the next one, or that of a command that is sent again.
 static hil_code_t send_as(hil_board_t *board, uint32_t number, tf_type_t type,
                           uint64_t tick, const uint8_t *data, size_t length) {
   uint8_t wire[TF_FRAME_SIZE(TF_COMMAND_BYTES)];
@@ -188,42 +182,12 @@ hil_code_t hil_board_await(hil_board_t *board,
   return HIL_EQUAL;
 }
 
-static bool has_renewed(const hil_board_t *board) { return !board->renews; }
-
-// After the last number the board has another session, and a command with that
-// number, sent again, would be a new one there. So it is used up by one that is
-// refused for its length, and all others wait for the new session.
-static hil_code_t renew_session(hil_board_t *board) {
-  static const uint8_t too_much = 0;
-  for (int tries = 0; board->sequence == UINT32_MAX && tries < TRIES; tries++) {
-    HIL_TRY(
-        send_as(board, UINT32_MAX, TF_UP_STOP, 0, &too_much, sizeof too_much));
-    board->sequence = UINT32_MAX;
-    board->renews = true;
-    HIL_TRY(hil_board_await(board, has_renewed, PATIENCE));
-  }
-  return board->sequence != UINT32_MAX
-             ? HIL_EQUAL
-             : hil_message(HIL_STOPPED, "%s: no session after the last number",
-                           board->source.name);
-}
-
-// number: out, that of the command.
-static hil_code_t send_new(hil_board_t *board, tf_type_t type, uint64_t tick,
-                           const uint8_t *data, size_t length,
-                           uint32_t *number) {
-  HIL_TRY(renew_session(board));
-  *number = board->sequence;
-  return send_as(board, *number, type, tick, data, length);
-}
-
 static bool has_answer(const hil_board_t *board) { return board->has_answer; }
 
 // The command is sent again, with the same number, if no answer comes, whether
 // it was lost or its answer was: the board takes a number once.
 hil_code_t hil_board_order(hil_board_t *board, tf_type_t type,
                            const uint8_t *data, size_t length) {
-  if (type != TF_UP_DESCRIBE) HIL_TRY(renew_session(board));
   board->ordered = type;
   board->number = board->sequence;
   board->tries = 0;
@@ -246,7 +210,8 @@ hil_code_t hil_board_order(hil_board_t *board, tf_type_t type,
 
 hil_code_t hil_board_stop_at(hil_board_t *board, uint64_t tick) {
   board->has_stopped = false;
-  return send_new(board, TF_UP_STOP, tick, NULL, 0, &board->stop_number);
+  board->stop_number = board->sequence;
+  return send_as(board, board->sequence, TF_UP_STOP, tick, NULL, 0);
 }
 
 hil_code_t hil_board_drive(hil_board_t *board, hil_sample_t *sample,
@@ -260,8 +225,9 @@ hil_code_t hil_board_drive(hil_board_t *board, hil_sample_t *sample,
   at = tf_wire_put_real(at, input->torque);
   (void)tf_wire_put_real(at, input->alpha);
   sample->sent = true;
-  return send_new(board, TF_UP_INPUT, tick, payload, sizeof payload,
-                  &sample->sequence);
+  sample->sequence = board->sequence;
+  return send_as(board, board->sequence, TF_UP_INPUT, tick, payload,
+                 sizeof payload);
 }
 
 size_t hil_board_waiting(const hil_board_t *board) {

@@ -52,7 +52,6 @@ typedef struct {
   // From the schema frame.
   bool has_schema;
   uint32_t session;       ///< that commands name; 0: not known yet
-  bool renews;            ///< its last number was sent: another session follows
   uint32_t deadman;       ///< ticks that an input holds
   uint32_t deadman_found; ///< ... before this host changed it
   tf_params_t params;

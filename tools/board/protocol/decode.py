@@ -20,7 +20,7 @@ def decode(piece):
         at = end
     body = body[:-1]  # the last zero is the end
     version, kind, length, sequence, tick = struct.unpack_from("<BBBIQ", body)
-    if version != 3 or length != len(body) - 15:
+    if version != 4 or length != len(body) - 15:
         return None
     return kind, sequence, tick, body[15:]
 

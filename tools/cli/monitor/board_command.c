@@ -181,22 +181,6 @@ static bool is_described(const cli_board_commands_t *commands,
   return receiver->schemas > commands->schemas && receiver->session != 0;
 }
 
-// After the last number the board has another session, so that number would be
-// new again there: it is used up by a command that is refused for its length,
-// and those to come wait for the new session.
-static size_t renew_session(cli_board_commands_t *commands, double now,
-                            uint8_t *wire) {
-  uint32_t last = UINT32_MAX;
-  if (commands->renews) {
-    return 0;
-  }
-  commands->renews = true;
-  commands->deadline = now + PATIENCE;
-  wire[TF_COMMAND_AT] = 0;
-  return tf_command_seal(wire, TF_UP_STOP, 1, commands->session, &last, 0,
-                         commands->has_key ? commands->key : NULL);
-}
-
 size_t cli_board_commands_next(cli_board_commands_t *commands,
                                const cli_receiver_t *receiver, double now,
                                uint8_t *wire) {
@@ -214,10 +198,6 @@ size_t cli_board_commands_next(cli_board_commands_t *commands,
              receiver->sequence > commands->sequence) {
     commands->session = receiver->session;
     commands->sequence = receiver->sequence;
-    commands->renews = false;
-  }
-  if (!asks && commands->sequence == UINT32_MAX) {
-    return renew_session(commands, now, wire);
   }
   const uint8_t *end =
       put_data(wire + TF_COMMAND_AT, command, receiver->is_float);
@@ -237,12 +217,12 @@ size_t cli_board_commands_next(cli_board_commands_t *commands,
 bool cli_board_commands_late(const cli_board_commands_t *commands,
                              const cli_receiver_t *receiver, double now) {
   const bool has_more = commands->next > 0 && commands->next < commands->count;
-  return (commands->waiting || commands->renews ||
+  return (commands->waiting ||
           (has_more && !is_described(commands, receiver))) &&
          now > commands->deadline;
 }
 
-static const char *reason_of(int code) {
+static const char *reason_of(int code, uint32_t number) {
   static const char *const reasons[] = {
       [-TF_ANSWER_UNKNOWN] = "the board does not know it",
       [-TF_ANSWER_LENGTH] = "its length is wrong",
@@ -253,6 +233,9 @@ static const char *reason_of(int code) {
       [-TF_ANSWER_FOREIGN] = "the board was started anew",
       [-TF_ANSWER_TAG] = "its tag is not that of the board's key (--key)",
       [-TF_ANSWER_LINE] = "more than the line carries"};
+  if (code == TF_ANSWER_OLD && number == UINT32_MAX) {
+    return "all numbers of the session are used up: restart the board";
+  }
   return code <= TF_ANSWER_UNKNOWN && code >= TF_ANSWER_LINE
              ? reasons[-code]
              : tf_status_name((tf_status_t)code);
@@ -301,7 +284,8 @@ const cli_board_command_t *cli_board_commands_answer(
   write_range(range, sizeof range, frame, receiver);
   (void)cli_message(CLI_DONE, "%s: %s%s at step %" PRIu64 "%s%s", command->text,
                     code == 0 ? "took effect" : "refused, ",
-                    code == 0 ? "" : reason_of(code), frame->tick, range,
+                    code == 0 ? "" : reason_of(code, commands->sent),
+                    frame->tick, range,
                     at[6] == TF_INPUT_SAFE ? "; inputs had expired" : "");
   commands->refused += code != 0;
   commands->waiting = false;

@@ -25,7 +25,6 @@ typedef struct {
   uint32_t session;  ///< that the last command named
   uint32_t sequence; ///< number of the next command
   uint32_t sent;     ///< number of the command whose answer is awaited
-  bool renews;       ///< the last number is used up: another session follows
   uint64_t schemas;  ///< that had come when the board was asked for one
   size_t refused;
   bool has_key;

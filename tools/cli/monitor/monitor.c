@@ -93,11 +93,6 @@ static bool take_block(monitor_t *monitor, size_t length) {
     at += taken;
     length -= taken;
     cli_receiver_chain(&seen->receiver, &frame);
-    if (!cli_receiver_open(
-            &seen->receiver, &frame,
-            monitor->args->verify ? monitor->commands.key : NULL)) {
-      continue;
-    }
     if (frame.type == TF_DOWN_ANSWER) {
       const cli_board_command_t *done = cli_board_commands_answer(
           &monitor->commands, &frame, &seen->receiver);
@@ -112,9 +107,7 @@ static bool take_block(monitor_t *monitor, size_t length) {
     if (!completes) {
       continue;
     }
-    if (row.columns >= 6) {
-      cli_live_note(monitor->live, row.column, row.mode, row.choices);
-    }
+    cli_live_note(monitor->live, row.column, row.mode, row.choices);
     if (as != NULL && as->row != NULL &&
         !(begin_rows(monitor) &&
           cli_output_lines(&monitor->output, line, as->row(&row, line)))) {
@@ -249,9 +242,6 @@ static const char *fault_of(monitor_t *monitor) {
   if (cli_seen_missing(seen) > 0) {
     return "frames were lost or broken, as is counted";
   }
-  if (seen->receiver.forged > 0) {
-    return "frames came without the tag of the key, and were left out";
-  }
   if (seen->decoder.restarts > 0 && !monitor->args->follow) {
     return "the sender was started again, or frames came twice: these are rows "
            "of more than one run";
@@ -354,12 +344,6 @@ int cli_monitor_check(cli_args_t *args) {
     return cli_message(CLI_USAGE,
                        "monitor: which file or device? (- is standard input)");
   }
-  if (args->csv && args->format != CLI_NOT_GIVEN &&
-      args->format != CLI_FORMAT_CSV) {
-    return cli_message(CLI_USAGE,
-                       "--csv: one format at a time (--format was given)");
-  }
-  args->format = args->csv ? (unsigned)CLI_FORMAT_CSV : args->format;
   if (args->live && args->format != CLI_NOT_GIVEN && args->out == NULL) {
     return cli_message(CLI_USAGE,
                        "--live --format: rows go to --out FILE only");

@@ -188,7 +188,6 @@ static void put_line(const cli_seen_t *seen) {
   cli_put_count("rows", receiver->rows);
   cli_put_count("unmatched", receiver->incomplete + receiver->has_state);
   cli_put_count("unknown", receiver->unknown);
-  cli_put_count("forged", receiver->forged);
   cli_put_count("lost", decoder->lost);
   cli_put_count("broken", decoder->bad);
   cli_put_count("too_long", decoder->too_long);

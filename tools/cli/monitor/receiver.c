@@ -85,43 +85,13 @@ void cli_receiver_chain(cli_receiver_t *receiver, const tf_frame_t *frame) {
       tf_frame_chain(receiver->chain, frame->payload + frame->length);
 }
 
-// A session is that of one start, and the next one follows its last number; of
-// a board with a key it may be any other.
+// A session is that of one start of a board.
 static void note_session(cli_receiver_t *receiver, uint64_t tick,
                          uint32_t session) {
-  const uint32_t before = receiver->session;
-  const uint32_t follows = before == UINT32_MAX ? 1 : before + 1u;
-  if (!receiver->is_tagged && before != 0 && session != before &&
-      session != follows) {
+  if (receiver->session != 0 && session != receiver->session) {
     note_other(receiver, tick);
   }
   receiver->session = session;
-}
-
-// What comes before a schema, or stands for another start, is not of this one.
-bool cli_receiver_open(cli_receiver_t *receiver, tf_frame_t *frame,
-                       const uint8_t *key) {
-  uint32_t session = 0;
-  const bool begins = frame->type == TF_DOWN_SCHEMA && frame->length > 4;
-  if (key == NULL) {
-    const bool is_early = !receiver->has_schema &&
-                          frame->length == TF_HEARTBEAT_BYTES + TF_TAIL_BYTES;
-    if (begins ? (frame->payload[4] & 64u) != 0
-               : receiver->is_tagged || is_early) {
-      (void)tf_frame_untag(frame, NULL, &session);
-    }
-    return true;
-  }
-  const bool is_own = tf_frame_untag(frame, key, &session);
-  const bool is_of_now = begins || session == receiver->session;
-  receiver->forged += !is_own;
-  if (!is_own) return false;
-  receiver->unknown += !is_of_now;
-  // Another start begins by its schema, what was joined to this one does not.
-  if (receiver->has_schema && !is_of_now && !receiver->is_apart)
-    note_other(receiver, frame->tick);
-  receiver->is_apart = !is_of_now;
-  return is_of_now;
 }
 
 static bool take_schema(cli_receiver_t *receiver, const tf_frame_t *frame) {
@@ -135,7 +105,6 @@ static bool take_schema(cli_receiver_t *receiver, const tf_frame_t *frame) {
   receiver->is_float = at[0] == 4;
   receiver->hash = (uint32_t)tf_wire_get(at + 9, 4);
   receiver->ends = (at[4] & 32u) != 0;
-  receiver->is_tagged = (at[4] & 64u) != 0;
   note_run(receiver, frame->tick, (uint32_t)tf_wire_get(at + 25, 4));
   note_session(receiver, frame->tick, (uint32_t)tf_wire_get(at + 13, 4));
   receiver->sequence = (uint32_t)tf_wire_get(at + 17, 4);
@@ -191,24 +160,12 @@ static bool take_report(cli_receiver_t *receiver, const tf_frame_t *frame,
   return fill_row(receiver, CLI_CSV_COLUMNS, at[0], at[2], row);
 }
 
-static bool take_compact(cli_receiver_t *receiver, const tf_frame_t *frame,
-                         cli_csv_t *row) {
-  const uint8_t *at = reals_at(receiver, frame->payload, receiver->state, 3);
-  if (at[0] >= TF_MODES || at[1] > TF_MODES) {
-    receiver->incomplete++;
-    return false;
-  }
-  receiver->tick = frame->tick;
-  return fill_row(receiver, 4, at[0], at[1], row);
-}
-
 // Bytes of a payload of fixed length; 0 where the length depends on the data.
 static unsigned length_of(const cli_receiver_t *receiver, uint8_t type) {
   static const struct {
     unsigned reals, bytes;
   } parts[] = {[TF_DOWN_STATE] = {4, 5},
                [TF_DOWN_REPORT] = {6, 5},
-               [TF_DOWN_COMPACT] = {3, 2},
                [TF_DOWN_HEARTBEAT] = {0, TF_HEARTBEAT_BYTES},
                [TF_DOWN_EXPIRED] = {0, TF_EXPIRED_BYTES}};
   return type < sizeof parts / sizeof parts[0]
@@ -218,9 +175,8 @@ static unsigned length_of(const cli_receiver_t *receiver, uint8_t type) {
 
 bool cli_receiver_take(cli_receiver_t *receiver, const tf_frame_t *frame,
                        cli_csv_t *row) {
-  const bool is_row = frame->type == TF_DOWN_STATE ||
-                      frame->type == TF_DOWN_REPORT ||
-                      frame->type == TF_DOWN_COMPACT;
+  const bool is_row =
+      frame->type == TF_DOWN_STATE || frame->type == TF_DOWN_REPORT;
   if (is_row && !receiver->has_schema) {
     // A report belongs to the state before it, which counts for both.
     receiver->incomplete += frame->type != TF_DOWN_REPORT || !receiver->early;
@@ -241,8 +197,6 @@ bool cli_receiver_take(cli_receiver_t *receiver, const tf_frame_t *frame,
       return false;
     case TF_DOWN_REPORT:
       return take_report(receiver, frame, row);
-    case TF_DOWN_COMPACT:
-      return take_compact(receiver, frame, row);
     case TF_DOWN_HEARTBEAT:
       tf_read_heartbeat(frame->payload, &receiver->heartbeat);
       note_run(receiver, frame->tick, receiver->heartbeat.run);
@@ -252,7 +206,6 @@ bool cli_receiver_take(cli_receiver_t *receiver, const tf_frame_t *frame,
     case TF_DOWN_ANSWER:
     case TF_DOWN_EXPIRED:
     case TF_DOWN_LAYOUT:
-    case TF_DOWN_PARAMETER:
       return false;
     default:
       receiver->unknown++;

@@ -14,13 +14,11 @@ typedef struct {
   double base;       ///< time = base + tick dt; not 0 once dt was changed [s]
   uint32_t hash;     ///< of the parameters
   bool ends;         ///< the stream has an end, which is a heartbeat
-  bool is_tagged;    ///< frames end with session and tag
   uint32_t session;  ///< that commands have to name
   uint32_t sequence; ///< least number of a command that is still taken
   uint64_t schemas;  ///< that have come
   bool knows_run;
-  uint32_t run;  ///< hash of the run, of the last schema or heartbeat
-  bool is_apart; ///< the last frame with the key's tag is of another start
+  uint32_t run;        ///< hash of the run, of the last schema or heartbeat
   uint64_t other_runs; ///< changes of the run that no start explains
   uint32_t next;       ///< number of the frame behind the last one
   bool knows_chain;    ///< no frame is missing since a heartbeat or number 0
@@ -41,21 +39,12 @@ typedef struct {
   bool has_heartbeat;
   tf_heartbeat_t heartbeat;
 
-  uint64_t rows;       ///< complete: state and report of one tick, or compact
+  uint64_t rows;       ///< complete: state and report of one tick
   uint64_t incomplete; ///< states without a report, or before the schema
   uint64_t unknown;    ///< frames of unknown type or length
-  uint64_t forged;     ///< frames without the tag of the key
 } cli_receiver_t;
 
-/// Takes session and tag off a frame of a board that has a key.
-/// frame: in/out, in its decoder's buffer. key: in, under which it must have
-///   them, and name the session of the last schema; or NULL.
-/// Returns: whether the frame counts.
-bool cli_receiver_open(cli_receiver_t *receiver, tf_frame_t *frame,
-                       const uint8_t *key);
-
-/// Takes note of a frame as it came, in its decoder's buffer, before its tag is
-/// taken off.
+/// Takes note of a frame as it came, in its decoder's buffer.
 void cli_receiver_chain(cli_receiver_t *receiver, const tf_frame_t *frame);
 
 /// row: out, written if the frame completes a row.

@@ -79,8 +79,6 @@ typedef struct {
   bool resume, header; ///< goes on with what is there; a header in each shard
   bool real_time, priority, live;
   bool follow;
-  bool verify;
-  bool csv;    ///< as csv
   bool glance; ///< nobody asked for a format
   bool exhaustive;
 } cli_args_t;

@@ -11,7 +11,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../../../src/link/crc.h"
+#include "../../../src/link/parts.h"
 #include "message.h"
 #include "number.h"
 
