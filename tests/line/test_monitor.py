@@ -154,7 +154,8 @@ def test_what_is_not_a_number_is_a_row():
 
 def test_what_is_not_understood():
     says(monitor(call("run", "chaos", "--t-end", "0.01")[0].encode(),
-                 "--format", "csv", code=4)[1], "no frame of protocol version 4")
+                 "--format", "csv", code=4)[1],
+         "no frame of protocol version 4")
     monitor(b"", code=4)
     for words, code, text in (
             (["missing"], 4, "missing: No such file or directory"), ([], 2, ""),

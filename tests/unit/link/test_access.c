@@ -163,8 +163,8 @@ TEST(refused_clear_keeps_the_queue) {
   CHECK(board.link.waiting == 1 && board.link.ignored == TF_LINK_QUEUE);
 }
 
-/* The last number is never taken, so that none comes again: every command is old
- * then, and the board says so in its schema. */
+/* The last number is never taken, so that none comes again: every command is
+ * old then, and the schema has that number as the least one. */
 TEST(numbers_end) {
   board_t board;
   power_up(&board, "chaos");
