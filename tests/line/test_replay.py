@@ -72,9 +72,8 @@ def seal(path, lines):
     """Writes a table with the last line that its rows ask for."""
     text = "".join(f"{line}\n" for line in lines)
     Path(path).write_text(
-        f"{text}# shard 1/1: {len(lines) - 1} rows, crc32 "
-        f"{zlib.crc32(text.encode()):08x}, run "
-        f"{zlib.crc32(lines[1].encode()):08x}\n", "ascii")
+        f"{text}# {len(lines) - 1} rows, crc32 "
+        f"{zlib.crc32(text.encode()):08x}\n", "ascii")
 
 
 def record(path, schema, *rows):
@@ -330,8 +329,7 @@ def test_session_of_a_board():
     same(len([line for line in lines if re.match(r"\d+,4[0-9a-f],", line)]), 12)
     check(any(re.search(",03,.*,state$", line) for line in lines), "no state")
     expired = sum(",09," in line for line in lines)
-    check(re.fullmatch(fr"# shard 1/1: {14 + expired} rows, "
-                       r"crc32 [0-9a-f]{8}, run [0-9a-f]{8}",
+    check(re.fullmatch(fr"# {14 + expired} rows, crc32 [0-9a-f]{{8}}",
                        lines[-1]), lines[-1])
     text = call("run", "chaos", *AT, "--replay", "record", "--save", "at",
                 "--out", "again")[1]
@@ -371,7 +369,7 @@ def wrong_records(lines):
     same(rows_of("plain") == rows_of("again"), False)
     rows = lines[1:-1]  # without the comment
     seal("other", rows)
-    same(Path("other").read_bytes(), whole.partition(b"\n")[2])
+    call("run", *words, "other")
     seal("other", [row for row in rows if "input:-1.5" not in row])
     refused([*words, "other"], 4, "other: row",
             "the state is not that of the board")

@@ -1,8 +1,9 @@
 /// Commands to a board: those of --send as frames, each after the answer to the
-/// one before. And what happened to it, as a file that `run --replay` reads.
+/// one before.
 #pragma once
 
-#include "../host/output.h"
+#include "../run/session.h"
+#include "../setup/args.h"
 #include "receiver.h"
 
 #define CLI_BOARD_COMMANDS (CLI_SENDS + 1) ///< with the first, `describe`
@@ -45,31 +46,9 @@ bool cli_board_commands_late(const cli_board_commands_t *commands,
                              const cli_receiver_t *receiver, double now);
 
 /// Takes an answer and prints the outcome of the command on standard error.
-/// Returns: the command if it took effect, else NULL.
-const cli_board_command_t *cli_board_commands_answer(
-    cli_board_commands_t *commands, const tf_frame_t *frame,
-    const cli_receiver_t *receiver);
-
-typedef struct {
-  cli_output_t output;
-  cli_trailer_t trailer;
-  bool is_open;
-  bool has_schema; ///< the first one is written
-  bool has_state;  ///< a state has come since the last command
-  uint64_t tick;   ///< of that state
-  size_t length;   ///< of its payload
-  uint8_t state[TF_FRAME_PAYLOAD];
-} cli_session_record_t;
-
-int cli_session_record_open(cli_session_record_t *record, const char *path);
-
-void cli_session_record_frame(cli_session_record_t *record,
-                              const tf_frame_t *frame);
-
-/// Takes note of a command that took effect. tick: in, of its answer.
-void cli_session_record_command(cli_session_record_t *record,
-                                const cli_board_command_t *command,
-                                bool is_float, uint64_t tick);
-
-/// Returns: as cli_output_end.
-int cli_session_record_close(cli_session_record_t *record, int code);
+/// row: out, the command, if it took effect and changed the session.
+/// Returns: its text then, else NULL.
+const char *cli_board_commands_answer(cli_board_commands_t *commands,
+                                      const tf_frame_t *frame,
+                                      const cli_receiver_t *receiver,
+                                      cli_session_row_t *row);

@@ -30,7 +30,7 @@ typedef struct {
   cli_board_commands_t commands;
   cli_source_t source;
   cli_output_t output;
-  cli_session_record_t record;
+  cli_session_file_t record;
   cli_seen_t seen;
   cli_live_t *live; ///< the picture, or NULL
   bool begun;       ///< what stands before the rows is written
@@ -94,14 +94,14 @@ static bool take_block(monitor_t *monitor, size_t length) {
     length -= taken;
     cli_receiver_chain(&seen->receiver, &frame);
     if (frame.type == TF_DOWN_ANSWER) {
-      const cli_board_command_t *done = cli_board_commands_answer(
-          &monitor->commands, &frame, &seen->receiver);
-      if (done != NULL) {
-        cli_session_record_command(&monitor->record, done,
-                                   seen->receiver.is_float, frame.tick);
+      cli_session_row_t done;
+      const char *text = cli_board_commands_answer(&monitor->commands, &frame,
+                                                   &seen->receiver, &done);
+      if (text != NULL) {
+        cli_session_command(&monitor->record, &done, text);
       }
     }
-    cli_session_record_frame(&monitor->record, &frame);
+    cli_session_frame(&monitor->record, &frame);
     const bool completes = cli_receiver_take(&seen->receiver, &frame, &row);
     cli_seen_frame(seen, frame.type, completes ? &row : NULL);
     if (!completes) {
@@ -229,9 +229,8 @@ static int open_both(monitor_t *monitor) {
   if (monitor->as != NULL && !args->provenance) {
     (void)begin_rows(monitor);
   }
-  return args->record != NULL
-             ? cli_session_record_open(&monitor->record, args->record)
-             : CLI_DONE;
+  return args->record != NULL ? cli_session_open(&monitor->record, args->record)
+                              : CLI_DONE;
 }
 
 // What is wrong with the stream as a whole, NULL: nothing. Where all frames are
@@ -315,7 +314,7 @@ static int perform(monitor_t *monitor) {
     (void)begin_rows(monitor); // a stream without a row has a header, too
     closed = cli_output_end(&monitor->output, closed);
   }
-  closed = cli_session_record_close(&monitor->record, closed);
+  closed = cli_session_close(&monitor->record, closed);
   code = closed == whole ? code : closed;
   cli_source_close(&monitor->source);
   monitor->seen.source = monitor->source.name;

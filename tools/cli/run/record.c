@@ -95,10 +95,10 @@ bool cli_run_save(cli_run_t *run, const char *path) {
     return cli_output_end(&run->saved, CLI_STOPPED) == CLI_DONE;
   }
   (void)cli_output_lines(&run->saved, text, length);
-  if (run->replays && run->replay.next < run->replay.count) {
+  if (run->replays && run->replay.next < run->replay.session.count) {
     (void)cli_message(
         CLI_DONE, "note: --save %s: %zu rows of the record were not reached",
-        path, run->replay.count - run->replay.next);
+        path, run->replay.session.count - run->replay.next);
   }
   return cli_output_end(&run->saved, CLI_DONE) == CLI_DONE;
 }

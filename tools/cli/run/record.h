@@ -5,25 +5,15 @@
 #include "../live/live.h"
 #include "events.h"
 #include "row.h"
+#include "session.h"
 
 // What a board did, from a record of `monitor --record`: each command takes
 // effect after the step at which it did there, by the functions that the board
 // calls, so the motion has the board's bits.
 
-/// A frame of the record: a command, or a state to compare with.
 typedef struct {
-  uint64_t tick;
-  uint8_t type, length;
-  uint8_t data[TF_FRAME_PAYLOAD];
-} cli_replay_row_t;
-
-typedef struct {
-  const char *name; ///< of the file
-  uint32_t hash;    ///< CRC-32 of its rows
-  cli_replay_row_t schema;
-  cli_replay_row_t *rows; ///< from the heap
-  size_t count, room;
-  size_t next; ///< row to come
+  cli_session_t session; ///< its rows are the caller's to free
+  size_t next;           ///< row to come
   tf_simulation_t simulation;
   tf_link_t link;
   uint32_t sequence;
@@ -32,8 +22,7 @@ typedef struct {
   const char *failed; ///< why the replay is not the simulation, or NULL
 } cli_replay_t;
 
-/// Reads a record. replay: in/out, empty; its rows are the caller's to free,
-/// whatever is returned. path: in, kept. scheme: in/out, NULL: the board's.
+/// Reads a record. replay: in/out, empty. path: in, kept. scheme: in/out, NULL: the board's.
 int cli_replay_read(cli_replay_t *replay, const char *path,
                     const cli_scheme_t **scheme);
 

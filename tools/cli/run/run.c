@@ -235,7 +235,7 @@ static size_t provenance_of(const cli_run_t *run, const char *units,
   }
   if (run->replays) {
     cli_add(&text, ", replayed from a record that begins so, ");
-    cli_add_hash(&text, run->replay.hash);
+    cli_add_hash(&text, run->replay.session.hash);
   }
   if (run->args->from != NULL) {
     cli_add_form(&text, ", from step %" PRIu64 " of a state ", run->first);
@@ -454,7 +454,7 @@ int cli_run(const cli_args_t *args) {
   cli_setup_t setup;
   const int code = prepare_and_perform(&run, &setup, args);
   cli_drive_free(&run.drive);
-  free(run.replay.rows);
+  free(run.replay.session.rows);
   free(run.events.list);
   return code;
 }

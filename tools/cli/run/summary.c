@@ -89,7 +89,7 @@ static void print_drive(const cli_run_t *run) {
   if (run->replays) {
     cli_say("replay     %s: %" PRIu64 " commands took effect, %" PRIu64
             " states were compared\n",
-            run->replay.name, run->replay.commands, run->replay.states);
+            run->replay.session.name, run->replay.commands, run->replay.states);
     char changes[CLI_CHANGES_ROOM];
     if (cli_run_changes(run, changes) > 0) {
       cli_say("           which now needs%s\n", changes);
@@ -258,7 +258,7 @@ static void print_end(const cli_run_t *run) {
     case CLI_NOT_REPLAYED:
       (void)cli_message(CLI_STOPPED,
                         "%s: row %zu, at step %" PRIu64 ": %s; r = %.17g m",
-                        run->replay.name, run->replay.next, state->tick,
+                        run->replay.session.name, run->replay.next, state->tick,
                         run->replay.failed, (double)state->r);
       break;
     case CLI_NOT_WRITTEN:
@@ -295,7 +295,7 @@ static void put_replay(const cli_run_t *run) {
   }
   (void)cli_run_changes(run, changes);
   cli_say("\"replay\": {");
-  cli_put_text("name", run->replay.name);
+  cli_put_text("name", run->replay.session.name);
   cli_put_count("commands", run->replay.commands);
   cli_put_count("states", run->replay.states);
   cli_put_hash("began_with", tf_params_hash(&run->setup->params));

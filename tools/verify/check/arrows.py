@@ -46,7 +46,7 @@ REFERENCE, JUDGES = "tests/reference/", ("bench", "study", "verify")
 MACHINES = "tests/golden/population.h"
 CLI = "tools/cli/"
 CLI_INCLUDES = {
-    "monitor": ("run/row.h", "live", "setup", "host", "text"),
+    "monitor": ("run/row.h", "run/session.h", "live", "setup", "host", "text"),
     "run": ("live", "setup", "host", "text"),
     "analysis": ("setup", "host", "text"),
     "diverge": ("setup", "host", "text"),

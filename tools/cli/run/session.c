@@ -1,0 +1,224 @@
+// Lines of CSV: tick, type and payload of a frame of docs/PROTOCOL.md, and for
+// a person the command as typed. The first row is the schema, so the file says
+// what it belongs to in the words of the board. That inputs expired is a row,
+// too: when they did depends on the board's clock. What was refused did nothing
+// and is left out. The last line counts the rows: a file that is cut off would
+// be a session of fewer commands.
+
+#include "session.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../text/buffer.h"
+#include "../text/message.h"
+#include "row.h"
+
+#define HEADER "tick,type,data,command"
+#define LINE_ROOM 1024
+#define SCHEMA_LEAST 29 // bytes, before its step and names
+
+static size_t last_line(uint64_t rows, uint32_t crc, char out[LINE_ROOM]) {
+  return (size_t)snprintf(
+      out, LINE_ROOM, "# %" PRIu64 " rows, crc32 %08" PRIx32 "\n", rows, crc);
+}
+
+cli_session_row_t cli_session_row(const tf_frame_t *frame) {
+  cli_session_row_t row = {
+      .tick = frame->tick, .type = frame->type, .length = frame->length};
+  memcpy(row.data, frame->payload, frame->length);
+  return row;
+}
+
+static void put_line(cli_session_file_t *file, const char *line,
+                     size_t length) {
+  file->crc = cli_crc(file->crc, line, length);
+  (void)cli_output_lines(&file->output, line, length);
+}
+
+static size_t print_row(const cli_session_row_t *row, const char *text,
+                        char line[LINE_ROOM]) {
+  int at = snprintf(line, LINE_ROOM, "%" PRIu64 ",%02x,", row->tick,
+                    (unsigned)row->type);
+  for (size_t i = 0; i < row->length; i++) {
+    at += snprintf(line + at, 3, "%02x", (unsigned)row->data[i]);
+  }
+  at += snprintf(line + at, LINE_ROOM - (size_t)at, ",%.64s\n", text);
+  return (size_t)at;
+}
+
+static void put_row(cli_session_file_t *file, const cli_session_row_t *row,
+                    const char *text) {
+  char line[LINE_ROOM];
+  put_line(file, line, print_row(row, text, line));
+  file->rows++;
+}
+
+int cli_session_open(cli_session_file_t *file, const char *path) {
+  static const char head[] =
+      "# Record of a board's session, for 'twofold run SCENE "
+      "--replay'.\n" HEADER "\n";
+  CLI_TRY(cli_output_begin(&file->output, "--record", path, false));
+  file->is_open = true;
+  put_line(file, head, sizeof head - 1);
+  return CLI_DONE;
+}
+
+void cli_session_frame(cli_session_file_t *file, const tf_frame_t *frame) {
+  const bool begins = file->rows == 0;
+  if (!file->is_open) {
+    return;
+  }
+  const cli_session_row_t row = cli_session_row(frame);
+  if (frame->type == (begins ? TF_DOWN_SCHEMA : TF_DOWN_EXPIRED)) {
+    put_row(file, &row, begins ? CLI_RECORD_SCHEMA : "inputs expired");
+    file->state.length = 0;
+  } else if (frame->type == TF_DOWN_STATE && !begins) {
+    file->state = row;
+  }
+}
+
+void cli_session_command(cli_session_file_t *file, const cli_session_row_t *row,
+                         const char *text) {
+  if (file->is_open) {
+    put_row(file, row, text);
+    file->state.length = 0;
+  }
+}
+
+int cli_session_close(cli_session_file_t *file, int code) {
+  char line[LINE_ROOM];
+  if (!file->is_open) {
+    return code;
+  }
+  if (file->state.length > 0) {
+    put_row(file, &file->state, "state");
+  }
+  if (code == CLI_DONE) {
+    put_line(file, line, last_line(file->rows, file->crc, line));
+  }
+  return cli_output_end(&file->output, code);
+}
+
+typedef struct {
+  cli_session_t *session;
+  unsigned long line;
+  uint64_t rows;
+  bool has_header, is_whole;
+} reader_t;
+
+static int no_record(const reader_t *reader) {
+  return cli_message(CLI_USAGE, "%s:%lu: no record of 'monitor --record'",
+                     reader->session->name, reader->line);
+}
+
+static int cut_off(const reader_t *reader) {
+  return cli_message(CLI_REFUSED,
+                     "%s: cut off or changed: no last line counts its rows",
+                     reader->session->name);
+}
+
+// A line is a row if it is what would be written of it. Returns: the command as
+// typed; NULL: it is none.
+static const char *read_row(const char *line, cli_session_row_t *row) {
+  char again[LINE_ROOM] = "";
+  char *at = NULL;
+  *row = (cli_session_row_t){.tick = strtoull(line, &at, 10)};
+  row->type = *at == ',' ? (uint8_t)strtoul(at + 1, &at, 16) : 0;
+  at += *at == ',';
+  while (row->length < TF_FRAME_PAYLOAD && isxdigit((unsigned char)at[0]) &&
+         isxdigit((unsigned char)at[1])) {
+    const char byte[3] = {at[0], at[1], '\0'};
+    row->data[row->length++] = (uint8_t)strtoul(byte, NULL, 16);
+    at += 2;
+  }
+  const char *text = *at == ',' ? at + 1 : at;
+  again[print_row(row, text, again) - 1] = '\0';
+  return row->tick < TF_LINK_TICKS && strcmp(line, again) == 0 ? text : NULL;
+}
+
+static int take_row(reader_t *reader, const char *line) {
+  cli_session_t *session = reader->session;
+  cli_session_row_t row;
+  const bool begins = reader->rows++ == 0;
+  const char *text = read_row(line, &row);
+  if (text == NULL || (row.type == TF_DOWN_SCHEMA) != begins ||
+      (begins && row.length < SCHEMA_LEAST)) {
+    return no_record(reader);
+  }
+  if (begins) {
+    session->schema = row;
+    return strcmp(text, CLI_RECORD_SCHEMA) == 0
+               ? CLI_DONE
+               : cli_message(CLI_REFUSED,
+                             "%s: '%s', here it is '" CLI_RECORD_SCHEMA
+                             "': record the session again",
+                             session->name, text);
+  }
+  cli_session_row_t *rows =
+      cli_grow(session->rows, session->count, &session->room, sizeof *rows);
+  if (rows == NULL) {
+    return cli_message(CLI_STOPPED, "%s: out of memory", session->name);
+  }
+  session->rows = rows;
+  session->rows[session->count++] = row;
+  return CLI_DONE;
+}
+
+// The last line has to be that of the lines before it, and the last one.
+static int take_line(reader_t *reader, const char *line) {
+  char last[LINE_ROOM];
+  cli_session_t *session = reader->session;
+  if (reader->is_whole) {
+    return cut_off(reader);
+  }
+  const size_t end = last_line(reader->rows, session->hash, last);
+  last[end - 1] = '\0';
+  reader->is_whole = strcmp(line, last) == 0;
+  if (reader->is_whole) {
+    return CLI_DONE;
+  }
+  session->hash = cli_crc(session->hash, line, strlen(line));
+  session->hash = cli_crc(session->hash, "\n", 1);
+  if (line[0] == '#') {
+    return CLI_DONE;
+  }
+  if (reader->has_header) {
+    return take_row(reader, line);
+  }
+  reader->has_header = true;
+  return strcmp(line, HEADER) == 0 ? CLI_DONE : no_record(reader);
+}
+
+static int read_lines(reader_t *reader, FILE *file) {
+  char line[LINE_ROOM];
+  cli_line_t found;
+  while ((found = cli_read_line(file, line, sizeof line)) != CLI_LINE_END) {
+    reader->line++;
+    CLI_TRY(found == CLI_LINE ? take_line(reader, line) : no_record(reader));
+  }
+  if (ferror(file) != 0) {
+    return cli_message(CLI_USAGE, "%s: %s", reader->session->name,
+                       strerror(errno));
+  }
+  if (reader->rows == 0) {
+    return no_record(reader);
+  }
+  return reader->is_whole ? CLI_DONE : cut_off(reader);
+}
+
+int cli_session_read(cli_session_t *session, const char *path) {
+  reader_t reader = {.session = session};
+  FILE *file = fopen(path, "r");
+  if (file == NULL) {
+    return cli_message(CLI_USAGE, "--replay %s: %s", path, strerror(errno));
+  }
+  session->name = path;
+  const int code = read_lines(&reader, file);
+  (void)fclose(file);
+  return code;
+}
