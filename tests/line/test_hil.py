@@ -61,12 +61,12 @@ def shown(said, indent=""):
 
 
 def in_lockstep(real):
-    """It depends on no clock, and docs/HIL.md shows it. Without room for the
+    """It depends on no clock, and docs/PORTS.md shows it. Without room for the
     rows, those of before stay, and the loop says so."""
     with Board(real) as board:
         said = drive(board.name, *LOCKSTEP, real=real)
         if real == "float":
-            page = (ROOT / "docs/HIL.md").read_text().partition("\nExit")[0]
+            page = (ROOT / "docs/PORTS.md").read_text().partition("\n| exit")[0]
             same(shown(page, " {4}"), shown(said))
         for name, more in (("one", []), ("again", []),
                            ("other", ["--speed", "-0.8"])):

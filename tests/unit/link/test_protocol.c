@@ -32,9 +32,12 @@ static example_t example(const char *name) {
   while (!inside && fgets(line, sizeof line, file))
     inside = !strcmp(line, want);
   while (fgets(line, sizeof line, file) && line[0] != '`')
-    for (char *at = line; isxdigit((unsigned char)at[0]); at += 3)
+    for (const char *at = line; isxdigit((unsigned char)at[0]);) {
+      const char byte[3] = {at[0], at[1], '\0'};
       if (found.size < LONGEST)
-        found.wire[found.size++] = (uint8_t)strtoul(at, NULL, 16);
+        found.wire[found.size++] = (uint8_t)strtoul(byte, NULL, 16);
+      at += at[2] == ' ' ? 3 : 2;
+    }
   fclose(file);
   return found;
 }

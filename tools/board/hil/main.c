@@ -2,7 +2,7 @@
 // a board, a serial line between them; and the proof that the closed loop has
 // the bits of a run on this computer alone:
 //   hil DEVICE [OPTION...]        `hil` alone lists the options
-// docs/HIL.md says why it is deterministic.
+// docs/PORTS.md says why it is deterministic.
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
