@@ -202,7 +202,7 @@ LINE += $(if $(call line_needs,line device replay),line-double)
 LINE += $(if $(call line_needs,device hil),line-keyed)
 LINE += $(if $(filter tests/cli/test_endings.py,$(TESTS)),line-double \
   $(BUILD)/double/hil)
-LINE += $(if $(filter tests/cli/test_sweep.sh,$(TESTS)),$(BUILD)/float/twofold)
+LINE += $(if $(filter tests/cli/test_sweep.py,$(TESTS)),$(BUILD)/float/twofold)
 LINE += $(if $(call line_needs,replay),own-scene)
 LINE += $(if $(call line_needs,streams whole),line-csv line-plotter)
 LINE += $(if $(call line_needs,make),$(BUILD)/tests/key \

@@ -232,7 +232,6 @@ def test_files_that_are_cut():
     call("run", "chaos", "--t-end", "0.01", "--save", "state")
     call("run", "chaos", "--t-end", "0", "--format", "frames", "--out", "rows")
     call("monitor", "rows", "--record", "record")
-    call("diverge", "chaos", "--samples", "2", "--counts", "counts")
     table = "run chaos --t-end 0 --between held --inputs less"
     for words, given, cuts in (
             (table, text, 4), (table, f"# 2 rows\n{text}", 4),
@@ -240,8 +239,7 @@ def test_files_that_are_cut():
             ("run ./less --t-end 0", "based-on chaos\nkappa 0.25\n", 4),
             ("run ./less --t-end 0", Path("scene").read_text(), 4),
             ("run chaos --t-end 1 --from less", Path("state").read_text(), 40),
-            ("run chaos --replay less", Path("record").read_text(), 40),
-            ("merge less", Path("counts").read_text(), 40)):
+            ("run chaos --replay less", Path("record").read_text(), 40)):
         for cut in range(1, cuts + 1):
             Path("less").write_text(given[:-cut])
             said = call(*words.split(), code=(0, 2, 3))[1]

@@ -34,8 +34,7 @@ static double time_of_rest(tf_state_t state) {
 }
 
 static void begin(double dt) {
-  static const cli_args_t args = {
-      .mechanism = CLI_BY_RANDOM, .patience = 1000, .section = 1e-3};
+  static const cli_args_t args = {.mechanism = CLI_BY_RANDOM, .patience = 1000};
   job.args = &args;
   job.near = fmin(dt / 10, 1e-3);
   job.params = job.setup.params = tf_scenes[0]->params;

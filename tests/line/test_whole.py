@@ -221,12 +221,11 @@ def test_no_command_writes_what_it_reads():
         refused("sweep", scene, "--over", "mu=1:2:2", "--outcome", "rest",
                 "--out", "own.scene")
         refused("regions", scene, "--out", "own.scene")
-        refused("diverge", scene, "--counts", "own.scene")
+        refused("diverge", scene, "--returns", "own.scene")
         refused("run", "chaos", "--inputs", table, "--between", "held",
                 "--out", "table")
         refused("run", "chaos", "--from=" + stand, "--out", "stand")
-        refused("merge", "table", stand, "--out", "stand")
-    refused("diverge", "chaos", "--counts", "e", "--returns", "e.resume",
+    refused("diverge", "chaos", "--exits", "e", "--returns", "e.resume",
             "--resume")
     refused("run", "chaos", "--out", "new", "--save", "./new")
     same({path: path.read_bytes() for path in Path(".").iterdir()}, before)

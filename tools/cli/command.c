@@ -169,7 +169,6 @@ static int perform(const cli_command_t *command, int argc, char *const argv[]) {
   if (code == CLI_DONE && command->raw == NULL) {
     code = command->perform(&args);
   }
-  free((void *)args.files);
   if (asks_for_json(argc, argv) && !cli_put_ended()) {
     cli_put_begin(command->name);
     cli_put_text("message", cli_last_message());

@@ -13,9 +13,8 @@ enum {
   CLI_DESIGN = 32,
   CLI_ATLAS = 64,
   CLI_DIVERGE = 128,
-  CLI_MERGE = 256,
-  CLI_SWEEP = 512,
-  CLI_TYRE = 1024
+  CLI_SWEEP = 256,
+  CLI_TYRE = 512
 };
 
 /// The table of all options: table.c.

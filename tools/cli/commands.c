@@ -7,15 +7,15 @@
 //   monitor/   the command `monitor`; takes only row.h of run/
 //   run/       the command `run`: loop, rows, frames, events, summary
 //   analysis/  singularities, regions, design, atlas and tyre
-//   diverge/   the commands `diverge` and `merge`. Bottom up: canard, tracker,
-//              job, motion (with noise and smoothing), the steppers random and
-//              lagged, counts, diverge
+//   diverge/   the command `diverge`. Bottom up: canard, job, tracker, motion
+//              (with noise), random, diverge and exhaustive
 //   sweep/     the command `sweep`; takes only events.h of run/
 //   setup/     a scene, by its name or from a file, with --set and --select
 //              becomes a machine with its initial state; schemes, names; what a
 //              command line gives (args.h)
 //   live/      --live of run and monitor: planes and modes in a terminal
-//   host/      what POSIX provides: clock, signals, files, lines, progress
+//   host/      what POSIX provides: clock, signals, files, lines, progress;
+//              files that are gone on with after a kill (sheet)
 //   text/      messages, numbers, options, text in buffers
 //
 // run, analysis, diverge and sweep do not include each other otherwise.
@@ -26,20 +26,8 @@
 #include "command.h"
 #include "diverge/job.h"
 #include "setup/setup.h"
-#include "sweep/sheet.h"
+#include "sweep/point.h"
 #include "text/message.h"
-
-static int take_file(void *to, const char *word) {
-  cli_args_t *args = to;
-  const char **files =
-      realloc((void *)args->files, (args->count + 1) * sizeof *files);
-  if (files == NULL) {
-    return cli_message(CLI_STOPPED, "out of memory");
-  }
-  args->files = files;
-  files[args->count++] = word;
-  return CLI_DONE;
-}
 
 static void print_names(void) {
   cli_print_ranges();
@@ -214,9 +202,9 @@ const cli_command_t cli_commands[] = {
          "two-fold that stick passes through, or a start given by --set r=, "
          "omega=, h= (or v=). A cycle goes from one arrival at the two-fold to "
          "the next.",
-     .notes = "A file is FILE.part until it is complete; 'twofold help "
-              "trailer' explains its last line. Without --exits and --returns "
-              "the returns go to standard output; FILE - is standard output. A "
+     .notes = "A file is FILE.part until it is complete. Without --exits and "
+              "--returns the returns go to standard output; FILE - is standard "
+              "output. A "
               "field is empty where its event did not happen. Outcomes: "
               "returned, small_cycle (lands 3 times or more and never comes "
               "back), rest (pinned, or a stick with |g| <= 1e-9 m/s), timeout, "
@@ -228,17 +216,6 @@ const cli_command_t cli_commands[] = {
               "FILE.part) or a file could not be written\n",
      .tail = print_mechanisms, .bit = CLI_DIVERGE, .check = cli_diverge_check,
      .perform = cli_diverge},
-    {"merge", "FILE... [OPTION]...", "adds the counts of shards of diverge",
-     .about =
-         "Adds files of 'twofold diverge --counts', each of other shards of "
-         "one run, in any order, to one file of the same form. The sum of all "
-         "shards has the same rows as the run without --shard. Standard error "
-         "says how many shards of the run are in it.",
-     .notes =
-         "exit codes: 0 done, 2 usage, or a file is damaged, 3 refused: files "
-         "of different runs, or a shard twice, 4 the sum could not be written",
-     .bit = CLI_MERGE, .take = take_file, .check = cli_merge_check,
-     .perform = cli_merge},
     {"sweep", "SCENE --over NAME=A:B:N [OPTION]...",
      "a grid of settings: what becomes of each point",
      .about = "Follows one motion from each point of a grid and writes one row "
@@ -250,9 +227,7 @@ const cli_command_t cli_commands[] = {
          "`stopped` where a step was refused (the outcomes are those up to "
          "it); `refused` where the machine or its start was refused (t and "
          "outcomes are empty). reason is the message, with semicolons in place "
-         "of commas. An outcome that did not happen is empty. Lines that begin "
-         "with # tell the command, the units and, at the end, how many rows "
-         "there are: 'twofold help trailer'.\n"
+         "of commas. An outcome that did not happen is empty.\n"
          "\n"
          "`run` with the values of a row as --set NAME=VALUE repeats it to the "
          "bit. Each program takes one core. tools/study/shards runs the shards "

@@ -74,11 +74,6 @@ static const cli_choice_t mechanisms[] = {
                        "a draw: an escaping stick is left at --rate, to either "
                        "side with equal probability (the default)"},
     [CLI_BY_NOISE] = {"noise", "white noise on h, of --size"},
-    [CLI_BY_SMOOTHING] = {"smoothing",
-                          "sign(h) smoothed over the width --size"},
-    [CLI_BY_HYSTERESIS] = {"hysteresis",
-                           "friction changes its side at |h| = --size"},
-    [CLI_BY_DELAY] = {"delay", "friction has the sign that h had --size ago"},
     {NULL, NULL}};
 static const cli_choice_t codim2[] = {
     [CLI_CODIM2_REST] =
@@ -162,9 +157,6 @@ const cli_option_t cli_options[] = {
      .what = "steps near the two-fold are K times shorter"},
     {"--fine", "N", CLI_DIVERGE, REAL(fine), .low = 1, .high = 1e6, .usual = 16,
      .what = "noise next to h = g = 0: takes N steps to bring it there"},
-    {"--section", "D", CLI_DIVERGE, REAL(section), .how = CLI_OPEN, .high = 1e3,
-     .unit = "m", .usual = 1e-3,
-     .what = "the phase is read where r is D past the two-fold"},
     {"--r", "R", CLI_DESIGN, NUMBER(r), .low = -REACH, .high = REACH,
      .unit = "m", .what = "r of the two-fold [m]"},
     {"--omega", "W", CLI_DESIGN, NUMBER(omega), .low = -REACH, .high = REACH,
@@ -229,14 +221,8 @@ const cli_option_t cli_options[] = {
      .what = "sample,cycle,outcome,time [s from exit to end],arrived "
              "[s],exit_r [m],landing_time [s since the exit],landing_r "
              "[m],landings,windings"},
-    {"--counts", "FILE", CLI_DIVERGE, PATH(counts), .how = CLI_WRITES,
-     .what = "cycles counted in integers: what,key,count, with what outcome; "
-             "begun, returned (by the number of the cycle in its sample); "
-             "side; phase, time (of return), landing (bins: see the comments "
-             "in the file). Shards are added by 'twofold merge'"},
     {"--resume", NULL, CLI_DIVERGE, FLAG(resume),
-     .what = "goes on after a kill; FILE.resume says where (of the first of "
-             "--counts, --returns, --exits)"},
+     .what = "goes on after a kill; FILE.resume, beside each file, says where"},
     {"--header", NULL, CLI_DIVERGE, FLAG(header),
      .what = "writes a header even if the shard is not the first"},
     {"--live", NULL, CLI_RUN | CLI_MONITOR, FLAG(live),
@@ -244,8 +230,8 @@ const cli_option_t cli_options[] = {
              "in the terminal (run: with --realtime at the pace of the "
              "machine; monitor: the last ten seconds), until it ends or q is "
              "pressed; rows go to --out only"},
-    {"--out", "FILE", MOTIONS | CLI_SCENE | ANALYSES | CLI_MERGE | CLI_MONITOR,
-     PATH(out), .how = CLI_WRITES,
+    {"--out", "FILE", MOTIONS | CLI_SCENE | ANALYSES | CLI_MONITOR, PATH(out),
+     .how = CLI_WRITES,
      .what = "instead of standard output; monitor: with --format"},
     {"--save", "FILE", CLI_RUN, PATH(save), .how = CLI_WRITES,
      .what = "the state at the end of the run, whatever ends it"},
@@ -262,10 +248,10 @@ const cli_option_t cli_options[] = {
      .what = "the commands that took effect, each with its step, for 'twofold "
              "run SCENE --replay FILE'"},
     {"--resume", NULL, CLI_SWEEP, FLAG(resume),
-     .what = "continues FILE.part of a sweep that was stopped; does nothing "
-             "where FILE is complete"},
+     .what = "continues FILE.part of a sweep that was stopped, with the notes "
+             "in FILE.resume; does nothing where FILE is complete"},
     {"--provenance", NULL,
-     CLI_RUN | GRIDS | CLI_TYRE | CLI_DIVERGE | CLI_MONITOR, FLAG(provenance),
+     MOTIONS | GRIDS | CLI_TYRE | CLI_DIVERGE | CLI_MONITOR, FLAG(provenance),
      .what = "four comment lines before the header of CSV (diverge: of "
              "--branches, too): version, commit, scene, scheme, units: "
              "'twofold help provenance'"},

@@ -7,7 +7,7 @@
 
 #include "command.h"
 #include "setup/setup.h"
-#include "sweep/sheet.h"
+#include "sweep/point.h"
 #include "twofold.h"
 
 #define WORD_ROOM 32 // more than any word of a topic has
@@ -154,22 +154,21 @@ static const topic_t topics[] = {
     {"tick step",
      "A step of the length dt [s], the parameter; its number is the tick, "
      "and time is tick times dt. Frames, records and --save count ticks."},
-    {"crc crc32 trailer",
+    {"crc crc32",
      "CRC-32 as of zlib: of all bytes of a file in its last line, where "
-     "readers check it, of a frame, and of a table of --inputs. Files of "
-     "'sweep' and 'diverge' end with '# shard I/N: ROWS rows, crc32 CRC, run "
-     "RUN'; RUN is the same in all shards of a run."},
+     "readers check it, of a frame, and of a table of --inputs."},
     {"dead-man safe deadman session start stop reset restore clear describe",
      "Of the commands to a board: 'twofold help send'. Inputs by a command "
      "expire after so many ticks; then the safe ones hold, those of a machine "
      "that nothing drives: docs/PROTOCOL.md."},
     {"provenance unit units commit hash parameters number",
-     "--provenance of 'run', 'diverge', 'regions', 'atlas', 'tyre' and "
-     "'monitor': four '# ' lines before the header with version, commit and "
+     "--provenance of 'run', 'sweep', 'diverge', 'regions', 'atlas', 'tyre' "
+     "and 'monitor': four '# ' lines before the header with version, commit "
+     "and "
      "checksum of the sources, number type; scene, its hash, that of the "
      "parameters, law, rule, seed; scheme, dt, hash of the inputs; units of "
-     "the columns. The file of 'sweep' always has them, and the JSON of "
-     "'singularities' and 'design' as members. All numbers are in SI units."},
+     "the columns. The JSON of 'singularities' and 'design' has them as "
+     "members. All numbers are in SI units."},
     {"region lambda delassus",
      "Columns of 'regions': what becomes of motions at a point of the "
      "surface h = 0; the force [N] that holds h = 0 there; how much a force "
@@ -182,7 +181,7 @@ static const topic_t topics[] = {
      "Columns of 'sweep', what status may be, and what it finds: 'twofold "
      "help sweep'."},
     {"returned small_cycle timeout canard phase side landing landings windings "
-     "branch branches node nodes joined counts begun",
+     "branch branches node nodes joined",
      "What 'diverge' samples and finds: 'twofold help diverge'."},
     {"alpha",
      "Mean acceleration of the turntable over a step [rad/s^2], by the column "
@@ -193,11 +192,10 @@ static const topic_t topics[] = {
      "run --save FILE writes the state at the end, whatever ends it; run "
      "--from FILE continues bit for bit, with the same machine, scheme and "
      "number type."},
-    {"shard shards merge parallel slurm snakemake map",
+    {"shard shards parallel slurm snakemake map",
      "--shard I/N of 'diverge' and 'sweep': one of N parts of the work, "
-     "whose rows one after the other are those of one run; 'twofold help "
-     "merge' adds counts. GNU parallel, Slurm, Snakemake and the map of a "
-     "sweep: docs/SWEEPS.md."},
+     "whose rows one after the other are those of one run. GNU parallel, "
+     "Slurm, Snakemake and the map of a sweep: docs/SWEEPS.md."},
     {"version float double number",
      "--version prints the version and the number type of this build: "
      "build/double/twofold or build/float/twofold ('make all')."},

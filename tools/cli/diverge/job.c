@@ -11,15 +11,10 @@
 
 #define IN_SLIP 1e-3 // [s], longest step of random motions in slip
 
-// The units of size follow from what is perturbed: noise on h has the standard
-// deviation size sqrt(t), smoothing and hysteresis have a width in h, a delay
-// is a time.
+// Noise on h has the standard deviation size sqrt(t).
 const cli_mechanism_info_t cli_mechanisms[CLI_MECHANISMS] = {
     [CLI_BY_RANDOM] = {"random", "", 1e-2, 10, 1},
     [CLI_BY_NOISE] = {"noise", "m/s^1.5", 1e-3, 64, 1},
-    [CLI_BY_SMOOTHING] = {"smoothing", "m/s", 1e-4, 16, 2},
-    [CLI_BY_HYSTERESIS] = {"hysteresis", "m/s", 1e-3, 16, 2},
-    [CLI_BY_DELAY] = {"delay", "s", 1e-3, 16, 2},
 };
 
 static int refuse_scene(const cli_setup_t *setup) {
@@ -116,28 +111,26 @@ int cli_job_prepare(cli_job_t *job, const cli_args_t *args) {
 void cli_job_describe(const cli_job_t *job, cli_buffer_t *text) {
   const cli_args_t *args = job->args;
   const tf_state_t *x = &job->setup.state;
-  const double numbers[] = {args->size,    args->spread,     args->patience,
-                            args->section, args->refinement, args->fine};
-  const tf_real_t start[] = {x->r, x->v, x->w, x->phi};
-  const uint64_t counts[] = {tf_params_hash(&job->setup.params),
-                             (uint64_t)args->mechanism,
-                             (uint64_t)args->codim2,
-                             args->samples,
-                             args->cycles,
-                             args->seed,
-                             job->at_two_fold};
-  cli_add(text, TF_VERSION);
-  cli_add(text, " " CLI_NUMBER_TYPE);
-  for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
-    cli_add_form(text, " %" PRIu64, counts[i]);
-  }
+  cli_add_form(text, "twofold %s, commit %s, numbers are %s; diverge %s ",
+               TF_VERSION, cli_commit, CLI_NUMBER_TYPE, args->scene->name);
+  cli_add_hash(text, tf_params_hash(&job->setup.params));
+  cli_add_form(text, " --by %s --codim2 %" PRIu64,
+               cli_mechanisms[args->mechanism].name, (uint64_t)args->codim2);
+  cli_add_form(text,
+               " --samples %" PRIu64 " --cycles %" PRIu64 " --seed %" PRIu64,
+               args->samples, args->cycles, args->seed);
+  const double numbers[] = {args->size, args->spread, args->patience,
+                            args->refinement, args->fine};
   for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
     cli_add(text, " ");
     cli_add_number(text, numbers[i], false);
   }
-  for (size_t i = 0; i < 4 && !job->at_two_fold; i++) {
-    cli_add_form(text, " %g", (double)start[i]);
+  if (!job->at_two_fold) {
+    cli_add_form(text, " from %g %g %g %g", (double)x->r, (double)x->v,
+                 (double)x->w, (double)x->phi);
   }
+  cli_add_form(text, " --shard %" PRIu64 "/%" PRIu64, args->shard.index,
+               args->shard.of);
 }
 
 size_t cli_job_provenance(const cli_job_t *job, const char *units,

@@ -5,17 +5,13 @@
 #include "../text/buffer.h"
 #include "canard.h"
 
-// What selects the exit of a motion whose future is not unique: a random draw,
-// or an imperfection that makes friction single-valued.
+// What selects the exit of a motion whose future is not unique.
 
 typedef enum {
-  CLI_BY_RANDOM,     ///< a draw: exit at a rate, to either side
-  CLI_BY_NOISE,      ///< additive white noise on h
-  CLI_BY_SMOOTHING,  ///< sign(h) smoothed
-  CLI_BY_HYSTERESIS, ///< friction changes its side at |h| = size
-  CLI_BY_DELAY       ///< friction has the sign that h had some time ago
+  CLI_BY_RANDOM, ///< a draw: exit at a rate, to either side
+  CLI_BY_NOISE   ///< additive white noise on h
 } cli_mechanism_t;
-#define CLI_MECHANISMS 5
+#define CLI_MECHANISMS 2
 
 /// Name, unit of the size ("" where it has none), and default values.
 typedef struct {
@@ -47,11 +43,7 @@ typedef struct {
 /// Prepares the machine, the two-fold and the start of all samples.
 int cli_job_prepare(cli_job_t *job, const cli_args_t *args);
 
-/// Room for what cli_job_describe writes.
-#define CLI_JOB_TEXT 1024
-
-/// Writes what the rows of all samples follow from: version, machine, start and
-/// options. It is the same in all shards of a run.
+/// Writes what the rows follow from: program, machine, start and options.
 void cli_job_describe(const cli_job_t *job, cli_buffer_t *text);
 
 /// What the rows are of, as the comment lines of --provenance. units: in, of

@@ -47,7 +47,6 @@ void cli_motion_begin(cli_motion_t *motion, const tf_params_t *params) {
                                    : job->setup.state;
   motion->t = 0;
   motion->wait = -1;
-  motion->queued = 0;
 }
 
 tf_state_t cli_state_at_two_fold(const cli_job_t *job) {
@@ -91,21 +90,17 @@ bool cli_refuse_cycle(cli_motion_t *motion) {
   return true;
 }
 
-// Motions by the core's own steps, perturbed in h.
-//
-// noise: the set-valued law, stepped by tf_step_located. After every step a
-//   normally distributed number of standard deviation size sqrt(dt) is added to
-//   h: the Euler-Maruyama method for the stochastic differential inclusion. In
-//   the sliding region the next step returns to the surface for any dt. Near
-//   the two-fold dt has to resolve the time (size / (dA/dt mu))^(2/3) in which
-//   the noise is stronger than the weak attraction. At h = g = 0 the
-//   acceleration, of the order of mu/m, depends on the direction alone, so
-//   noise decides within (size / (mu/m))^2, and a longer step would decide by
-//   itself (--fine).
-// smoothing: the law SMOOTH of the width size, stepped by tf_step, no noise.
+// Motions under noise: the set-valued law, stepped by tf_step_located. After
+// every step a normally distributed number of standard deviation size sqrt(dt)
+// is added to h: the Euler-Maruyama method for the stochastic differential
+// inclusion. In the sliding region the next step returns to the surface for any
+// dt. Near the two-fold dt has to resolve the time (size / (dA/dt mu))^(2/3) in
+// which the noise is stronger than the weak attraction. At h = g = 0 the
+// acceleration, of the order of mu/m, depends on the direction alone, so noise
+// decides within (size / (mu/m))^2, and a longer step would decide by itself
+// (--fine).
 
 #define SEVERAL_STEPS 4 // whose rounding slip_rounding is
-#define SMOOTH_BAND 10  // smoothed stick stays within this many widths
 
 // Rate of change of A mu where stick passes through the two-fold.
 static double weakening(const cli_job_t *job) {
@@ -125,19 +120,12 @@ static cli_instant_t start(cli_motion_t *motion) {
   const cli_job_t *job = motion->job;
   tf_params_t params = job->params;
   tf_report_t report;
-  double resolved = 1; // [s], at the two-fold
   const tf_input_t input = tf_input_default(&job->machine);
-  if (job->args->mechanism == CLI_BY_SMOOTHING) {
-    params.law = TF_TYRE_SMOOTH;
-    params.epsilon = (tf_real_t)motion->size;
-    motion->band = SMOOTH_BAND * motion->size;
-  } else {
-    resolved = pow(2 * motion->size / weakening(job), 2.0 / 3.0);
-    resolved = isfinite(resolved) ? resolved : 1;
-    motion->band = 4 * motion->size * sqrt(resolved);
-    motion->length = (double)params.dt;
-    params.tolerance = 0; // as fine as the number type allows
-  }
+  const double time = pow(2 * motion->size / weakening(job), 2.0 / 3.0);
+  const double resolved = isfinite(time) ? time : 1; // [s], at the two-fold
+  motion->band = 4 * motion->size * sqrt(resolved);
+  motion->length = (double)params.dt;
+  params.tolerance = 0; // as fine as the number type allows
   cli_motion_begin(motion, &params);
   set_step_length(&motion->short_steps,
                   (tf_real_t)fmin(job->near, resolved / job->args->refinement));
@@ -173,7 +161,7 @@ static double least_step(const cli_motion_t *motion) {
 // A step of the scene; next to h = g = 0 one in which neither noise nor the
 // motion crosses more than a share of the way there. A step that went further
 // is taken again before its noise is drawn, so the noise does not depend on it.
-static bool advance_by_noise(cli_motion_t *motion) {
+static bool advance(cli_motion_t *motion) {
   const double share = 1 / motion->job->args->fine;
   const tf_state_t from = motion->state;
   const cli_instant_t at = instant(motion);
@@ -197,20 +185,4 @@ static bool advance_by_noise(cli_motion_t *motion) {
   return cli_track(&motion->tracker, &now);
 }
 
-static bool advance_smoothed(cli_motion_t *motion) {
-  const cli_instant_t *last = &motion->tracker.last;
-  const double dt = cli_step_length(motion, last->at, last->g);
-  const tf_machine_t *k = dt < (double)motion->long_steps.dt
-                              ? &motion->short_steps
-                              : &motion->long_steps;
-  const tf_input_t input = tf_input_default(k);
-  if (tf_step(k, &motion->state, &input, &motion->report) < 0) {
-    return cli_refuse_cycle(motion);
-  }
-  motion->t += dt;
-  const cli_instant_t now = instant(motion);
-  return cli_track(&motion->tracker, &now);
-}
-
-const cli_stepper_t cli_noise_stepper = {start, advance_by_noise, NULL};
-const cli_stepper_t cli_smoothing_stepper = {start, advance_smoothed, NULL};
+const cli_stepper_t cli_noise_stepper = {start, advance, NULL};

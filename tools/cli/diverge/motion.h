@@ -81,9 +81,6 @@ double cli_draw_uniform(cli_draws_t *draws); ///< in (0, 1)
 #define CLI_REST_SPEED 1e-9
 #define CLI_REST_BANDS 4
 
-/// Changes of side that a delay can hold at a time.
-#define CLI_QUEUED_SWITCHES 64
-
 typedef struct {
   const cli_job_t *job;
   cli_tracker_t tracker;
@@ -95,11 +92,7 @@ typedef struct {
   tf_state_t state;
   tf_report_t report;
   double t;
-  double wait;    ///< until an escaping stick or pinned ends [s]; < 0: none
-  cli_point_t at; ///< under hysteresis or delay, instead of state
-  int side;       ///< on which friction acts then, +1 or -1
-  double queue[CLI_QUEUED_SWITCHES]; ///< times when that side changes [s]
-  int queued;
+  double wait;   ///< until an escaping stick or pinned ends [s]; < 0: none
   double length; ///< of the last step, under noise [s]
 } cli_motion_t;
 
@@ -133,11 +126,9 @@ cli_instant_t cli_instant_at(const cli_motion_t *motion, cli_point_t at);
 
 bool cli_refuse_cycle(cli_motion_t *motion);
 
-/// --by random; noise; smoothing; hysteresis and delay.
+/// --by random, and --by noise.
 extern const cli_stepper_t cli_random_stepper;
 extern const cli_stepper_t cli_noise_stepper;
-extern const cli_stepper_t cli_smoothing_stepper;
-extern const cli_stepper_t cli_lagged_stepper;
 
 typedef enum {
   CLI_BRANCH_TWO_FOLD,

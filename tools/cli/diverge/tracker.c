@@ -13,6 +13,7 @@
 
 // A motion that lands this often without coming back is in a small cycle.
 #define SMALL_LANDINGS 3
+#define SECTION 1e-3 // [m], behind the two-fold
 
 const char *cli_outcome_name(cli_outcome_t outcome) {
   static const char *const names[CLI_OUTCOMES] = {
@@ -114,8 +115,7 @@ static void watch_windings(cli_tracker_t *tracker, const cli_instant_t *at) {
   cli_cycle_t *cycle = &tracker->cycle;
   const cli_instant_t *last = &tracker->last;
   const double section =
-      tracker->job->two_fold.r +
-      copysign(tracker->job->args->section, tracker->job->two_fold.v);
+      tracker->job->two_fold.r + copysign(SECTION, tracker->job->two_fold.v);
   if (!cycle->left || cycle->landed) {
     return;
   }

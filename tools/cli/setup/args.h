@@ -23,8 +23,6 @@ typedef struct {
   const char *command; ///< its name
   const tf_scene_t *scene;
   const char *source; ///< of monitor: a file or a device
-  const char **files; ///< of merge, from the heap
-  size_t count;       ///< of files
 
   // The machine and its motion.
   cli_settings_t settings; ///< axes are among them, under --over
@@ -56,12 +54,11 @@ typedef struct {
   size_t measures;
 
   // Of diverge.
-  const char *exits, *returns, *counts, *branches;
+  const char *exits, *returns, *branches;
   double accuracy;          ///< of a step of moreau; 0: not estimated
   double size;              ///< unit: that of the mechanism; 0: not given
   double spread;            ///< sizes are drawn from [size / spread, size]
   double patience;          ///< longest cycle [s]
-  double section;           ///< where the phase is read, past the two-fold [m]
   double refinement;        ///< dt / step near the two-fold
   double fine;              ///< steps for the noise to reach h = g = 0
   double grid;              ///< of --exhaustive: time between two exits [s]
@@ -102,8 +99,6 @@ int cli_take_source(void *args, const char *word);
 int cli_read_send(void *args, const cli_given_t *given);
 int cli_diverge(const cli_args_t *args);
 int cli_diverge_check(cli_args_t *args);
-int cli_merge(const cli_args_t *args);
-int cli_merge_check(cli_args_t *args);
 int cli_sweep(const cli_args_t *args);
 int cli_sweep_check(cli_args_t *args);
 int cli_read_over(void *args, const cli_given_t *given);

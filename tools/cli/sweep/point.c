@@ -5,6 +5,8 @@
 // are followed together, by the steps of an ensemble, which have the bits of
 // single ones.
 
+#include "point.h"
+
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -16,7 +18,6 @@
 #include "../text/message.h"
 #include "../text/number.h"
 #include "../text/summary.h"
-#include "sheet.h"
 
 #define BATCH 4096 // steps between two checks for a signal
 #define REASON_ROOM 512
@@ -180,8 +181,9 @@ const char *cli_point_status(cli_point_end_t end) {
   return names[end];
 }
 
-void cli_point_name(const cli_args_t *args, uint64_t index,
-                    cli_buffer_t *text) {
+// The fields by which a row begins: its number and its axes.
+static void add_place(const cli_args_t *args, uint64_t index,
+                      cli_buffer_t *text) {
   uint64_t at[CLI_AXES];
   indices_of(args, index, at);
   cli_add_count(text, index);
@@ -237,7 +239,7 @@ static int prepare(point_t *point, uint64_t *steps) {
 }
 
 // An end of every axis, by a message that names the axis and its range.
-static int check_end(cli_sweep_t *sweep, bool last, uint32_t *hash) {
+static int check_end(cli_sweep_t *sweep, bool last) {
   const cli_args_t *args = sweep->args;
   point_t point = {0};
   uint64_t steps = 0;
@@ -257,16 +259,16 @@ static int check_end(cli_sweep_t *sweep, bool last, uint32_t *hash) {
   CLI_TRY(prepare(&point, &steps));
   CLI_TRY(cli_setup_check_starts(&point.setup));
   if (!last) {
-    *hash = cli_scene_hash(&point.setup);
+    sweep->hash = cli_scene_hash(&point.setup);
     cli_setup_notes(&point.setup, sweep->scheme->unused, sweep->scheme->why);
     cli_drive_notes(&sweep->drive, &point.setup);
   }
   return CLI_DONE;
 }
 
-int cli_point_check(cli_sweep_t *sweep, uint32_t *hash) {
-  CLI_TRY(check_end(sweep, false, hash));
-  return check_end(sweep, true, hash);
+int cli_point_check(cli_sweep_t *sweep) {
+  CLI_TRY(check_end(sweep, false));
+  return check_end(sweep, true);
 }
 
 static double energy_of(const point_t *point) {
@@ -426,7 +428,7 @@ cli_point_end_t cli_point_row(uint64_t index, size_t which,
   }
   drop_commas(point->reason);
   cli_buffer_t text = {row, 0, CLI_SWEEP_ROW, false};
-  cli_point_name(args, index + which, &text);
+  add_place(args, index + which, &text);
   cli_add_form(&text, ",%s,%s,", cli_point_status(point->end), point->reason);
   if (point->end != CLI_POINT_REFUSED) {
     cli_add_real(&text, (tf_real_t)point->course.t);

@@ -8,65 +8,71 @@
 #include <string.h>
 
 #include "../host/host.h"
+#include "../host/sheet.h"
 #include "../text/message.h"
 #include "../text/number.h"
 #include "../text/options.h"
 #include "../text/summary.h"
-#include "sheet.h"
+#include "point.h"
 
 #define FLUSH_EVERY 0.2 // [s], so at most so much work is lost by a kill
 
 typedef struct {
   cli_sweep_t sweep;
-  cli_sheet_t *sheet;
-  size_t together; ///< points that are followed at once
-  uint64_t done;   ///< points of this call
+  cli_sheets_t *sheets;
+  uint64_t first, points; ///< of this shard
+  uint64_t kept;          ///< rows that were there before
+  cli_done_t work;        ///< points with a row, in this call or before
+  size_t together;        ///< points that are followed at once
   uint64_t ends[CLI_POINT_ENDS];
   cli_progress_t progress;
 } work_t;
 
-// Returns: CLI_DONE, or CLI_STOPPED; where the output failed, the message is
-// that of cli_sheet_close.
-static int do_points(work_t *work) {
-  cli_sheet_t *sheet = work->sheet;
+// Returns: whether the rows of so many points could be written.
+static bool write_rows(work_t *work, uint64_t index, size_t count) {
   char row[CLI_SWEEP_ROW];
-  size_t count = 0, length = 0;
-  for (uint64_t i = sheet->first + sheet->kept; i < sheet->end; i += count) {
-    count = sheet->end - i < work->together ? (size_t)(sheet->end - i)
-                                            : work->together;
-    if (cli_stop_asked() || !cli_points_follow(&work->sweep, i, count)) {
-      return cli_message(CLI_STOPPED, "interrupted at point %" PRIu64, i);
+  size_t length = 0;
+  cli_sheet_t *sheet = work->sheets->sheet;
+  for (size_t i = 0; i < count; i++) {
+    work->ends[cli_point_row(index, i, row, &length)]++;
+    work->work.done++;
+    if (!cli_sheet_put(sheet, row, length)) {
+      return false;
     }
-    for (size_t n = 0; n < count; n++) {
-      work->ends[cli_point_row(i, n, row, &length)]++;
-      work->done++;
-      cli_trailer_add(&sheet->trailer, row, length, 1);
-      if (!cli_output_lines(&sheet->output, row, length)) {
-        return CLI_STOPPED;
-      }
+  }
+  return cli_now() - sheet->output.flushed < FLUSH_EVERY ||
+         cli_sheets_note(work->sheets, &work->work);
+}
+
+// Returns: CLI_DONE, or CLI_STOPPED; where the output failed, the message is
+// that of cli_sheets_close.
+static int do_points(work_t *work) {
+  while (work->work.done < work->points) {
+    const uint64_t left = work->points - work->work.done;
+    const uint64_t index = work->first + work->work.done;
+    const size_t count = left < work->together ? (size_t)left : work->together;
+    if (cli_stop_asked() || !cli_points_follow(&work->sweep, index, count)) {
+      return cli_message(CLI_STOPPED, "interrupted at point %" PRIu64, index);
     }
-    const double now = cli_now();
-    if (now - sheet->output.flushed >= FLUSH_EVERY && !cli_sheet_flush(sheet)) {
+    if (!write_rows(work, index, count)) {
       return CLI_STOPPED;
     }
-    const uint64_t points = sheet->end - sheet->first;
-    const double done = (double)work->done;
-    cli_progress_say(&work->progress, now,
-                     done / (double)(points - sheet->kept),
-                     "%" PRIu64 " of %" PRIu64 " points, %.3g points/s",
-                     sheet->kept + work->done, points,
-                     done / (now - work->progress.started));
+    const double now = cli_now();
+    const double done = (double)(work->work.done - work->kept);
+    cli_progress_say(
+        &work->progress, now, done / (double)(work->points - work->kept),
+        "%" PRIu64 " of %" PRIu64 " points, %.3g points/s", work->work.done,
+        work->points, done / (now - work->progress.started));
   }
   return CLI_DONE;
 }
 
 static void summarise(const work_t *work, double seconds) {
-  const cli_sheet_t *sheet = work->sheet;
   const char *separator = "\nstatus     ";
-  cli_say("points     %" PRIu64 " of %" PRIu64, sheet->kept + work->done,
-          sheet->end - sheet->first);
-  if (sheet->kept > 0) {
-    cli_say(", of which %" PRIu64 " were there", sheet->kept);
+  const double done = (double)(work->work.done - work->kept);
+  cli_say("points     %" PRIu64 " of %" PRIu64, work->work.done, work->points);
+  if (work->kept > 0) {
+    cli_say(", of which %" PRIu64 " were there", work->kept);
   }
   for (int i = 0; i < CLI_POINT_ENDS; i++) {
     if (work->ends[i] > 0) {
@@ -76,17 +82,16 @@ static void summarise(const work_t *work, double seconds) {
     }
   }
   cli_say("\ncost       %.3g s, %.3g points/s, %s\n", seconds,
-          seconds > 0 ? (double)work->done / seconds : 0.0,
+          seconds > 0 ? done / seconds : 0.0,
           work->together > 1 ? "in lanes of an ensemble" : "one by one");
 }
 
 static void summarise_json(const work_t *work, double seconds, int code) {
-  const cli_sheet_t *sheet = work->sheet;
   cli_put_begin("sweep");
   cli_put_word("scene", work->sweep.args->scene->name);
   cli_put_word("scheme", work->sweep.scheme->name);
-  cli_put_count("points", sheet->end - sheet->first);
-  cli_put_count("kept", sheet->kept);
+  cli_put_count("points", work->points);
+  cli_put_count("kept", work->kept);
   for (int i = 0; i < CLI_POINT_ENDS; i++) {
     cli_put_count(cli_point_status((cli_point_end_t)i), work->ends[i]);
   }
@@ -94,42 +99,84 @@ static void summarise_json(const work_t *work, double seconds, int code) {
   cli_put_end(seconds, code);
 }
 
-static int perform(work_t *work, uint32_t hash) {
-  cli_sheet_t *sheet = work->sheet;
-  CLI_TRY(cli_sheet_open(sheet, &work->sweep, hash));
-  if (sheet->whole) {
+// The shards of a sweep have header and comments once, so that their files, one
+// after the other, are the file of the whole.
+static int describe(const work_t *work) {
+  const cli_args_t *args = work->sweep.args;
+  cli_sheets_t *sheets = work->sheets;
+  cli_buffer_t begin = {sheets->sheet->begin, 0, CLI_SHEET_BEGIN, false};
+  cli_buffer_t about = {sheets->about, 0, CLI_SHEET_ABOUT, false};
+  if (args->shard.index == 1 && args->provenance) {
+    cli_sweep_provenance(&work->sweep, &begin);
+  }
+  if (args->shard.index == 1) {
+    cli_sweep_header(args, &begin);
+  }
+  cli_sweep_about(&work->sweep, "; ", &about);
+  cli_add_form(&about, "; shard %" PRIu64 "/%" PRIu64, args->shard.index,
+               args->shard.of);
+  return begin.truncated || about.truncated
+             ? cli_message(CLI_USAGE, "sweep: the command line is too long")
+             : CLI_DONE;
+}
+
+static int open_sheet(work_t *work, bool *whole) {
+  const cli_args_t *args = work->sweep.args;
+  cli_sheets_t *sheets = work->sheets;
+  uint64_t end = 0;
+  cli_shard_range(&args->shard, args->points, &work->first, &end);
+  work->points = end - work->first;
+  sheets->what = "sweep";
+  sheets->resume = args->resume;
+  sheets->noted = true;
+  sheets->sheet->option = "--out";
+  sheets->sheet->path = args->out != NULL ? args->out : "-";
+  CLI_TRY(describe(work));
+  CLI_TRY(cli_sheets_open(sheets, work->points, &work->work, whole));
+  work->kept = work->work.done;
+  return CLI_DONE;
+}
+
+static int perform(work_t *work) {
+  const cli_args_t *args = work->sweep.args;
+  const cli_output_t *output = &work->sheets->sheet->output;
+  bool whole = false;
+  CLI_TRY(open_sheet(work, &whole));
+  if (whole) {
     (void)cli_message(CLI_DONE, "%s has all of its %" PRIu64 " points",
-                      work->sweep.args->out, sheet->kept);
-    if (work->sweep.args->summary != 0) {
+                      args->out, work->kept);
+    if (args->summary != 0) {
       summarise_json(work, 0, CLI_DONE);
     }
     return CLI_DONE;
   }
-  work->progress = cli_progress_start(cli_now(), sheet->output.to.descriptor);
+  work->progress = cli_progress_start(cli_now(), output->to.descriptor);
   int code = do_points(work);
   cli_progress_clear(&work->progress);
-  code = cli_sheet_close(sheet, code);
+  if (!cli_sheets_note(work->sheets, &work->work)) {
+    code = CLI_STOPPED;
+  }
+  code = cli_sheets_close(work->sheets, code);
   const double seconds = cli_now() - work->progress.started;
-  if (work->sweep.args->summary == 0) {
+  if (args->summary == 0) {
     summarise(work, seconds);
   }
-  if (code != CLI_DONE && sheet->output.to.left) {
+  if (code != CLI_DONE && output->to.left) {
     (void)cli_message(code, "the same command with --resume goes on");
   }
-  if (work->sweep.args->summary != 0) {
+  if (args->summary != 0) {
     summarise_json(work, seconds, code);
   }
   return code;
 }
 
 int cli_sweep(const cli_args_t *args) {
-  static cli_sheet_t sheet;
-  work_t work = {.sweep = {.args = args}, .sheet = &sheet};
-  uint32_t hash = 0;
+  static cli_sheets_t sheets;
+  work_t work = {.sweep = {.args = args}, .sheets = &sheets};
   int code = cli_drive_read(&work.sweep.drive, args->scene, &args->drive);
-  code = code == CLI_DONE ? cli_point_check(&work.sweep, &hash) : code;
+  code = code == CLI_DONE ? cli_point_check(&work.sweep) : code;
   work.together = cli_points_together(&work.sweep);
-  code = code == CLI_DONE ? perform(&work, hash) : code;
+  code = code == CLI_DONE ? perform(&work) : code;
   cli_drive_free(&work.sweep.drive);
   return code;
 }

@@ -1,9 +1,6 @@
-/// One point of a sweep: its settings, its motion, its row. And the file of a
-/// sweep: header, rows, trailer; and how a file that was stopped is taken up
-/// again.
+/// One point of a sweep: its settings, its motion, its row.
 #pragma once
 
-#include "../host/output.h"
 #include "../setup/args.h"
 #include "../text/buffer.h"
 
@@ -43,8 +40,9 @@ extern const cli_measure_info_t cli_measures[CLI_MEASURES];
 typedef struct {
   const cli_args_t *args;
   const cli_scheme_t *scheme; ///< NULL: that of the first point
-  bool jumps;                 ///< the law is jump, at all points
-  cli_drive_t drive;          ///< of --inputs, and of the scene
+  uint32_t hash;     ///< of what a motion depends on and no option names
+  bool jumps;        ///< the law is jump, at all points
+  cli_drive_t drive; ///< of --inputs, and of the scene
 } cli_sweep_t;
 
 /// How a point ended.
@@ -57,9 +55,8 @@ typedef enum {
 #define CLI_POINT_ENDS 4
 
 /// Checks what is the same at all points, and the ends of every axis; chooses
-/// the scheme. hash: out, of what a motion depends on and the command line does
-/// not name.
-int cli_point_check(cli_sweep_t *sweep, uint32_t *hash);
+/// the scheme.
+int cli_point_check(cli_sweep_t *sweep);
 
 /// How many points are followed together, one in each lane of an ensemble: 1
 /// where an axis changes the machine, or its law or scheme has no lanes.
@@ -76,35 +73,16 @@ bool cli_points_follow(const cli_sweep_t *sweep, uint64_t index, size_t count);
 cli_point_end_t cli_point_row(uint64_t index, size_t which,
                               char row[CLI_SWEEP_ROW], size_t *length);
 
-/// Writes the fields by which a row begins: its number and its axes.
-void cli_point_name(const cli_args_t *args, uint64_t index, cli_buffer_t *text);
-
 /// Name of an end, as in the column `status`.
 const char *cli_point_status(cli_point_end_t end);
 
-#define CLI_PROLOGUE_ROOM 16384
-typedef struct {
-  const cli_args_t *args;
-  const cli_scheme_t *scheme;
-  uint32_t inputs; ///< hash of their table
-  cli_output_t output;
-  cli_trailer_t trailer;
-  uint64_t first, end; ///< points of this shard
-  uint64_t kept;       ///< rows that were there before
-  bool whole;          ///< FILE has all rows: nothing is to be done
-  char prologue[CLI_PROLOGUE_ROOM]; ///< what stands before the first row
-  size_t header, length;            ///< of its first line, 0: none; of all
-} cli_sheet_t;
+/// The header of the rows, with its newline.
+void cli_sweep_header(const cli_args_t *args, cli_buffer_t *text);
 
-/// Opens the file. Under --resume the rows that are there are read and kept; a
-/// file of another sweep is refused, and so are such rows without --resume.
-/// hash: in, as cli_point_check gives it.
-int cli_sheet_open(cli_sheet_t *sheet, const cli_sweep_t *sweep, uint32_t hash);
+/// What the rows of all shards follow from: program, scene, options.
+/// newline: in, what stands between these.
+void cli_sweep_about(const cli_sweep_t *sweep, const char *newline,
+                     cli_buffer_t *text);
 
-/// Hands everything to the operating system; in a part, with a check of it.
-/// Returns: whether everything so far could be written.
-bool cli_sheet_flush(cli_sheet_t *sheet);
-
-/// Ends the file: under CLI_DONE it gets its trailer and its name.
-/// Returns: as cli_output_end.
-int cli_sheet_close(cli_sheet_t *sheet, int code);
+/// The same and the units of the columns, as the comments of --provenance.
+void cli_sweep_provenance(const cli_sweep_t *sweep, cli_buffer_t *text);

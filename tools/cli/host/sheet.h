@@ -1,0 +1,65 @@
+/// Files of rows that take long: a program that was stopped, even by SIGKILL,
+/// goes on with them and ends with the bytes of one that was not. FILE is plain
+/// CSV. While it is FILE.part, notes in FILE.resume say how far it is right.
+#pragma once
+
+#include "output.h"
+
+#define CLI_SHEETS 2
+#define CLI_SHEET_COUNTS 8
+#define CLI_SHEET_ABOUT 16384 ///< room for what the rows follow from
+#define CLI_SHEET_BEGIN 20480 ///< room for comments and header
+
+/// What has been done when a note is made: pieces of work, whose rows are
+/// there, and what their owner counts.
+typedef struct {
+  uint64_t done, count[CLI_SHEET_COUNTS];
+} cli_done_t;
+
+/// How far a file is right.
+typedef struct {
+  uint64_t bytes;
+  uint32_t crc; ///< of these bytes
+  cli_done_t work;
+  uint64_t notes; ///< bytes of the notes
+  uint32_t chain; ///< CRC of their lines
+} cli_sheet_place_t;
+
+typedef struct {
+  const char *option, *path;   ///< path NULL: no such file is asked for
+  char begin[CLI_SHEET_BEGIN]; ///< comments and header, may be empty
+  cli_output_t output;
+  bool is_open, is_whole; ///< whole: FILE is there, and stays
+  int notes;              ///< descriptor, 0: none are made
+  cli_sheet_place_t at;
+} cli_sheet_t;
+
+/// Files of one work, which go on and get their names together.
+typedef struct {
+  const char *what;            ///< a sweep or a run, for messages
+  bool resume, noted;          ///< goes on with what is there; makes notes
+  char about[CLI_SHEET_ABOUT]; ///< one line: what the rows follow from
+  cli_sheet_t sheet[CLI_SHEETS];
+} cli_sheets_t;
+
+/// Opens the files behind the rows that are there: under resume those of the
+/// work that is done in all files, otherwise none. Rows of another command or
+/// build are refused.
+/// total: in, pieces of the work. work: out, what is done. whole: out, the
+/// files have their names and all rows, and none is open.
+int cli_sheets_open(cli_sheets_t *sheets, uint64_t total, cli_done_t *work,
+                    bool *whole);
+
+/// Appends whole rows to a file, if it is open.
+/// Returns: whether everything so far could be written.
+bool cli_sheet_put(cli_sheet_t *sheet, const char *rows, size_t length);
+
+/// Hands all rows to the operating system. Returns: likewise.
+bool cli_sheets_flush(cli_sheets_t *sheets);
+
+/// The same, and notes the work that is in them. Returns: likewise.
+bool cli_sheets_note(cli_sheets_t *sheets, const cli_done_t *work);
+
+/// Closes the files; under CLI_DONE they get their names.
+/// Returns: the code, or CLI_STOPPED in place of CLI_DONE.
+int cli_sheets_close(cli_sheets_t *sheets, int code);
