@@ -27,4 +27,4 @@ all: $(VARIANTS:%=$(BUILD)/%/hil)
 # The script's own makes share the jobs of this one (+).
 hil: ## a controller drives BOARD=stm32f405 over its line
 	+@BUILD='$(BUILD)' REAL='$(REAL)' SCENE='$(SCENE)' RATE='$(RATE)' \
-	  EVERY='$(or $(EVERY),10)' tools/board/hil/run $(BOARD) $(HIL)
+	  EVERY='$(or $(EVERY),10)' tools/run hil $(BOARD) $(HIL)

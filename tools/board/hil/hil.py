@@ -1,0 +1,78 @@
+"""Runs a board's firmware in its emulator with a controller on this computer at
+the other end of the serial line, and compares with a pure host run:
+
+    tools/run hil BOARD [OPTION...]     options of the program `hil`
+
+The emulator's serial line is a pseudo-terminal. A real board is driven by
+BUILD/REAL/hil itself: see docs/PORTS.md. Environment: MAKE BUILD REAL SCENE
+RATE EVERY. The line has the board's highest rate. Exit code: that of `hil`."""
+import os
+import re
+import subprocess
+import sys
+
+BUILD = os.environ.get("BUILD") or "build"
+
+
+def given(name, usual):
+    return os.environ.get(name) or usual
+
+
+def make(*words, **options):
+    """Ends all where it fails."""
+    done = subprocess.run(
+        [*given("MAKE", "make").split(), "-s", "--no-print-directory",
+         f"BUILD={BUILD}", *words], check=False, text=True, **options)
+    if done.returncode:
+        sys.exit(3)
+    return done.stdout
+
+
+def line_of(board):
+    """The words that start the emulator with a line; none: there is none."""
+    def fact(name):
+        return make(f"BOARD={board}", f"board-{name}",
+                    stdout=subprocess.PIPE).split()
+    run = " ".join(fact("RUN"))
+    words = run.replace("-serial stdio", "-serial pty").split() \
+        if "-serial stdio" in run else fact("LINE")
+    return [] if fact("SMALL") else words, fact("LOADS"), fact("BAUDS")[-1:]
+
+
+def device_of(emulator, board):
+    """The pseudo-terminal, whose name the emulator prints."""
+    said = ""
+    for said_now in emulator.stdout:
+        said += said_now
+        if found := re.search("/dev/[a-z]*/[0-9]+", said):
+            return found[0]
+    sys.exit(f"hil: the emulator of {board} did not start:\n{said}")
+
+
+def main():
+    if len(sys.argv) < 2:
+        sys.exit("usage: tools/run hil BOARD [OPTION...]")
+    board, *options = sys.argv[1:]
+    real, scene = given("REAL", "float"), given("SCENE", "chaos")
+    every = given("EVERY", "10")
+    line, loads, baud = line_of(board)
+    if not line:
+        print(f"hil: {board} has no room for commands, or no serial line",
+              file=sys.stderr)
+        sys.exit(3)
+    make(f"BOARD={board}", "elf", f"SCENE={scene}", f"REAL={real}",
+         f"RATE={given('RATE', '1000')}", f"EVERY={every}",
+         f"BAUD={''.join(baud)}", "FORMAT=frames", "UPLINK=yes", "NAMED=-hil",
+         stdout=sys.stderr)
+    make(f"{BUILD}/{real}/hil", stdout=sys.stderr)
+    firmware = f"{BUILD}/boards/{board}/{scene}-{real}/firmware-hil.elf"
+    with subprocess.Popen([*line, *loads, firmware], text=True,
+                          stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT) as emulator:
+        try:
+            done = subprocess.run(
+                [f"{BUILD}/{real}/hil", device_of(emulator, board), "--every",
+                 every, *options], check=False)
+        finally:
+            emulator.kill()
+    sys.exit(done.returncode)
