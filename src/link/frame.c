@@ -33,11 +33,11 @@ static void put_crc(uint8_t *at, uint32_t crc) {
 }
 
 static bool has_crc(const uint8_t *at, uint32_t crc) {
+  uint8_t wanted[TF_FRAME_CRC];
   unsigned wrong = 0;
-  for (unsigned i = 0; i < TF_FRAME_CRC; i++) {
-    wrong |= at[i] ^ (0x80u | (unsigned)(crc & 0x7fu));
-    crc >>= 7;
-  }
+  put_crc(wanted, crc);
+  for (unsigned i = 0; i < TF_FRAME_CRC; i++)
+    wrong |= (unsigned)at[i] ^ wanted[i];
   return wrong == 0;
 }
 
@@ -115,26 +115,34 @@ static void count_accepted(tf_decoder_t *decoder, const tf_frame_t *frame) {
   decoder->frames++;
 }
 
-// The bytes of the buffer as a frame. Returns: whether they are one.
-static bool unpack_frame(tf_decoder_t *decoder, size_t used,
-                         tf_frame_t *frame) {
+// The counter of what is wrong with the bytes of the buffer; NULL: they are a
+// frame, without COBS.
+static uint32_t *fault_of(tf_decoder_t *decoder) {
   uint8_t *code = decoder->buffer;
-  const size_t stuffed = used - TF_FRAME_CRC; // if there are so many
-  if (used < SHORTEST || !has_crc(code + stuffed, tf_crc32(0, code, stuffed)) ||
-      !unstuff(code, stuffed)) {
-    decoder->bad++;
+  const size_t stuffed = (size_t)decoder->used - TF_FRAME_CRC; // if so many
+  if (decoder->overflowed) return &decoder->too_long;
+  if (decoder->used < SHORTEST ||
+      !has_crc(code + stuffed, tf_crc32(0, code, stuffed)) ||
+      !unstuff(code, stuffed))
+    return &decoder->bad;
+  if (code[1] != TF_FRAME_VERSION) {
+    decoder->version = code[1];
+    return &decoder->bad_version;
+  }
+  return code[3] != stuffed - 1 - TF_FRAME_HEADER ? &decoder->bad : NULL;
+}
+
+// A zero ends what stands in the buffer. Returns: whether it is a frame.
+static bool complete_frame(tf_decoder_t *decoder, tf_frame_t *frame) {
+  if (decoder->used == 0) return false; // two zeros in a row
+  uint32_t *fault = fault_of(decoder);
+  decoder->used = 0;
+  decoder->overflowed = false;
+  if (fault != NULL) {
+    ++*fault;
     return false;
   }
-  const uint8_t *header = code + 1;
-  if (header[0] != TF_FRAME_VERSION) {
-    decoder->bad_version++;
-    decoder->version = header[0];
-    return false;
-  }
-  if (header[2] != stuffed - 1 - TF_FRAME_HEADER) {
-    decoder->bad++;
-    return false;
-  }
+  const uint8_t *header = decoder->buffer + 1;
   *frame = (tf_frame_t){.tick = tf_wire_get(header + 7, 8),
                         .sequence = (uint32_t)tf_wire_get(header + 3, 4),
                         .type = header[1],
@@ -142,20 +150,6 @@ static bool unpack_frame(tf_decoder_t *decoder, size_t used,
                         .payload = header + TF_FRAME_HEADER};
   count_accepted(decoder, frame);
   return true;
-}
-
-// A zero ends what stands in the buffer. Returns: whether it is a frame.
-static bool complete_frame(tf_decoder_t *decoder, tf_frame_t *frame) {
-  const size_t used = decoder->used;
-  const bool overflowed = decoder->overflowed;
-  decoder->used = 0;
-  decoder->overflowed = false;
-  if (overflowed) {
-    decoder->too_long++;
-    return false;
-  }
-  if (used == 0) return false; // two zeros in a row
-  return unpack_frame(decoder, used, frame);
 }
 
 TF_API bool tf_decoder_push(tf_decoder_t *decoder, uint8_t byte,

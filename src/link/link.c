@@ -97,11 +97,12 @@ static void describe(tf_link_t *link, const tf_frame_t *frame) {
   set_aside(link, frame, code);
 }
 
-// Whether a `clear` may act: it does so on arrival and not in its turn, because
-// it may be needed to empty a queue that is blocked; so it has no date.
-static int judge_clear(const tf_frame_t *frame, size_t length) {
-  if (length != 0) return TF_ANSWER_LENGTH;
-  return frame->tick != 0 ? TF_ANSWER_FAR : TF_ANSWER_DONE;
+// Whether a new command may wait for its turn. A `clear` acts on arrival,
+// because it may be needed to empty a queue that is blocked; so it has no date.
+static int judge_arrival(const tf_frame_t *frame, size_t length) {
+  const bool is_clear = frame->type == TF_UP_CLEAR;
+  if (length > (is_clear ? 0 : TF_COMMAND_DATA)) return TF_ANSWER_LENGTH;
+  return is_clear && frame->tick != 0 ? TF_ANSWER_FAR : TF_ANSWER_DONE;
 }
 
 // Whether the same command waits for its turn or its answer: then the line has
@@ -129,28 +130,22 @@ static void take_frame(tf_link_t *link, const tf_frame_t *frame) {
   }
   int code = admit(link, frame);
   if (code == TF_ANSWER_OLD && is_waiting(link, frame)) return;
-  if (code != TF_ANSWER_DONE) {
-    set_aside(link, frame, code);
-    return;
-  }
-  const size_t length = frame->length - TF_SESSION_BYTES;
-  if (length > TF_COMMAND_DATA) code = TF_ANSWER_LENGTH;
-  if (frame->type == TF_UP_CLEAR) code = judge_clear(frame, length);
-  if (code != TF_ANSWER_DONE) {
-    use_number(link, frame->sequence);
-    set_aside(link, frame, code);
-    return;
-  }
-  if (frame->type == TF_UP_CLEAR) {
+  const bool is_new = code == TF_ANSWER_DONE;
+  const size_t length = is_new ? frame->length - TF_SESSION_BYTES : 0;
+  if (is_new) code = judge_arrival(frame, length);
+  if (code == TF_ANSWER_DONE && frame->type == TF_UP_CLEAR) {
     link->ignored += link->waiting;
     link->waiting = 0;
   }
-  if (link->waiting == TF_LINK_QUEUE) {
+  if (code == TF_ANSWER_DONE && link->waiting == TF_LINK_QUEUE) {
     link->ignored++;
     return;
   }
-  use_number(link, frame->sequence);
-  keep_command(&link->queue[link->waiting++], frame, length);
+  if (is_new) use_number(link, frame->sequence);
+  if (code == TF_ANSWER_DONE)
+    keep_command(&link->queue[link->waiting++], frame, length);
+  else
+    set_aside(link, frame, code);
 }
 
 TF_API void tf_link_receive(tf_link_t *link, uint8_t byte) {
@@ -213,8 +208,15 @@ static int set_every(tf_link_t *link, const tf_command_t *command) {
   return TF_ANSWER_DONE;
 }
 
-// The parameters are changed in place, and changed back if the machine cannot
-// be prepared from them: a second copy would not fit a small stack.
+// The machine of parameters that were changed in place, where the caller changes
+// them back if it is none: a second copy would not fit a small stack.
+static int prepare_machine(tf_link_t *link, tf_simulation_t *simulation) {
+  const tf_status_t status =
+      tf_prepare(&simulation->machine, &link->params, NULL);
+  if (status == TF_OK) link->describe = true;
+  return status;
+}
+
 static int set_parameter(tf_link_t *link, tf_simulation_t *simulation,
                          tf_command_t *command) {
   const unsigned index = command->data[0];
@@ -231,30 +233,22 @@ static int set_parameter(tf_link_t *link, tf_simulation_t *simulation,
   // holds nevertheless.
   if (!(value >= range->low && value <= range->high)) return TF_BAD_PARAMETER;
   *member = value;
-  const tf_status_t status =
-      tf_prepare(&simulation->machine, &link->params, NULL);
-  if (status != TF_OK) {
-    *member = before;
-    return status;
-  }
-  command->value = value;
-  link->describe = true;
-  return TF_ANSWER_DONE;
+  const int code = prepare_machine(link, simulation);
+  if (code != TF_OK) *member = before;
+  command->value = *member;
+  return code;
 }
 
 static int set_rule(tf_link_t *link, tf_simulation_t *simulation,
                     const tf_command_t *command) {
   const tf_rule_t before = link->params.rule;
   link->params.rule = (tf_rule_t)command->data[0];
-  const tf_status_t status =
-      tf_prepare(&simulation->machine, &link->params, NULL);
-  if (status != TF_OK) {
+  const int code = prepare_machine(link, simulation);
+  if (code == TF_OK)
+    simulation->state.seed = (uint32_t)tf_wire_get(command->data + 1, 4);
+  else
     link->params.rule = before;
-    return status;
-  }
-  simulation->state.seed = (uint32_t)tf_wire_get(command->data + 1, 4);
-  link->describe = true;
-  return TF_ANSWER_DONE;
+  return code;
 }
 
 // Without a payload: the snapshot on the board. With one: a state that the host

@@ -187,13 +187,12 @@ TF_API uint64_t tf_line_asks(const tf_line_t *line, uint32_t every) {
 
 TF_API void tf_read_state(const uint8_t *payload, uint64_t tick,
                           tf_state_t *state) {
-  const size_t real_bytes = TF_REAL_BYTES;
-  *state =
-      (tf_state_t){.r = tf_wire_get_real(payload),
-                   .v = tf_wire_get_real(payload + real_bytes),
-                   .w = tf_wire_get_real(payload + 2 * real_bytes),
-                   .phi = tf_wire_get_real(payload + 3 * real_bytes),
-                   .tick = tick,
-                   .seed = (uint32_t)tf_wire_get(payload + 4 * real_bytes, 4),
-                   .mode = payload[4 * real_bytes + 4]};
+  const uint8_t *behind = payload + 4 * TF_REAL_BYTES;
+  *state = (tf_state_t){.r = tf_wire_get_real(payload),
+                        .v = tf_wire_get_real(payload + TF_REAL_BYTES),
+                        .w = tf_wire_get_real(payload + 2 * TF_REAL_BYTES),
+                        .phi = tf_wire_get_real(payload + 3 * TF_REAL_BYTES),
+                        .tick = tick,
+                        .seed = (uint32_t)tf_wire_get(behind, 4),
+                        .mode = behind[4]};
 }
