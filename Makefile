@@ -56,7 +56,9 @@ WARN := -Wall -Wextra -pedantic -Wconversion -Wsign-conversion \
 CORE_FLAGS := $(COMMON) $(WARN) -Wdouble-promotion -fno-math-errno \
   -ffreestanding
 TOOL_FLAGS := $(COMMON) $(WARN) -Wdouble-promotion -Itools
-# Tests judge in long double, so they promote on purpose.
+# Tests judge in long double, so they promote on purpose. What they test and the
+# reference they judge by are optimised; a test itself is compiled faster.
+TEST_OPT ?= -O1
 TEST_FLAGS := $(COMMON) $(WARN) -Itests -Itests/support -Itests/reference -Isrc
 # Short sums of products of numbers that were just computed: in vectors they
 # would wait for their stores (located step of chaos: 1.15 times the time).
@@ -137,7 +139,8 @@ $(BUILD)/$(1)/src/%.o: src/%.c $(BUILD)/$(1)/flags
 $(BUILD)/$(1)/tools/%.o: tools/%.c $(BUILD)/$(1)/flags
 	$$(call compile,$$(TOOL_FLAGS) $$(TOOL_FLAGS_$$(*F)) $$(FLAGS_$(1)))
 $(BUILD)/$(1)/tests/%.o: tests/%.c $(BUILD)/$(1)/flags
-	$$(call compile,$$(TEST_FLAGS) $$(FLAGS_$(1)))
+	$$(call compile,$$(TEST_FLAGS) $$(if $$(findstring /test_,$$@),\
+	  $$(TEST_OPT)) $$(FLAGS_$(1)))
 
 $(BUILD)/$(1)/libtwofold.a: $$(call objects_of_$(1),$(CORE))
 	$$(archive)

@@ -145,7 +145,6 @@ def sanitize(compiler):
     # the time of the tests.
     if compiler == "clang":
         os.environ["ASAN_OPTIONS"] = "detect_stack_use_after_return=1"
-    os.environ["TIMEOUT"] = "900"
     few, real = [], ""
     if not FULL:
         rooms, real = {
@@ -183,11 +182,10 @@ def coverage():
         ("float", ("law", "golden", "regress", "unit/analysis")))
         for test in tests_in(*(f"tests/{room}" for room in rooms))
         if not test.endswith("/test_branch.c")]
-    if not build("CC=gcc", f"BUILD={place}", "OPT=-O0",
+    if not build("CC=gcc", f"BUILD={place}", "OPT=-O0", "TEST_OPT=",
                  f"TESTS={' '.join(tests_in('tests'))}", "EXTRA=--coverage "
                  "-Dalways_inline=unused -fkeep-inline-functions", *programs):
         wrong("tests do not compile for coverage")
-    os.environ["TIMEOUT"] = "900"
     passes("tests fail", "tests/run", *programs)
     if told("grep", "-rnE", "GCOVR?_EXCL|LCOV_EXCL", "src")[0]:
         wrong("lines are left out: no comment excuses a line")
@@ -248,7 +246,6 @@ def hostile():
     frames = os.environ.setdefault("HOSTILE_FRAMES",
                                    "1000000" if FULL else "100000")
     os.environ.setdefault("HOSTILE_SECONDS", "300")
-    os.environ["TIMEOUT"] = "800"
     place, test = BUILD / "hostile", "tests/line/test_hostile.py"
     if not build("CC=gcc", f"BUILD={place}", "OPT=-O1", f"EXTRA={SANITIZERS}",
                  f"TESTS={test}", "test"):
