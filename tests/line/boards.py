@@ -145,8 +145,9 @@ class Line:
     def describe(self):
         """Asks the board who it is: its session and our next number."""
         os.write(self.line, framed(DESCRIBE, 0, 0, b""))
-        schema = self.listen(lambda frame: frame[0] == SCHEMA and
-                             any(frame[3][13:17]))[3]
+        self.listen(lambda frame: frame[0] == ANSWER and
+                    frame[3][4] == DESCRIBE)
+        schema = self.listen(lambda frame: frame[0] == SCHEMA)[3]
         self.session = schema[13:17]
         self.number = struct.unpack_from("<I", schema, 17)[0]
 

@@ -105,6 +105,8 @@ static void take_answer(hil_board_t *board, const tf_frame_t *frame) {
     if (board->has_answer) return;
     board->answer = value == TF_ANSWER_OLD && board->tries > 1 ? 0 : value;
     board->has_answer = true;
+    // Schemas of before may have waited on the line, and name old numbers.
+    if (type == TF_UP_DESCRIBE) board->session = 0;
     return;
   }
   if (type == TF_UP_STOP && sequence == board->stop_number && value == 0) {

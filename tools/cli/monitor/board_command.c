@@ -174,8 +174,9 @@ static uint8_t *put_data(uint8_t *at, const cli_board_command_t *command,
              : at;
 }
 
-// Whether the board has described itself since it was asked to. That tells the
-// real type, the session and the numbers that are still free.
+// Whether the board has described itself since it answered `describe`: a schema
+// of before may have waited on the line, and name old numbers. It has the real
+// type, the session and the numbers that are still free.
 static bool is_described(const cli_board_commands_t *commands,
                          const cli_receiver_t *receiver) {
   return receiver->schemas > commands->schemas && receiver->session != 0;
@@ -192,10 +193,8 @@ size_t cli_board_commands_next(cli_board_commands_t *commands,
   if (!asks && !is_described(commands, receiver)) {
     return 0;
   }
-  if (asks) {
-    commands->schemas = receiver->schemas;
-  } else if (receiver->session != commands->session ||
-             receiver->sequence > commands->sequence) {
+  if (!asks && (receiver->session != commands->session ||
+                receiver->sequence > commands->sequence)) {
     commands->session = receiver->session;
     commands->sequence = receiver->sequence;
   }
@@ -288,6 +287,9 @@ const char *cli_board_commands_answer(cli_board_commands_t *commands,
                     code == 0 ? "" : reason_of(code, commands->sent),
                     frame->tick, range,
                     at[6] == TF_INPUT_SAFE ? "; inputs had expired" : "");
+  if (command->type == TF_UP_DESCRIBE) {
+    commands->schemas = receiver->schemas;
+  }
   commands->refused += code != 0;
   commands->waiting = false;
   commands->next++;

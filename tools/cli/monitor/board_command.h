@@ -26,7 +26,7 @@ typedef struct {
   uint32_t session;  ///< that the last command named
   uint32_t sequence; ///< number of the next command
   uint32_t sent;     ///< number of the command whose answer is awaited
-  uint64_t schemas;  ///< that had come when the board was asked for one
+  uint64_t schemas;  ///< that had come when the board answered `describe`
   size_t refused;
   bool has_key;
   uint8_t key[TF_KEY_BYTES];
