@@ -20,137 +20,13 @@
 #include "../text/message.h"
 #include "twofold.h"
 
-#define CANVAS_COLUMNS 256
-#define CANVAS_ROWS 128
-
-// What a cell shows: a dot of a mode (tf_mode_t), or one of these. Its number
-// and 1 is kept, 0 where it shows nothing.
-enum { INK_AXIS = 14, INK_NOW = 15 };
-
-typedef struct {
-  double low, high;
-} extent_t;
-
-typedef struct {
-  int columns, rows; // cells
-  extent_t x, y;
-  uint8_t dots[CANVAS_ROWS][CANVAS_COLUMNS]; // of braille
-  uint8_t ink[CANVAS_ROWS][CANVAS_COLUMNS];  // of the last dot
-} canvas_t;
+#define COLUMNS 512 // that are drawn at most, and rows
+#define ROWS 144
 
 static struct {
   bool utf8, colour; // that it takes
   int columns, rows; // when it was last looked at
 } terminal;
-
-// A cell of braille has two columns of four dots, so a terminal of 80 columns
-// shows a plane of 160 dots. Where the terminal is not known to take UTF-8 a
-// cell is one mark, that of the mode of its last dot.
-
-// Dot of a value among n, -1 outside.
-static int place(const extent_t *extent, double value, int n) {
-  const double at = (value - extent->low) / (extent->high - extent->low) * n;
-  return at >= 0 && at < n ? (int)at : -1;
-}
-
-static void set_dot(canvas_t *canvas, int column, int row, unsigned ink) {
-  static const uint8_t bits[4][2] = {
-      {0x01, 0x08}, {0x02, 0x10}, {0x04, 0x20}, {0x40, 0x80}};
-  uint8_t *there = &canvas->ink[row / 4][column / 2];
-  if (ink == INK_AXIS && *there != 0 && *there != INK_AXIS + 1) {
-    return; // what moves hides the axes
-  }
-  canvas->dots[row / 4][column / 2] |= bits[row % 4][column % 2];
-  *there = (uint8_t)(ink + 1);
-}
-
-// Empties it but for the lines x = 0 and y = 0, where they are within the
-// extents.
-static void canvas_clear(canvas_t *canvas, int columns, int rows, extent_t x,
-                         extent_t y) {
-  memset(canvas, 0, sizeof *canvas);
-  canvas->columns = columns < CANVAS_COLUMNS ? columns : CANVAS_COLUMNS;
-  canvas->rows = rows < CANVAS_ROWS ? rows : CANVAS_ROWS;
-  canvas->x = x;
-  canvas->y = y;
-  const int column = place(&canvas->x, 0, 2 * canvas->columns);
-  const int row = place(&canvas->y, 0, 4 * canvas->rows);
-  for (int i = 0; row >= 0 && i < 2 * canvas->columns; i += 2) {
-    set_dot(canvas, i, 4 * canvas->rows - 1 - row, INK_AXIS);
-  }
-  for (int i = 0; column >= 0 && i < 4 * canvas->rows; i += 2) {
-    set_dot(canvas, column, i, INK_AXIS);
-  }
-}
-
-static void canvas_dot(canvas_t *canvas, double x, double y, unsigned ink) {
-  const int column = place(&canvas->x, x, 2 * canvas->columns);
-  const int row = place(&canvas->y, y, 4 * canvas->rows);
-  if (column >= 0 && row >= 0) {
-    set_dot(canvas, column, 4 * canvas->rows - 1 - row, ink);
-  }
-}
-
-// From TF_MODES on the mark of several futures.
-static char mark_of(unsigned mode) {
-  static const char marks[TF_MODES + 2] = "+-PMo?";
-  return marks[mode < TF_MODES ? mode : TF_MODES];
-}
-
-// Colours of every terminal; those of the modes differ in brightness, too.
-static void add_colour(unsigned ink, cli_buffer_t *text) {
-  static const char *const codes[TF_MODES] = {
-      "\033[33m", "\033[94m", "\033[32m", "\033[95m", "\033[31m"};
-  if (!terminal.colour) {
-    return;
-  }
-  if (ink > 0 && ink <= TF_MODES) {
-    cli_add(text, codes[ink - 1]);
-  } else if (ink == INK_AXIS + 1) {
-    cli_add(text, "\033[90m");
-  } else if (ink == INK_NOW + 1) {
-    cli_add(text, "\033[1m");
-  } else {
-    cli_add(text, "\033[m");
-  }
-}
-
-static void add_cell(const canvas_t *canvas, int row, int column,
-                     cli_buffer_t *text) {
-  const unsigned dots = canvas->dots[row][column];
-  const unsigned ink = canvas->ink[row][column];
-  char cell[4] = " ";
-  if (ink == INK_NOW + 1) {
-    cli_add(text, terminal.utf8 ? "\xe2\x97\x8f" : "@"); // a black circle
-    return;
-  }
-  if (ink != 0 && terminal.utf8) {
-    cell[0] = (char)0xe2; // U+2800 and the dots
-    cell[1] = (char)(0xa0 + (dots >> 6));
-    cell[2] = (char)(0x80 + (dots & 63u));
-  } else if (ink == INK_AXIS + 1) {
-    cell[0] = '.';
-  } else if (ink != 0) {
-    cell[0] = mark_of(ink - 1);
-  }
-  cli_add(text, cell);
-}
-
-static void canvas_row(const canvas_t *canvas, int row, cli_buffer_t *text) {
-  unsigned before = 0;
-  for (int column = 0; column < canvas->columns; column++) {
-    const unsigned ink = canvas->ink[row][column];
-    if (ink != before) {
-      add_colour(0, text);
-      add_colour(ink, text);
-      before = ink;
-    }
-    add_cell(canvas, row, column, text);
-  }
-  if (before != 0) {
-    add_colour(0, text);
-  }
-}
 
 // Another page; no cursor; long lines end at the edge.
 #define TAKE "\033[?1049h\033[?25l\033[?7l\033[2J"
@@ -221,8 +97,140 @@ static bool take_terminal(void) {
 static const char *measure_terminal(void) {
   const int columns = terminal.columns, rows = terminal.rows;
   cli_terminal_size(&terminal.columns, &terminal.rows);
+  terminal.columns = terminal.columns < COLUMNS ? terminal.columns : COLUMNS;
   return columns != terminal.columns || rows != terminal.rows ? "\033[2J\033[H"
                                                               : "\033[H";
+}
+
+// The canvas: all that is drawn is put into its cells, and what lies beyond the
+// edge is left out. An ink has a colour, and a mark where the terminal is not
+// known to take UTF-8. A cell of braille has two columns of four dots, so a
+// terminal of 80 columns shows a plane of 160 dots.
+
+#define BRAILLE 0x2800u // without dots
+#define BLOCK 0x2585u   // lower half
+#define BORDER 0x2502u  // a vertical line
+#define CIRCLE 0x25cfu
+#define DRAWING_ROOM (1 << 20) // all cells, each with its colour
+
+// The first inks are those of the modes, and 1; colours of every terminal,
+// which for the modes differ in brightness, too.
+enum { NO_INK, AMBIGUOUS = TF_MODES + 1, AXIS, NOW, FRAME, INKS };
+static const char marks[INKS + 1] = " +-PMo?.@|";
+static const char *const colours[INKS] = {
+    "",         "\033[33m", "\033[94m", "\033[32m", "\033[95m",
+    "\033[31m", "",         "\033[90m", "\033[1m",  ""};
+
+typedef struct {
+  uint16_t glyph; // a byte as it is, or a character; 0: blank
+  uint8_t ink;
+} cell_t;
+
+static cell_t cells[ROWS][COLUMNS];
+static char drawing[DRAWING_ROOM];
+
+// NULL beyond the edge.
+static cell_t *cell_at(int row, int column) {
+  return row < ROWS && column < terminal.columns ? &cells[row][column] : NULL;
+}
+
+static void put_cell(int row, int column, unsigned glyph, unsigned ink) {
+  cell_t *cell = cell_at(row, column);
+  if (cell != NULL) {
+    *cell = (cell_t){(uint16_t)glyph, (uint8_t)ink};
+  }
+}
+
+CLI_PRINTF(3, 4)
+static void put_text(int row, int column, const char *format, ...) {
+  char text[COLUMNS + 1];
+  va_list arguments;
+  va_start(arguments, format);
+  (void)vsnprintf(text, sizeof text, format, arguments);
+  va_end(arguments);
+  for (int i = 0; text[i] != '\0'; i++) {
+    put_cell(row, column + i, (unsigned char)text[i], NO_INK);
+  }
+}
+
+static void add_cell(const cell_t *cell, cli_buffer_t *text) {
+  const unsigned glyph = cell->glyph;
+  char bytes[4] = " ";
+  if (glyph > 0 && glyph < 256) {
+    bytes[0] = (char)glyph;
+  } else if (glyph > 0 && !terminal.utf8) {
+    bytes[0] = marks[cell->ink];
+  } else if (glyph > 0) {
+    bytes[0] = (char)(0xe0 | glyph >> 12);
+    bytes[1] = (char)(0x80 | (glyph >> 6 & 63u));
+    bytes[2] = (char)(0x80 | (glyph & 63u));
+  }
+  cli_add(text, bytes);
+}
+
+static void add_row(const cell_t *row, cli_buffer_t *text) {
+  int used = COLUMNS;
+  unsigned ink = NO_INK;
+  while (used > 0 && row[used - 1].glyph == 0) {
+    used--;
+  }
+  for (int i = 0; i <= used; i++) {
+    const unsigned next = i < used ? row[i].ink : (unsigned)NO_INK;
+    if (next != ink && terminal.colour) {
+      cli_add(text, ink != NO_INK ? "\033[m" : "");
+      cli_add(text, colours[next]);
+    }
+    ink = next;
+    if (i < used) {
+      add_cell(&row[i], text);
+    }
+  }
+}
+
+// A plane on the canvas, of so many cells from a corner on.
+typedef struct {
+  double low, high;
+} extent_t;
+typedef struct {
+  int row, column, rows, columns;
+  extent_t x, y;
+} plane_t;
+
+// Dot of a value among n, -1 outside.
+static int place(const extent_t *extent, double value, int n) {
+  const double at = (value - extent->low) / (extent->high - extent->low) * n;
+  return at >= 0 && at < n ? (int)at : -1;
+}
+
+// The row counts from below.
+static void put_dot(const plane_t *plane, int column, int row, unsigned ink) {
+  static const uint8_t bits[4][2] = {
+      {0x40, 0x80}, {0x04, 0x20}, {0x02, 0x10}, {0x01, 0x08}};
+  cell_t *cell = column < 0 || row < 0
+                     ? NULL
+                     : cell_at(plane->row + plane->rows - 1 - row / 4,
+                               plane->column + column / 2);
+  if (cell != NULL) {
+    const unsigned dots = cell->glyph | BRAILLE | bits[row % 4][column % 2];
+    *cell = (cell_t){(uint16_t)(ink == NOW ? CIRCLE : dots), (uint8_t)ink};
+  }
+}
+
+static void plot(const plane_t *plane, double x, double y, unsigned ink) {
+  put_dot(plane, place(&plane->x, x, 2 * plane->columns),
+          place(&plane->y, y, 4 * plane->rows), ink);
+}
+
+// The lines x = 0 and y = 0, where they are within the extents.
+static void plot_axes(const plane_t *plane) {
+  const int column = place(&plane->x, 0, 2 * plane->columns);
+  const int row = place(&plane->y, 0, 4 * plane->rows);
+  for (int i = 0; i < 2 * plane->columns; i += 2) {
+    put_dot(plane, i, row, AXIS);
+  }
+  for (int i = 1; i < 4 * plane->rows; i += 2) {
+    put_dot(plane, column, i, AXIS);
+  }
 }
 
 // What is drawn. The time that is kept is divided into buckets, each with the
@@ -232,14 +240,14 @@ static const char *measure_terminal(void) {
 
 #define DRAW_EVERY 0.1 // [s]
 #define BUCKETS 8192
-#define DRAWING_ROOM (1 << 20) // all cells, each with its colour
 #define SAID_ROOM 65536
 #define LANES (TF_MODES + 1) // one a mode, and one for several futures
 #define LABEL 10             // columns of a lane's name
-#define HEAD 2               // lines above the planes
-#define FOOT 2               // lines below the lanes
+#define HEAD 3               // lines above the planes
+#define FOOT (LANES + 2)     // lines below them
+#define MOST_ROWS 128        // of a plane
 #define MIN_COLUMNS 40
-#define MIN_ROWS (HEAD + 1 + 4 + LANES + FOOT)
+#define MIN_ROWS (HEAD + 4 + FOOT)
 
 typedef struct {
   double t, r, v, omega, h, g;
@@ -256,10 +264,8 @@ struct cli_live {
   double span, next;
   uint64_t newest; // number of a bucket, 0: none
   point_t last;
-  extent_t r, omega, h, g;
-  canvas_t left, right;
+  plane_t left, right;  // (g, h) and (r, omega)
   char said[SAID_ROOM]; // messages
-  char drawing[DRAWING_ROOM];
   bucket_t bucket[BUCKETS];
 };
 
@@ -316,7 +322,8 @@ static void fit(extent_t *extent, double low, double high) {
 }
 
 static void fit_all(cli_live_t *live) {
-  extent_t *const extents[4] = {&live->r, &live->omega, &live->h, &live->g};
+  extent_t *const extents[4] = {&live->right.x, &live->right.y, &live->left.y,
+                                &live->left.x};
   for (int i = 0; i < 4; i++) {
     double low = (double)INFINITY, high = -(double)INFINITY;
     for (uint64_t back = 0; back < BUCKETS; back++) {
@@ -330,23 +337,6 @@ static void fit_all(cli_live_t *live) {
     }
     fit(extents[i], low, high);
   }
-}
-
-static void plot_dot(cli_live_t *live, const point_t *at, unsigned ink) {
-  canvas_dot(&live->left, at->g, at->h, ink);
-  canvas_dot(&live->right, at->r, at->omega, ink);
-}
-
-static void plot(cli_live_t *live, int columns, int rows) {
-  canvas_clear(&live->left, columns, rows, live->g, live->h);
-  canvas_clear(&live->right, columns, rows, live->r, live->omega);
-  for (uint64_t back = BUCKETS; back > 0; back--) {
-    const bucket_t *bucket = bucket_at(live, back - 1);
-    if (bucket != NULL) {
-      plot_dot(live, &bucket->last, bucket->last.mode);
-    }
-  }
-  plot_dot(live, &live->last, INK_NOW);
 }
 
 // The modes within a column of the lanes, of so many columns.
@@ -364,116 +354,108 @@ static unsigned modes_in(const cli_live_t *live, int column, int columns) {
   return modes;
 }
 
-// As printf does, and cut off at so many columns.
-CLI_PRINTF(3, 4)
-static void add_cut(cli_buffer_t *text, int columns, const char *format, ...) {
-  char cut[CANVAS_COLUMNS + 1];
-  const int room = columns < CANVAS_COLUMNS ? columns : CANVAS_COLUMNS;
-  va_list arguments;
-  va_start(arguments, format);
-  (void)vsnprintf(cut, (size_t)room + 1, format, arguments);
-  va_end(arguments);
-  cli_add(text, cut);
+// One of them; x, y: in, names of its axes. digits: in, of their ends.
+static void draw_plane(plane_t *plane, int column, int rows, const char *x,
+                       const char *y, int digits) {
+  plane->row = HEAD;
+  plane->column = column;
+  plane->rows = rows;
+  plane->columns = terminal.columns / 2 - 1;
+  put_text(HEAD - 1, column - 1, " %s %.*g..%.*g, %s %.*g..%.*g", y, digits,
+           plane->y.low, digits, plane->y.high, x, digits, plane->x.low, digits,
+           plane->x.high);
+  for (int row = HEAD; row < HEAD + rows; row++) {
+    put_cell(row, column - 1, BORDER, FRAME);
+  }
+  plot_axes(plane);
 }
 
-static void add_lane(const cli_live_t *live, unsigned lane, int columns,
-                     cli_buffer_t *text) {
-  char mark[2] = {mark_of(lane), '\0'};
-  add_cut(text, LABEL, "%-*s", LABEL,
-          lane < TF_MODES ? tf_mode_name(lane) : "ambiguous");
-  add_colour(lane < TF_MODES ? lane + 1 : 0, text);
+static void plot_point(const cli_live_t *live, const point_t *at,
+                       unsigned ink) {
+  plot(&live->left, at->g, at->h, ink);
+  plot(&live->right, at->r, at->omega, ink);
+}
+
+static void draw_planes(cli_live_t *live, int rows) {
+  draw_plane(&live->left, 1, rows, "g", "h", 2);
+  draw_plane(&live->right, terminal.columns / 2 + 1, rows, "r", "omega", 3);
+  for (uint64_t back = BUCKETS; back > 0; back--) {
+    const bucket_t *bucket = bucket_at(live, back - 1);
+    if (bucket != NULL) {
+      plot_point(live, &bucket->last, bucket->last.mode + 1);
+    }
+  }
+  plot_point(live, &live->last, NOW);
+}
+
+static void draw_lane(const cli_live_t *live, int row, unsigned lane) {
+  const int columns = terminal.columns - LABEL;
+  put_text(row, 0, "%s", lane < TF_MODES ? tf_mode_name(lane) : "ambiguous");
   for (int i = 0; i < columns; i++) {
-    const bool there = (modes_in(live, i, columns) >> lane & 1u) != 0;
-    cli_add(text, !there          ? " "
-                  : terminal.utf8 ? "\xe2\x96\x85" // a lower block
-                                  : mark);
-  }
-  add_colour(0, text);
-}
-
-static void add_planes(cli_live_t *live, int columns, int rows,
-                       const char *newline, cli_buffer_t *text) {
-  const char *border = terminal.utf8 ? "\xe2\x94\x82" : "|"; // a vertical line
-  const int width = columns / 2 - 1;
-  char left[128], right[128], line[256];
-  plot(live, width, rows);
-  (void)snprintf(left, sizeof left, "h %.2g..%.2g, g %.2g..%.2g", live->h.low,
-                 live->h.high, live->g.low, live->g.high);
-  (void)snprintf(right, sizeof right, "omega %.3g..%.3g, r %.3g..%.3g",
-                 live->omega.low, live->omega.high, live->r.low, live->r.high);
-  (void)snprintf(line, sizeof line, " %-*.*s %s", width, width, left, right);
-  add_cut(text, columns, "%s", line);
-  for (int row = 0; row < live->left.rows; row++) {
-    cli_add(text, newline);
-    cli_add(text, border);
-    canvas_row(&live->left, row, text);
-    cli_add(text, border);
-    canvas_row(&live->right, row, text);
+    if ((modes_in(live, i, columns) >> lane & 1u) != 0) {
+      put_cell(row, LABEL + i, BLOCK, lane + 1);
+    }
   }
 }
 
-static void add_scale(const cli_live_t *live, int columns, cli_buffer_t *text) {
+static void draw_scale(const cli_live_t *live, int row) {
   const double end = fmax(live->span, live->last.t);
-  char low[32], high[32];
-  (void)snprintf(low, sizeof low, "%.4g", end - live->span);
-  (void)snprintf(high, sizeof high, "%.4g s", end);
-  add_cut(text, columns, "%-*s%-*s%s", LABEL, "t",
-          columns - LABEL - (int)strlen(high), low, high);
+  char high[32];
+  const int length = snprintf(high, sizeof high, "%.4g s", end);
+  put_text(row, 0, "%-*s%.4g", LABEL, "t", end - live->span);
+  put_text(row, terminal.columns - length, "%s", high);
 }
 
-static void add_state(const cli_live_t *live, int columns, cli_buffer_t *text) {
+// Draws all of it on the canvas. Returns: how many rows.
+static int compose(cli_live_t *live, const char *title) {
   const point_t *at = &live->last;
-  add_cut(text, columns,
-          "t = %.4f s  %-6s  %u possible  r=%.3g omega=%.3g h=%.3g g=%.3g "
-          "v=%.3g",
-          at->t, tf_mode_name(at->mode), at->choices, at->r, at->omega, at->h,
-          at->g, at->v);
-}
-
-static void compose(cli_live_t *live, const char *title, const char *newline,
-                    cli_buffer_t *text) {
-  const int columns = terminal.columns < 2 * CANVAS_COLUMNS
-                          ? terminal.columns
-                          : 2 * CANVAS_COLUMNS;
-  const char *last = strrchr(live->said, '\n');
-  add_cut(text, columns, "%s", title);
-  cli_add(text, newline);
-  add_state(live, columns, text);
-  cli_add(text, newline);
+  const char *said = strrchr(live->said, '\n');
+  memset(cells, 0, sizeof cells);
+  put_text(0, 0, "%s", title);
+  put_text(1, 0,
+           "t = %.4f s  %-6s  %u possible  r=%.3g omega=%.3g h=%.3g g=%.3g "
+           "v=%.3g",
+           at->t, tf_mode_name(at->mode), at->choices, at->r, at->omega, at->h,
+           at->g, at->v);
   if (live->newest == 0) {
-    add_cut(text, columns, "(nothing yet)");
-    return;
+    put_text(2, 0, "(nothing yet)");
+    return HEAD;
   }
-  if (columns < MIN_COLUMNS || terminal.rows < MIN_ROWS) {
-    add_cut(text, columns, "(the planes need %d x %d)", MIN_COLUMNS, MIN_ROWS);
-    return;
+  if (terminal.columns < MIN_COLUMNS || terminal.rows < (int)MIN_ROWS) {
+    put_text(2, 0, "(the planes need %d x %d)", MIN_COLUMNS, (int)MIN_ROWS);
+    return HEAD;
   }
+  const int rows = terminal.rows - HEAD - (int)FOOT;
+  const int row = HEAD + (rows < MOST_ROWS ? rows : MOST_ROWS);
   fit_all(live);
-  add_planes(live, columns, terminal.rows - HEAD - 1 - (int)LANES - FOOT,
-             newline, text);
-  cli_add(text, newline);
+  draw_planes(live, row - HEAD);
   for (unsigned lane = 0; lane < LANES; lane++) {
-    add_lane(live, lane, columns - LABEL, text);
-    cli_add(text, newline);
+    draw_lane(live, row + (int)lane, lane);
   }
-  add_scale(live, columns, text);
-  if (live->said[0] != '\0') {
-    cli_add(text, newline);
-  }
-  add_cut(text, columns, "%s", last != NULL ? last + 1 : live->said);
+  draw_scale(live, row + (int)LANES);
+  put_text(row + (int)LANES + 1, 0, "%s", said != NULL ? said + 1 : live->said);
+  return row + (int)LANES + 1 + (live->said[0] != '\0');
 }
 
 bool cli_live_due(const cli_live_t *live, double now) {
   return live != NULL && now >= live->next;
 }
 
+// The text of a picture.
+static void write_rows(int rows, const char *newline, cli_buffer_t *text) {
+  for (int row = 0; row < rows; row++) {
+    cli_add(text, row > 0 ? newline : "");
+    add_row(cells[row], text);
+  }
+}
+
 void cli_live_draw(cli_live_t *live, const char *title, double now) {
-  cli_buffer_t text = {live->drawing, 0, sizeof live->drawing, false};
+  cli_buffer_t text = {drawing, 0, sizeof drawing, false};
   live->next = now + DRAW_EVERY;
   cli_add(&text, measure_terminal());
-  compose(live, title, LINE_END, &text);
+  write_rows(compose(live, title), LINE_END, &text);
   cli_add(&text, END);
-  put(live->drawing, true);
+  put(drawing, true);
   if (cli_key_pressed('q')) {
     cli_ask_for_stop();
   }
@@ -483,16 +465,16 @@ void cli_live_close(cli_live_t *live, const char *title) {
   if (live == NULL) {
     return;
   }
-  cli_buffer_t text = {live->drawing, 0, sizeof live->drawing, false};
+  cli_buffer_t text = {drawing, 0, sizeof drawing, false};
   cli_message_divert(NULL, 0);
   (void)measure_terminal();
   terminal.rows--; // the line of the prompt that follows
-  compose(live, title, "\n", &text);
+  write_rows(compose(live, title), "\n", &text);
   cli_add(&text, "\n");
   put(GIVE_BACK, false);
   cli_keys_end();
   cli_restore_on_stop(NULL);
-  put(live->drawing, false);
+  put(drawing, false);
   for (char *line = strtok(live->said, "\n"); line != NULL;
        line = strtok(NULL, "\n")) {
     (void)cli_message(CLI_DONE, "%s", line);
