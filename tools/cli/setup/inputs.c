@@ -3,6 +3,7 @@
 
 #include "inputs.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "../text/buffer.h"

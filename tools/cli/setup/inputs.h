@@ -12,8 +12,6 @@
 /// Before the first row and after the last one inputs are those of that row.
 #pragma once
 
-#include <stdio.h>
-
 #include "setup.h"
 
 /// The columns of a table.
@@ -52,10 +50,11 @@ bool cli_inputs_add(cli_inputs_t *inputs, const cli_input_row_t *row);
 /// table without rows, which changes nothing.
 int cli_inputs_of_scene(cli_inputs_t *inputs, const tf_scene_t *scene);
 
-/// Reads a table from an open file: CSV with the header `t,...`; lines that
-/// begin with # are comments.
+/// Reads a table from text: CSV with the header `t,...`; lines that begin with #
+/// are comments.
 /// inputs: in/out; linear is set by the caller. name: in, kept, for messages.
-int cli_inputs_parse(cli_inputs_t *inputs, const char *name, FILE *file);
+int cli_inputs_parse(cli_inputs_t *inputs, const char *name, const char *text,
+                     size_t size);
 
 /// CRC-32 of all that a table gives: columns, what holds between rows, rows. 0
 /// without rows.

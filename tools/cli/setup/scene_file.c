@@ -4,10 +4,11 @@
 
 #include "scene_file.h"
 
-#include <errno.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "../text/lines.h"
 #include "../text/message.h"
 #include "../text/number.h"
 #include "setup.h"
@@ -20,11 +21,11 @@
 typedef struct {
   cli_scene_file_t *file;
   const char *path;
-  unsigned line;          // the present one, from 1
-  unsigned given[KEYS];   // line that gave the key, 0: none
-  bool is_based;          // on another scene
-  bool has_speed;         // v or h is given
-  char place[PLACE_ROOM]; // "PATH:LINE:" of the present line
+  cli_lines_t lines;
+  unsigned long given[KEYS]; // line that gave the key, 0: none
+  bool is_based;             // on another scene
+  bool has_speed;            // v or h is given
+  char place[PLACE_ROOM];    // "PATH:LINE:" of the present line
 } reader_t;
 
 // A key that is no parameter. at: of its member in cli_scene_file_t, where one
@@ -36,8 +37,8 @@ typedef struct key {
   bool needed; // unless the scene is based on another one
 } scene_key_t;
 
-static const char *place_of(reader_t *reader, unsigned line) {
-  (void)snprintf(reader->place, sizeof reader->place, "%s:%u:", reader->path,
+static const char *place_of(reader_t *reader, unsigned long line) {
+  (void)snprintf(reader->place, sizeof reader->place, "%s:%lu:", reader->path,
                  line);
   return reader->place;
 }
@@ -138,7 +139,7 @@ static int read_profile(reader_t *reader, const scene_key_t *key, char *text) {
 
 static int read_base(reader_t *reader, const scene_key_t *key, char *text) {
   for (size_t i = 0; i < KEYS; i++) {
-    if (reader->given[i] != 0 && reader->given[i] != reader->line) {
+    if (reader->given[i] != 0 && reader->given[i] != reader->lines.line) {
       return cli_message(CLI_USAGE, "%s %s: must be the first key",
                          reader->place, key->name);
     }
@@ -261,58 +262,45 @@ static int find_key(const reader_t *reader, const char *name, size_t *key) {
 
 static int read_line(reader_t *reader, char *line) {
   line[strcspn(line, "#")] = '\0';
-  line += strspn(line, " \t");
-  for (size_t end = strlen(line);
-       end > 0 && strchr(" \t\r", line[end - 1]) != NULL; end--) {
-    line[end - 1] = '\0';
-  }
+  line = cli_trim(line);
   if (*line == '\0') {
     return CLI_DONE;
   }
-  char *value = line + strcspn(line, " \t=");
-  const bool equals = value[strspn(value, " \t")] == '=';
-  char *rest = value + strspn(value, " \t") + (equals ? 1 : 0);
-  rest += strspn(rest, " \t");
-  *value = '\0';
+  char *end = line + strcspn(line, " \t=");
+  char *value = end + strspn(end, " \t");
+  value = cli_trim(*value == '=' ? value + 1 : value);
+  *end = '\0';
   size_t key = 0;
   CLI_TRY(find_key(reader, line, &key));
-  if (*rest == '\0') {
+  if (*value == '\0') {
     return cli_message(CLI_USAGE, "%s %s: expected a value", reader->place,
                        line);
   }
   if (reader->given[key] != 0) {
-    return cli_message(CLI_USAGE, "%s %s was already given in line %u",
+    return cli_message(CLI_USAGE, "%s %s was already given in line %lu",
                        reader->place, line, reader->given[key]);
   }
-  reader->given[key] = reader->line;
-  return read_value(reader, key, rest);
+  reader->given[key] = reader->lines.line;
+  return read_value(reader, key, value);
 }
 
-static int read_lines(reader_t *reader, const char *text, size_t size) {
+static int read_lines(reader_t *reader) {
   char line[LINE_ROOM];
-  while (size > 0) {
-    const char *newline = memchr(text, '\n', size);
-    const size_t length = newline != NULL ? (size_t)(newline - text) : size;
-    const size_t taken = newline != NULL ? length + 1 : length;
-    reader->line++;
-    (void)place_of(reader, reader->line);
-    if (length >= sizeof line) {
+  while (cli_next_line(&reader->lines, line, sizeof line)) {
+    (void)place_of(reader, reader->lines.line);
+    if (reader->lines.length >= sizeof line) {
       return cli_message(CLI_USAGE, "%s the line has more than %zu characters",
                          reader->place, sizeof line - 1);
     }
-    for (size_t i = 0; i < length; i++) {
-      const unsigned char byte = (unsigned char)text[i];
+    for (size_t i = 0; i < reader->lines.length; i++) {
+      const unsigned char byte = (unsigned char)line[i];
       if ((byte < ' ' && byte != '\t' && byte != '\r') || byte > '~') {
         return cli_message(CLI_USAGE,
                            "%s column %zu: byte %u is not ASCII text",
                            reader->place, i + 1, byte);
       }
     }
-    memcpy(line, text, length);
-    line[length] = '\0';
     CLI_TRY(read_line(reader, line));
-    text += taken;
-    size -= taken;
   }
   return CLI_DONE;
 }
@@ -388,14 +376,14 @@ static int name_it(reader_t *reader) {
 
 int cli_scene_parse(cli_scene_file_t *file, const char *path, const char *text,
                     size_t size) {
-  reader_t reader = {.file = file, .path = path};
+  reader_t reader = {
+      .file = file, .path = path, .lines = {path, text, size, 0, 0, false}};
   memset(file, 0, sizeof *file);
   if (size > CLI_SCENE_BYTES) {
     return cli_message(CLI_USAGE, "%s: longer than %d bytes, no scene", path,
                        CLI_SCENE_BYTES);
   }
-  const size_t skipped = cli_utf8_mark(text, size);
-  CLI_TRY(read_lines(&reader, text + skipped, size - skipped));
+  CLI_TRY(read_lines(&reader));
   CLI_TRY(check_start(&reader));
   CLI_TRY(check_parameters(&reader));
   CLI_TRY(name_it(&reader));
@@ -406,19 +394,15 @@ int cli_scene_parse(cli_scene_file_t *file, const char *path, const char *text,
 }
 
 static int read_file(cli_scene_file_t *file, const char *path) {
-  char text[CLI_SCENE_BYTES + 1];
-  FILE *opened = fopen(path, "r");
-  if (opened == NULL) {
-    return cli_message(CLI_USAGE, "%s: %s", path, strerror(errno));
+  char *text = NULL;
+  size_t size = 0;
+  CLI_TRY(cli_read_text("", path, CLI_SCENE_BYTES, &text, &size));
+  int code = cli_scene_parse(file, path, text, size);
+  if (code == CLI_DONE && text[size - 1] != '\n') {
+    code = cli_note_open(path);
   }
-  const size_t size = fread(text, 1, sizeof text, opened);
-  const int error = ferror(opened) != 0 ? errno : 0;
-  (void)fclose(opened);
-  if (error != 0) {
-    return cli_message(CLI_USAGE, "%s: %s", path, strerror(error));
-  }
-  CLI_TRY(cli_scene_parse(file, path, text, size));
-  return text[size - 1] != '\n' ? cli_note_open(path) : CLI_DONE;
+  free(text);
+  return code;
 }
 
 // Scenes by name, or from a file. A word with a point or a slash names a file,

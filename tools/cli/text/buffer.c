@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "lines.h"
 #include "number.h"
 
 static void add_bytes(cli_buffer_t *buffer, const char *bytes, size_t length) {
@@ -79,4 +80,38 @@ void *cli_grow(void *list, size_t used, size_t *room, size_t size) {
   list = more <= SIZE_MAX / size ? realloc(list, more * size) : NULL;
   *room = list != NULL ? more : *room;
   return list;
+}
+
+bool cli_next_line(cli_lines_t *lines, char *out, size_t room) {
+  if (lines->line == 0 && lines->size >= 3 &&
+      memcmp(lines->text, "\xEF\xBB\xBF", 3) == 0) {
+    lines->text += 3;
+    lines->size -= 3;
+  }
+  if (lines->size == 0) {
+    return false;
+  }
+  const char *newline = memchr(lines->text, '\n', lines->size);
+  const size_t all =
+      newline != NULL ? (size_t)(newline - lines->text) : lines->size;
+  const size_t length = all - (all > 0 && lines->text[all - 1] == '\r');
+  const size_t kept = length < room ? length : room - 1;
+  memcpy(out, lines->text, kept);
+  out[kept] = '\0';
+  lines->open = newline == NULL;
+  lines->length = length;
+  lines->line++;
+  lines->text += all + !lines->open;
+  lines->size -= all + !lines->open;
+  return true;
+}
+
+char *cli_trim(char *text) {
+  text += strspn(text, " \t");
+  size_t length = strlen(text);
+  while (length > 0 && strchr(" \t", text[length - 1]) != NULL) {
+    length--;
+  }
+  text[length] = '\0';
+  return text;
 }

@@ -1,7 +1,55 @@
-// Lines of a text file, of a length that has a bound. Apart from buffer.c: the
-// page takes that, and its C library reads no characters.
+// Text files, all in memory before the first line is looked at. Apart from
+// buffer.c: the page takes that, and opens no files.
+
+#include "lines.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "buffer.h"
+#include "message.h"
+
+static int read_all(FILE *file, size_t most, char **text, size_t *size) {
+  size_t room = 0;
+  while (*size <= most && feof(file) == 0 && ferror(file) == 0) {
+    char *more = cli_grow(*text, *size + 1, &room, 1);
+    if (more == NULL) {
+      return ENOMEM;
+    }
+    *text = more;
+    const size_t left = room - *size - 1, want = most + 1 - *size;
+    *size += fread(*text + *size, 1, left < want ? left : want, file);
+    (*text)[*size] = '\0';
+  }
+  return ferror(file) != 0 ? errno : 0;
+}
+
+int cli_read_text(const char *option, const char *path, size_t most,
+                  char **text, size_t *size) {
+  const bool standard = strcmp(path, "-") == 0;
+  FILE *file = standard ? stdin : fopen(path, "r");
+  *text = NULL;
+  *size = 0;
+  const int error = file != NULL ? read_all(file, most, text, size) : errno;
+  if (file != NULL && !standard) {
+    (void)fclose(file);
+  }
+  if (error == 0) {
+    return CLI_DONE;
+  }
+  free(*text);
+  *text = NULL;
+  return cli_message(error == ENOMEM ? CLI_STOPPED : CLI_USAGE, "%s%s: %s",
+                     option, path, strerror(error));
+}
+
+int cli_note_open(const char *name) {
+  return cli_message(
+      CLI_DONE, "note: %s: the last line has no newline: it may be cut off",
+      name);
+}
 
 cli_line_t cli_read_line(FILE *file, char *out, size_t room) {
   size_t used = 0;
@@ -18,10 +66,4 @@ cli_line_t cli_read_line(FILE *file, char *out, size_t room) {
   used -= used > 0 && out[used - 1] == '\r';
   out[used] = '\0';
   return CLI_LINE;
-}
-
-int cli_note_open(const char *name) {
-  return cli_message(
-      CLI_DONE, "note: %s: the last line has no newline: it may be cut off",
-      name);
 }
