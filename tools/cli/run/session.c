@@ -8,13 +8,13 @@
 #include "session.h"
 
 #include <ctype.h>
-#include <errno.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "../text/buffer.h"
+#include "../text/lines.h"
 #include "../text/message.h"
 #include "row.h"
 
@@ -194,16 +194,12 @@ static int take_line(reader_t *reader, const char *line) {
   return strcmp(line, HEADER) == 0 ? CLI_DONE : no_record(reader);
 }
 
-static int read_lines(reader_t *reader, FILE *file) {
+static int read_lines(reader_t *reader, cli_lines_t lines) {
   char line[LINE_ROOM];
-  cli_line_t found;
-  while ((found = cli_read_line(file, line, sizeof line)) != CLI_LINE_END) {
-    reader->line++;
-    CLI_TRY(found == CLI_LINE ? take_line(reader, line) : no_record(reader));
-  }
-  if (ferror(file) != 0) {
-    return cli_message(CLI_USAGE, "%s: %s", reader->session->name,
-                       strerror(errno));
+  while (cli_next_line(&lines, line, sizeof line)) {
+    reader->line = lines.line;
+    CLI_TRY(strlen(line) == lines.length ? take_line(reader, line)
+                                         : no_record(reader));
   }
   if (reader->rows == 0) {
     return no_record(reader);
@@ -213,12 +209,12 @@ static int read_lines(reader_t *reader, FILE *file) {
 
 int cli_session_read(cli_session_t *session, const char *path) {
   reader_t reader = {.session = session};
-  FILE *file = fopen(path, "r");
-  if (file == NULL) {
-    return cli_message(CLI_USAGE, "--replay %s: %s", path, strerror(errno));
-  }
+  cli_lines_t lines = {.name = path};
+  char *text = NULL;
+  CLI_TRY(cli_read_text("--replay ", path, SIZE_MAX - 1, &text, &lines.size));
+  lines.text = text;
   session->name = path;
-  const int code = read_lines(&reader, file);
-  (void)fclose(file);
+  const int code = read_lines(&reader, lines);
+  free(text);
   return code;
 }

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <stddef.h>
-#include <stdio.h>
 
 #include "twofold/real.h"
 
@@ -36,13 +35,3 @@ int cli_note_open(const char *name);
 
 /// Takes blanks from both ends of a text.
 char *cli_trim(char *text);
-
-typedef enum {
-  CLI_LINE,     ///< a line, without its end
-  CLI_LINE_END, ///< there are no more; ferror tells whether that is an error
-  CLI_LINE_BAD  ///< a zero in it, or more characters than there is room for
-} cli_line_t;
-
-/// Reads the next line; \n or \r\n ends it, or the end of the file does.
-/// out: room bytes, ended by a zero.
-cli_line_t cli_read_line(FILE *file, char *out, size_t room);
