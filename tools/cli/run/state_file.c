@@ -16,7 +16,6 @@
 // The scene is there as a whole, not as a hash: what differs is reported by
 // name. Its start is not compared: the state is in its place.
 
-#include <errno.h>
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -25,82 +24,102 @@
 
 #include "../setup/scene_file.h"
 #include "../setup/setup.h"
+#include "../text/lines.h"
 #include "../text/message.h"
 #include "../text/number.h"
 #include "../text/trailer.h"
 #include "record.h"
 
 #define VERSION "3"
-#define REALS 19
-#define HELD_REALS 5 // the last ones, where a command's inputs hold
-#define WHOLES 9
-#define HELD_WHOLES 2
 #define CRC_LINE 15 // "crc32 0123abcd\n"
 
-// The members of cli_stand_t that are numbers, in the order of their lines.
+// The members of cli_stand_t in the order of their lines. most: of a whole
+// number; 0: it is a tf_real_t. held: only where inputs by a command hold.
+#define MEMBER(name) \
+  offsetof(cli_stand_t, name), sizeof(((cli_stand_t *)0)->name)
 static const struct {
   const char *name;
-  size_t at;
-} reals[REALS] = {{"r", offsetof(cli_stand_t, state.r)},
-                  {"v", offsetof(cli_stand_t, state.v)},
-                  {"omega", offsetof(cli_stand_t, state.w)},
-                  {"phi", offsetof(cli_stand_t, state.phi)},
-                  {"compensation-r", offsetof(cli_stand_t, compensation.r)},
-                  {"compensation-v", offsetof(cli_stand_t, compensation.v)},
-                  {"compensation-w", offsetof(cli_stand_t, compensation.w)},
-                  {"compensation-phi", offsetof(cli_stand_t, compensation.phi)},
-                  {"force-F", offsetof(cli_stand_t, report.force.F)},
-                  {"force-M", offsetof(cli_stand_t, report.force.M)},
-                  {"slip-h", offsetof(cli_stand_t, report.slip.h)},
-                  {"slip-g", offsetof(cli_stand_t, report.slip.g)},
-                  {"delassus", offsetof(cli_stand_t, report.delassus)},
-                  {"residual", offsetof(cli_stand_t, report.residual)},
-                  {"held-omega0", offsetof(cli_stand_t, held.input.omega0)},
-                  {"held-r0", offsetof(cli_stand_t, held.input.r0)},
-                  {"held-force", offsetof(cli_stand_t, held.input.force)},
-                  {"held-torque", offsetof(cli_stand_t, held.input.torque)},
-                  {"held-alpha", offsetof(cli_stand_t, held.input.alpha)}};
-static const struct {
-  const char *name;
+  size_t at, size;
   uint64_t most;
-} wholes[WHOLES] = {
-    {"tick", UINT64_C(1) << 62},   {"seed", UINT32_MAX},
-    {"mode", TF_MODES - 1},        {"report-mode", TF_MODES - 1},
-    {"set", (1u << TF_MODES) - 1}, {"choices", TF_MODES},
-    {"status", TF_STALLED},        {"deadman", UINT32_MAX},
-    {"left", UINT32_MAX}};
+  bool held;
+} members[] = {{"tick", MEMBER(state.tick), UINT64_C(1) << 62, false},
+               {"seed", MEMBER(state.seed), UINT32_MAX, false},
+               {"mode", MEMBER(state.mode), TF_MODES - 1, false},
+               {"report-mode", MEMBER(report.mode), TF_MODES - 1, false},
+               {"set", MEMBER(report.set), (1u << TF_MODES) - 1, false},
+               {"choices", MEMBER(report.choices), TF_MODES, false},
+               {"status", MEMBER(report.status), TF_STALLED, false},
+               {"deadman", MEMBER(held.deadman), UINT32_MAX, true},
+               {"left", MEMBER(held.left), UINT32_MAX, true},
+               {"r", MEMBER(state.r), 0, false},
+               {"v", MEMBER(state.v), 0, false},
+               {"omega", MEMBER(state.w), 0, false},
+               {"phi", MEMBER(state.phi), 0, false},
+               {"compensation-r", MEMBER(compensation.r), 0, false},
+               {"compensation-v", MEMBER(compensation.v), 0, false},
+               {"compensation-w", MEMBER(compensation.w), 0, false},
+               {"compensation-phi", MEMBER(compensation.phi), 0, false},
+               {"force-F", MEMBER(report.force.F), 0, false},
+               {"force-M", MEMBER(report.force.M), 0, false},
+               {"slip-h", MEMBER(report.slip.h), 0, false},
+               {"slip-g", MEMBER(report.slip.g), 0, false},
+               {"delassus", MEMBER(report.delassus), 0, false},
+               {"residual", MEMBER(report.residual), 0, false},
+               {"held-omega0", MEMBER(held.input.omega0), 0, true},
+               {"held-r0", MEMBER(held.input.r0), 0, true},
+               {"held-force", MEMBER(held.input.force), 0, true},
+               {"held-torque", MEMBER(held.input.torque), 0, true},
+               {"held-alpha", MEMBER(held.input.alpha), 0, true}};
+#define MEMBERS (sizeof members / sizeof members[0])
 static const char *const sources[] = {"scene", "outside", "safe"};
 
-static tf_real_t *real_of(cli_stand_t *stand, size_t i) {
-  return (tf_real_t *)(void *)((char *)stand + reals[i].at);
+// The value of a whole member; and puts one there.
+static uint64_t whole_of(const cli_stand_t *stand, size_t i) {
+  const void *at = (const char *)stand + members[i].at;
+  return members[i].size == 8   ? *(const uint64_t *)at
+         : members[i].size == 4 ? *(const uint32_t *)at
+                                : *(const uint8_t *)at;
+}
+
+static void put_whole(cli_stand_t *stand, size_t i, uint64_t value) {
+  void *at = (char *)stand + members[i].at;
+  if (members[i].size == 8) {
+    *(uint64_t *)at = value;
+  } else if (members[i].size == 4) {
+    *(uint32_t *)at = (uint32_t)value;
+  } else {
+    *(uint8_t *)at = (uint8_t)value;
+  }
+}
+
+static tf_real_t real_of(const cli_stand_t *stand, size_t i) {
+  tf_real_t value;
+  memcpy(&value, (const char *)stand + members[i].at, sizeof value);
+  return value;
 }
 
 size_t cli_state_print(const cli_stand_t *stand, const cli_setup_t *setup,
                        const cli_scheme_t *scheme, char out[CLI_STATE_BYTES]) {
   cli_buffer_t text = {out, 0, CLI_STATE_BYTES, false};
-  cli_stand_t copy = *stand;
-  const uint64_t whole[WHOLES] = {stand->state.tick,
-                                  stand->state.seed,
-                                  stand->state.mode,
-                                  stand->report.mode,
-                                  stand->report.set,
-                                  stand->report.choices,
-                                  (uint64_t)stand->report.status,
-                                  stand->held.deadman,
-                                  stand->held.left};
-  const size_t held = stand->held.source != TF_INPUT_SCENE;
+  const bool holds = stand->held.source != TF_INPUT_SCENE;
   cli_add_form(&text, "twofold-state %s\nnumber %s\nscheme %s\ninputs ",
                VERSION, CLI_NUMBER_TYPE, scheme->name);
   cli_add_hash(&text, stand->inputs);
   cli_add(&text, "\n");
-  if (held != 0) {
+  if (holds) {
     cli_add_form(&text, "source %s\n", sources[stand->held.source]);
   }
-  for (size_t i = 0; i < WHOLES - HELD_WHOLES + held * HELD_WHOLES; i++) {
-    cli_add_form(&text, "%s %" PRIu64 "\n", wholes[i].name, whole[i]);
-  }
-  for (size_t i = 0; i < REALS - HELD_REALS + held * HELD_REALS; i++) {
-    cli_add_form(&text, "%s %g\n", reals[i].name, (double)*real_of(&copy, i));
+  for (size_t i = 0; i < MEMBERS; i++) {
+    if (members[i].held && !holds) {
+      continue;
+    }
+    cli_add_form(&text, "%s ", members[i].name);
+    if (members[i].most > 0) {
+      cli_add_count(&text, whole_of(stand, i));
+    } else {
+      cli_add_real(&text, real_of(stand, i));
+    }
+    cli_add(&text, "\n");
   }
   cli_add(&text, "scene\n");
   cli_scene_print(setup->scene, &setup->params, &text);
@@ -155,109 +174,92 @@ static int read_scheme(reader_t *reader, const cli_scheme_t **scheme) {
   return no_state(reader, "no file of --save");
 }
 
-static int compare_params(const reader_t *reader, const tf_params_t *there,
-                          const tf_params_t *here) {
-  char one[CLI_REAL_ROOM], two[CLI_REAL_ROOM];
-  for (size_t i = 0; i < TF_PARAMETERS; i++) {
-    const tf_real_t a = cli_parameter(there, i), b = cli_parameter(here, i);
-    if (memcmp(&a, &b, sizeof a) != 0) {
-      (void)cli_write_real(one, a);
-      (void)cli_write_real(two, b);
-      return differs(reader, tf_parameter_ranges[i].name, one, two);
+#define VALUE_ROOM 512
+
+// The value of a key in the text of a scene, without its unit; or empty.
+static const char *value_in(const char *scene, const char *key,
+                            char value[VALUE_ROOM]) {
+  const size_t length = strlen(key);
+  value[0] = '\0';
+  while (*scene != '\0') {
+    const char *begin = scene + length;
+    if (strncmp(scene, key, length) == 0 && *begin == ' ') {
+      (void)snprintf(value, VALUE_ROOM, "%.*s", (int)strcspn(begin, "\n#"),
+                     begin);
     }
+    scene += strcspn(scene, "\n");
+    scene += *scene == '\n';
   }
-  const struct {
-    const char *name, *there, *here;
-  } words[] = {
-      {"law", tf_tyre_law_name(there->law), tf_tyre_law_name(here->law)},
-      {"rule", tf_rule_name(there->rule), tf_rule_name(here->rule)},
-      {"rest", tf_rest_law_name(there->rest), tf_rest_law_name(here->rest)},
-      {"with-angle", there->with_angle ? "yes" : "no",
-       here->with_angle ? "yes" : "no"}};
-  for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
-    if (strcmp(words[i].there, words[i].here) != 0) {
-      return differs(reader, words[i].name, words[i].there, words[i].here);
+  return cli_trim(value);
+}
+
+// One function prints both scenes, so equal values have equal bits.
+static int compare_scene(const reader_t *reader, const cli_setup_t *setup) {
+  static const char *const words[] = {"law", "rule", "rest", "with-angle",
+                                      "profile"};
+  const size_t count = TF_PARAMETERS + sizeof words / sizeof words[0];
+  char text[CLI_STATE_BYTES], there_room[VALUE_ROOM], here_room[VALUE_ROOM];
+  cli_buffer_t printed = {text, 0, sizeof text, false};
+  if (strncmp(reader->at, "scene\n", 6) != 0) {
+    return no_state(reader, "no file of --save");
+  }
+  cli_scene_print(setup->scene, &setup->params, &printed);
+  for (size_t i = 0; i < count; i++) {
+    const char *key = i < TF_PARAMETERS ? tf_parameter_ranges[i].name
+                                        : words[i - TF_PARAMETERS];
+    const char *there = value_in(reader->at, key, there_room);
+    const char *here = value_in(text, key, here_room);
+    if (strcmp(there, here) != 0) {
+      return i + 1 < count ? differs(reader, key, there, here)
+                           : differs(reader, "the profile of the turntable",
+                                     "that of its scene", "another one");
     }
   }
   return CLI_DONE;
 }
 
-static bool same_profile(const tf_scene_t *a, const tf_scene_t *b) {
-  bool same = a->knots == b->knots;
-  for (size_t i = 0; same && i < a->knots; i++) {
-    same = memcmp(&a->profile[i], &b->profile[i], sizeof a->profile[i]) == 0;
-  }
-  return same;
-}
-
-static int compare_scene(reader_t *reader, const cli_setup_t *setup) {
-  cli_scene_file_t file;
-  if (strncmp(reader->at, "scene\n", 6) != 0) {
-    return no_state(reader, "no file of --save");
-  }
-  const char *text = reader->at + 6;
-  CLI_TRY(cli_scene_parse(&file, reader->path, text, strlen(text)));
-  CLI_TRY(compare_params(reader, &file.scene.params, &setup->params));
-  return same_profile(&file.scene, setup->scene)
-             ? CLI_DONE
-             : differs(reader, "the profile of the turntable",
-                       "that of its scene", "another one");
-}
-
 // Whose inputs the next step has. Returns: whether that can be read.
 static bool read_source(reader_t *reader, cli_stand_t *stand) {
   const char *source = next_value(reader, "source");
-  if (source == NULL) {
-    return true;
-  }
-  if (strcmp(source, sources[TF_INPUT_SAFE]) == 0) {
-    stand->held.source = TF_INPUT_SAFE;
-  } else if (strcmp(source, sources[TF_INPUT_SET]) == 0) {
-    stand->held.source = TF_INPUT_SET;
-  }
-  return stand->held.source != TF_INPUT_SCENE;
+  unsigned i = 0;
+  while (source != NULL && i < 3 && strcmp(source, sources[i]) != 0) i++;
+  stand->held.source = (tf_input_source_t)(i % 3);
+  return source == NULL || stand->held.source != TF_INPUT_SCENE;
 }
 
 static int read_values(reader_t *reader, cli_stand_t *stand) {
-  uint64_t whole[WHOLES] = {0};
   const char *why = "";
   const char *value = next_value(reader, "inputs");
   bool good = value != NULL && strlen(value) == 8 &&
               strspn(value, "0123456789abcdef") == 8;
   stand->inputs = good ? (uint32_t)strtoul(value, NULL, 16) : 0;
   good = good && read_source(reader, stand);
-  const size_t held = stand->held.source != TF_INPUT_SCENE;
-  for (size_t i = 0; i < WHOLES - HELD_WHOLES + held * HELD_WHOLES; i++) {
-    value = good ? next_value(reader, wholes[i].name) : NULL;
-    good = value != NULL && cli_read_whole(value, 0, wholes[i].most, &whole[i]);
+  for (size_t i = 0; i < MEMBERS && good; i++) {
+    uint64_t whole = 0;
+    tf_real_t real = 0;
+    if (members[i].held && stand->held.source == TF_INPUT_SCENE) {
+      continue;
+    }
+    value = next_value(reader, members[i].name);
+    if (members[i].most > 0) {
+      good = value != NULL && cli_read_whole(value, 0, members[i].most, &whole);
+      put_whole(stand, i, whole);
+    } else {
+      good = value != NULL && cli_read_real(value, &real, &why);
+      memcpy((char *)stand + members[i].at, &real, sizeof real);
+    }
   }
-  for (size_t i = 0; i < REALS - HELD_REALS + held * HELD_REALS; i++) {
-    value = good ? next_value(reader, reals[i].name) : NULL;
-    good = value != NULL && cli_read_real(value, real_of(stand, i), &why);
-  }
-  if (!good) {
-    return no_state(reader, "no file of --save");
-  }
-  stand->state.tick = whole[0];
-  stand->state.seed = (uint32_t)whole[1];
-  stand->state.mode = (uint8_t)whole[2];
-  stand->report.mode = (uint8_t)whole[3];
-  stand->report.set = (uint8_t)whole[4];
-  stand->report.choices = (uint8_t)whole[5];
-  stand->report.status = (tf_status_t)whole[6];
-  stand->held.deadman = (uint32_t)whole[7];
-  stand->held.left = (uint32_t)whole[8];
-  return CLI_DONE;
+  return good ? CLI_DONE : no_state(reader, "no file of --save");
 }
 
 // The checksum says that the file is as it was written, not that a run wrote
 // it.
-static int check_stand(const reader_t *reader, cli_stand_t *stand) {
+static int check_stand(const reader_t *reader, const cli_stand_t *stand) {
   const tf_state_t *x = &stand->state;
-  for (size_t i = 0; i < REALS; i++) {
-    if (!isfinite(*real_of(stand, i))) {
+  for (size_t i = 0; i < MEMBERS; i++) {
+    if (members[i].most == 0 && !isfinite(real_of(stand, i))) {
       return cli_message(CLI_REFUSED, "--from %s: %s is not finite",
-                         reader->path, reals[i].name);
+                         reader->path, members[i].name);
     }
   }
   const double reach =
@@ -315,18 +317,10 @@ int cli_state_parse(cli_stand_t *stand, const char *path, char *text,
 
 int cli_state_read(cli_stand_t *stand, const char *path,
                    const cli_setup_t *setup, const cli_scheme_t **scheme) {
-  char text[CLI_STATE_BYTES + 1];
-  const reader_t reader = {path, text};
-  FILE *file = fopen(path, "r");
-  if (file == NULL) {
-    return no_state(&reader, strerror(errno));
-  }
-  const size_t size = fread(text, 1, sizeof text - 1, file);
-  const int error = ferror(file) != 0 ? errno : 0;
-  (void)fclose(file);
-  if (error != 0) {
-    return no_state(&reader, strerror(error));
-  }
-  text[size] = '\0';
-  return cli_state_parse(stand, path, text, size, setup, scheme);
+  char *text = NULL;
+  size_t size = 0;
+  CLI_TRY(cli_read_text("--from ", path, CLI_STATE_BYTES, &text, &size));
+  const int code = cli_state_parse(stand, path, text, size, setup, scheme);
+  free(text);
+  return code;
 }

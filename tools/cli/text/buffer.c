@@ -84,8 +84,8 @@ void *cli_grow(void *list, size_t used, size_t *room, size_t size) {
 }
 
 bool cli_next_line(cli_lines_t *lines, char *out, size_t room) {
-  if (lines->line == 0 && lines->size >= 3 &&
-      memcmp(lines->text, "\xEF\xBB\xBF", 3) == 0) {
+  if (lines->line == 0 && lines->size >= 3 && lines->text[0] == '\xEF' &&
+      lines->text[1] == '\xBB' && lines->text[2] == '\xBF') {
     lines->text += 3;
     lines->size -= 3;
   }

@@ -6,3 +6,4 @@ __attribute__((import_name("strtod"))) double strtod(const char *text,
 float strtof(const char *text, char **end); // of builds in float alone
 // Of sources of the command line, by functions that the page does not call.
 void *realloc(void *block, __SIZE_TYPE__ size);
+void free(void *block);
