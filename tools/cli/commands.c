@@ -24,7 +24,6 @@
 #include <stdlib.h>
 
 #include "command.h"
-#include "diverge/job.h"
 #include "setup/setup.h"
 #include "sweep/point.h"
 #include "text/message.h"
@@ -55,16 +54,6 @@ static void print_outcomes(void) {
   for (size_t i = 0; i < CLI_MEASURES; i++) {
     const cli_measure_info_t *info = &cli_measures[i];
     (void)printf("  %-16s %-6s %s\n", info->name, info->unit, info->what);
-  }
-}
-
-static void print_mechanisms(void) {
-  (void)puts("kind        unit of S   default DT, K, Q");
-  for (int i = 0; i < CLI_MECHANISMS; i++) {
-    const cli_mechanism_info_t *mechanism = &cli_mechanisms[i];
-    (void)printf("%-11s %-11s %g, %g, %g\n", mechanism->name,
-                 mechanism->unit[0] != '\0' ? mechanism->unit : "-",
-                 mechanism->dt, mechanism->refinement, mechanism->spread);
   }
 }
 
@@ -213,9 +202,8 @@ const cli_command_t cli_commands[] = {
               "\n"
               "exit codes: 0 done, 2 usage, 3 refused: only one mode is "
               "consistent, or out of range, 4 stopped (finished samples are in "
-              "FILE.part) or a file could not be written\n",
-     .tail = print_mechanisms, .bit = CLI_DIVERGE, .check = cli_diverge_check,
-     .perform = cli_diverge},
+              "FILE.part) or a file could not be written",
+     .bit = CLI_DIVERGE, .check = cli_diverge_check, .perform = cli_diverge},
     {"sweep", "SCENE --over NAME=A:B:N [OPTION]...",
      "a grid of settings: what becomes of each point",
      .about = "Follows one motion from each point of a grid and writes one row "

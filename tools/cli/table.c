@@ -137,8 +137,10 @@ const cli_option_t cli_options[] = {
     {"--rate", "R", CLI_DIVERGE, OTHER, .read = read_named,
      .what = "of --by random [1/s]; default: the scene's rate"},
     {"--size", "S", CLI_DIVERGE, REAL(size), .how = CLI_OPEN, .high = 1,
-     .what = "of the perturbation; its unit is in the table below"},
+     .what = "of --by noise: h then has the standard deviation S sqrt(t) "
+             "[m/s^1.5]"},
     {"--spread", "Q", CLI_DIVERGE, REAL(spread), .low = 1, .high = 1e6,
+     .usual = 1,
      .what = "the size of each sample is drawn from [S/Q, S], log-uniformly"},
     {"--codim2", "MODE", CLI_DIVERGE, CHOICE(codim2), .choices = codim2,
      .what = "--by random at h = g = 0:"},
@@ -152,9 +154,11 @@ const cli_option_t cli_options[] = {
     {"--seed", "N", CLI_DIVERGE, WHOLE(seed), .high = UINT32_MAX, .usual = 1,
      .what = "of the draws"},
     {"--dt", "DT", CLI_DIVERGE, OTHER, .read = read_named,
-     .what = "step [s]; near the two-fold (random: in slip, <= 1 ms) DT / K"},
+     .what = "step [s]; near the two-fold (random: in slip, <= 1 ms) DT / K; "
+             "default: 0.01 (random), 0.001 (noise)"},
     {"--near", "K", CLI_DIVERGE, REAL(refinement), .low = 1, .high = 1e6,
-     .what = "steps near the two-fold are K times shorter"},
+     .what = "steps near the two-fold are K times shorter; default: 10 "
+             "(random), 64 (noise)"},
     {"--fine", "N", CLI_DIVERGE, REAL(fine), .low = 1, .high = 1e6, .usual = 16,
      .what = "noise next to h = g = 0: takes N steps to bring it there"},
     {"--r", "R", CLI_DESIGN, NUMBER(r), .low = -REACH, .high = REACH,

@@ -193,7 +193,7 @@ static void summarise(const work_t *work, double seconds) {
   const uint64_t *count = work->done.count;
   cli_say("samples    %" PRIu64 " of %" PRIu64 ", by %s\ncycles     %" PRIu64,
           work->done.done, work->samples,
-          cli_mechanisms[work->job->args->mechanism].name, count[CYCLES]);
+          cli_mechanisms[work->job->args->mechanism], count[CYCLES]);
   for (int i = 1; i < CLI_OUTCOMES; i++) {
     if (count[i] > 0) {
       cli_say(", %s %" PRIu64, cli_outcome_name((cli_outcome_t)i), count[i]);
@@ -209,7 +209,7 @@ static void summarise_json(const work_t *work, double seconds, int code) {
   const cli_args_t *args = work->job->args;
   cli_put_begin("diverge");
   cli_put_word("scene", args->scene->name);
-  cli_put_word("by", cli_mechanisms[args->mechanism].name);
+  cli_put_word("by", cli_mechanisms[args->mechanism]);
   cli_put_count("seed", args->seed);
   cli_put_count("samples", work->samples);
   cli_put_count("done", work->done.done);
@@ -309,7 +309,6 @@ static bool is_standard(const char *path) {
 }
 
 int cli_diverge_check(cli_args_t *args) {
-  const cli_mechanism_info_t *mechanism = &cli_mechanisms[args->mechanism];
   const bool sized = args->mechanism != CLI_BY_RANDOM;
   if (args->exhaustive && (sized || args->exits != NULL ||
                            args->returns != NULL || args->shard.of > 1)) {
@@ -318,17 +317,13 @@ int cli_diverge_check(cli_args_t *args) {
                        "--by, --exits, --returns or --shard");
   }
   if (sized && !(args->size > 0)) {
-    return cli_message(CLI_USAGE, "--by %s: give --size VALUE in %s",
-                       mechanism->name, mechanism->unit);
+    return cli_message(CLI_USAGE, "--by noise: give --size VALUE in m/s^1.5");
   }
   if (!sized && args->size > 0) {
     return cli_message(CLI_USAGE,
                        "--size %g: --by random has a --rate and no size",
                        args->size);
   }
-  args->spread = args->spread > 0 ? args->spread : mechanism->spread;
-  args->refinement =
-      args->refinement > 0 ? args->refinement : mechanism->refinement;
   if (args->exits == NULL && args->returns == NULL) {
     args->returns = "-";
   }

@@ -11,11 +11,7 @@
 
 #define IN_SLIP 1e-3 // [s], longest step of random motions in slip
 
-// Noise on h has the standard deviation size sqrt(t).
-const cli_mechanism_info_t cli_mechanisms[CLI_MECHANISMS] = {
-    [CLI_BY_RANDOM] = {"random", "", 1e-2, 10, 1},
-    [CLI_BY_NOISE] = {"noise", "m/s^1.5", 1e-3, 64, 1},
-};
+const char *const cli_mechanisms[] = {"random", "noise"};
 
 static int refuse_scene(const cli_setup_t *setup) {
   const char *name = setup->scene->name;
@@ -82,10 +78,12 @@ static int prepare_two_fold(cli_job_t *job) {
 
 int cli_job_prepare(cli_job_t *job, const cli_args_t *args) {
   cli_setup_t *setup = &job->setup;
+  const bool random = args->mechanism == CLI_BY_RANDOM;
+  const double refinement = random ? 10 : 64;
   job->args = args;
   CLI_TRY(cli_setup_read(setup, args->scene, &args->settings, NULL));
   if (cli_settings_find(&args->settings, "dt") == NULL) {
-    setup->params.dt = (tf_real_t)cli_mechanisms[args->mechanism].dt;
+    setup->params.dt = random ? TF_R(1e-2) : TF_R(1e-3);
   }
   CLI_TRY(cli_setup_machine(setup));
   CLI_TRY(refuse_scene(setup));
@@ -93,10 +91,9 @@ int cli_job_prepare(cli_job_t *job, const cli_args_t *args) {
   job->params.rule =
       args->codim2 == CLI_CODIM2_ATTRACTING ? TF_RULE_PERSIST : TF_RULE_RANDOM;
   job->params.rate = 0;
-  job->near = (double)job->params.dt / args->refinement;
-  if (args->mechanism == CLI_BY_RANDOM) {
-    job->near = fmin(job->near, IN_SLIP);
-  }
+  job->refinement = args->refinement > 0 ? args->refinement : refinement;
+  job->near = (double)job->params.dt / job->refinement;
+  job->near = random ? fmin(job->near, IN_SLIP) : job->near;
   (void)tf_prepare(&job->machine, &job->params, NULL);
   job->at_two_fold = true;
   for (int i = 0; i < CLI_STARTS; i++) {
@@ -115,12 +112,12 @@ void cli_job_describe(const cli_job_t *job, cli_buffer_t *text) {
                TF_VERSION, cli_commit, CLI_NUMBER_TYPE, args->scene->name);
   cli_add_hash(text, tf_params_hash(&job->setup.params));
   cli_add_form(text, " --by %s --codim2 %" PRIu64,
-               cli_mechanisms[args->mechanism].name, (uint64_t)args->codim2);
+               cli_mechanisms[args->mechanism], (uint64_t)args->codim2);
   cli_add_form(text,
                " --samples %" PRIu64 " --cycles %" PRIu64 " --seed %" PRIu64,
                args->samples, args->cycles, args->seed);
   const double numbers[] = {args->size, args->spread, args->patience,
-                            args->refinement, args->fine};
+                            job->refinement, args->fine};
   for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
     cli_add(text, " ");
     cli_add_number(text, numbers[i], false);
@@ -136,7 +133,6 @@ void cli_job_describe(const cli_job_t *job, cli_buffer_t *text) {
 size_t cli_job_provenance(const cli_job_t *job, const char *units,
                           char out[CLI_PROVENANCE_ROOM]) {
   const cli_args_t *args = job->args;
-  const cli_mechanism_info_t *by = &cli_mechanisms[args->mechanism];
   const double dt = (double)job->params.dt;
   char how[CLI_PROVENANCE_ROOM / 4];
   cli_setup_t told = job->setup;
@@ -150,8 +146,8 @@ size_t cli_job_provenance(const cli_job_t *job, const char *units,
                    (double)job->setup.params.rate, dt, job->near);
   } else {
     (void)snprintf(how, sizeof how,
-                   "by %s, size %.9g %s, spread %.9g, dt %.9g s", by->name,
-                   args->size, by->unit, args->spread, dt);
+                   "by noise, size %.9g m/s^1.5, spread %.9g, dt %.9g s",
+                   args->size, args->spread, dt);
   }
   return cli_provenance(&told, how, units, out);
 }

@@ -11,16 +11,7 @@ typedef enum {
   CLI_BY_RANDOM, ///< a draw: exit at a rate, to either side
   CLI_BY_NOISE   ///< additive white noise on h
 } cli_mechanism_t;
-#define CLI_MECHANISMS 2
-
-/// Name, unit of the size ("" where it has none), and default values.
-typedef struct {
-  const char *name, *unit;
-  double dt;         ///< step [s]
-  double refinement; ///< dt / step near the two-fold
-  double spread;     ///< sizes are drawn from [size / spread, size]
-} cli_mechanism_info_t;
-extern const cli_mechanism_info_t cli_mechanisms[CLI_MECHANISMS];
+extern const char *const cli_mechanisms[]; ///< their names
 
 /// What --by random does where the wheel comes to h = g = 0.
 typedef enum {
@@ -35,6 +26,7 @@ typedef struct {
   cli_two_fold_t two_fold;
   cli_canard_t canard;  ///< through the two-fold
   bool at_two_fold;     ///< the samples start there
+  double refinement;    ///< dt / step near the two-fold
   double near;          ///< step near the two-fold, of random ones in slip [s]
   tf_params_t params;   ///< of `machine`
   tf_machine_t machine; ///< its rule never leaves an escaping stick

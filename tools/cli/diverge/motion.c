@@ -128,7 +128,7 @@ static cli_instant_t start(cli_motion_t *motion) {
   params.tolerance = 0; // as fine as the number type allows
   cli_motion_begin(motion, &params);
   set_step_length(&motion->short_steps,
-                  (tf_real_t)fmin(job->near, resolved / job->args->refinement));
+                  (tf_real_t)fmin(job->near, resolved / job->refinement));
   (void)tf_begin(&motion->long_steps, &motion->state, &input, &report);
   return instant(motion);
 }
