@@ -309,17 +309,3 @@ bool cli_find_two_fold(const tf_machine_t *k, cli_two_fold_t *out) {
   }
   return false;
 }
-
-tf_state_t cli_before_two_fold(const tf_machine_t *k,
-                               const cli_two_fold_t *two_fold,
-                               double distance) {
-  const double s = two_fold->g < 0 ? -1 : 1;
-  const double e =
-      cli_delassus(k, two_fold->r + distance, s) > 0 ? distance : -distance;
-  tf_state_t state =
-      cli_state_at(k, cli_point_on_surface(k, two_fold->r + e,
-                                           two_fold->omega - (double)k->omega0 +
-                                               two_fold->slope * e));
-  state.mode = (uint8_t)cli_stick_mode(s);
-  return state;
-}

@@ -64,10 +64,6 @@ typedef struct {
 /// Returns: whether there is one.
 bool cli_find_two_fold(const tf_machine_t *machine, cli_two_fold_t *out);
 
-/// Stick on the weak direction, at a distance [m] before the two-fold.
-tf_state_t cli_before_two_fold(const tf_machine_t *machine,
-                               const cli_two_fold_t *two_fold, double distance);
-
 /// A point of the canard.
 typedef struct {
   double t;    ///< since the two-fold [s]

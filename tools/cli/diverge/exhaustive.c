@@ -162,14 +162,11 @@ static void leave_codim2(search_t *search, const node_t *node, uint64_t index) {
 
 static void visit_all(search_t *search) {
   const cli_job_t *job = search->job;
-  node_t first = {.state = job->setup.state,
-                  .set = job->setup.report.set,
-                  .two_fold = job->at_two_fold};
-  if (job->at_two_fold) {
-    first.state = cli_state_at_two_fold(job);
-  }
   search->motion.job = search->motion.tracker.job = job;
-  cli_motion_begin(&search->motion, &job->params);
+  cli_motion_begin(&search->motion);
+  const node_t first = {.state = search->motion.state,
+                        .set = job->setup.report.set,
+                        .two_fold = job->at_two_fold};
   (void)node_at(search, &first);
   search->progress =
       cli_progress_start(cli_now(), search->output.to.descriptor);
@@ -200,11 +197,9 @@ static void summarise(const search_t *search, int code) {
     cli_put_end(cli_now() - search->progress.started, code);
     return;
   }
-  (void)fprintf(
-      stderr,
-      "nodes      %" PRIu64 "\nbranches   %" PRIu64 ", of which %" PRIu64
-      " joined a known node, %" PRIu64 " found no room (--count)\n",
-      search->used, search->branches, search->joined, search->dropped);
+  cli_say("nodes      %" PRIu64 "\nbranches   %" PRIu64 ", of which %" PRIu64
+          " joined a known node, %" PRIu64 " found no room (--count)\n",
+          search->used, search->branches, search->joined, search->dropped);
 }
 
 int cli_exhaustive(const cli_job_t *job) {

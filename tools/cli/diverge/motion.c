@@ -8,8 +8,12 @@
 #include "../../../src/model/kinematics.h"
 #include "../../../src/model/step_length.h"
 #define TWO_PI 6.283185307179586
-#define BEFORE 4e-3 // [m], distance of a start before the two-fold
-#define NEAR 0.011  // steps are short where r differs by less than this part
+
+// A wheel rests on the turntable where it is pinned, and in a stick that tends
+// to g = 0 without an end, from |g| <= REST_SPEED on; under noise, where stick
+// is a band around h = 0, from |g| <= REST_BANDS band on.
+#define REST_SPEED 1e-9 // [m/s]
+#define REST_BANDS 4
 
 // The generator is Philox: draw n of sample i under a seed is the same number
 // whatever was drawn before, so that any worker may compute any sample.
@@ -36,52 +40,41 @@ static double draw_normal(cli_draws_t *draws) {
   return sqrt(-2 * log(fraction(word[0]))) * cos(TWO_PI * fraction(word[1]));
 }
 
-void cli_motion_begin(cli_motion_t *motion, const tf_params_t *params) {
+void cli_motion_begin(cli_motion_t *motion) {
   const cli_job_t *job = motion->job;
-  tf_params_t near = *params;
-  near.dt = (tf_real_t)job->near;
-  (void)tf_prepare(&motion->long_steps, params, NULL);
-  (void)tf_prepare(&motion->short_steps, &near, NULL);
-  motion->state = job->at_two_fold ? cli_before_two_fold(&job->machine,
-                                                         &job->two_fold, BEFORE)
-                                   : job->setup.state;
+  const tf_machine_t *k = &job->machine;
+  motion->machine = *k;
+  motion->near = (double)(tf_real_t)job->near;
   motion->t = 0;
   motion->wait = -1;
-}
-
-tf_state_t cli_state_at_two_fold(const cli_job_t *job) {
-  const tf_machine_t *k = &job->machine;
-  tf_state_t state =
-      cli_state_at(k, cli_point_on_surface(k, job->canard.r, job->canard.z));
-  state.mode = (uint8_t)cli_stick_mode(job->canard.s);
-  return state;
-}
-
-double cli_step_length(const cli_motion_t *motion, cli_point_t at, double g) {
-  const cli_two_fold_t *two_fold = &motion->job->two_fold;
-  const bool short_steps = g * two_fold->g > 0 &&
-                           fabs(at.r - two_fold->r) < NEAR * fabs(two_fold->r);
-  return short_steps ? (double)motion->short_steps.dt
-                     : (double)motion->long_steps.dt;
+  motion->state = job->setup.state;
+  if (job->at_two_fold) {
+    motion->state =
+        cli_state_at(k, cli_point_on_surface(k, job->canard.r, job->canard.z));
+    motion->state.mode = (uint8_t)cli_stick_mode(job->canard.s);
+  }
 }
 
 bool cli_step_of(cli_motion_t *motion, double dt) {
-  tf_machine_t k = motion->long_steps;
+  tf_machine_t k = motion->machine;
   const tf_input_t input = tf_input_default(&k);
   set_step_length(&k, (tf_real_t)dt);
   return tf_step_located(&k, &motion->state, &input, &motion->report) >= 0;
 }
 
-cli_instant_t cli_instant_at(const cli_motion_t *motion, cli_point_t at) {
-  const tf_slip_t slip = cli_slip_at(&motion->long_steps, at);
-  const bool on = fabs((double)slip.h) <= motion->band;
-  const bool rest = fabs((double)slip.g) <= CLI_REST_BANDS * motion->band;
-  return (cli_instant_t){.t = motion->t,
-                         .at = at,
-                         .h = (double)slip.h,
-                         .g = (double)slip.g,
-                         .on = on,
-                         .rests = on && rest};
+cli_instant_t cli_instant(const cli_motion_t *motion) {
+  const tf_machine_t *k = &motion->machine;
+  const cli_point_t at = cli_point_of(k, &motion->state);
+  const tf_slip_t slip = cli_slip_at(k, at);
+  const double h = (double)slip.h, g = (double)slip.g;
+  const bool stays = motion->band > 0 ? fabs(h) <= motion->band
+                                      : !tf_mode_is_slip(motion->state.mode);
+  const double speed =
+      motion->band > 0 ? REST_BANDS * motion->band : REST_SPEED;
+  const bool rests = (motion->band <= 0 && motion->state.mode == TF_PINNED) ||
+                     (stays && fabs(g) <= speed);
+  return (cli_instant_t){
+      .t = motion->t, .at = at, .h = h, .g = g, .on = stays, .rests = rests};
 }
 
 bool cli_refuse_cycle(cli_motion_t *motion) {
@@ -100,6 +93,8 @@ bool cli_refuse_cycle(cli_motion_t *motion) {
 // decides within (size / (mu/m))^2, and a longer step would decide by itself
 // (--fine).
 
+#define BEFORE 4e-3 // [m], distance of a start before the two-fold
+#define NEAR 0.011  // steps are short where r differs by less than this part
 #define SEVERAL_STEPS 4 // whose rounding slip_rounding is
 
 // Rate of change of A mu where stick passes through the two-fold.
@@ -111,9 +106,16 @@ static double weakening(const cli_job_t *job) {
   return fabs(rise / (2 * e) * at->v) * (double)job->machine.contact.tyre.mu;
 }
 
-static cli_instant_t instant(const cli_motion_t *motion) {
-  return cli_instant_at(motion,
-                        cli_point_of(&motion->long_steps, &motion->state));
+// Stick on the weak direction, before the two-fold.
+static tf_state_t before_two_fold(const cli_job_t *job) {
+  const tf_machine_t *k = &job->machine;
+  const cli_two_fold_t *at = &job->two_fold;
+  const double s = at->g < 0 ? -1 : 1;
+  const double e = cli_delassus(k, at->r + BEFORE, s) > 0 ? BEFORE : -BEFORE;
+  const double z = at->omega - (double)k->omega0 + at->slope * e;
+  tf_state_t state = cli_state_at(k, cli_point_on_surface(k, at->r + e, z));
+  state.mode = (uint8_t)cli_stick_mode(s);
+  return state;
 }
 
 static cli_instant_t start(cli_motion_t *motion) {
@@ -123,18 +125,30 @@ static cli_instant_t start(cli_motion_t *motion) {
   const tf_input_t input = tf_input_default(&job->machine);
   const double time = pow(2 * motion->size / weakening(job), 2.0 / 3.0);
   const double resolved = isfinite(time) ? time : 1; // [s], at the two-fold
+  cli_motion_begin(motion);
+  if (job->at_two_fold) {
+    motion->state = before_two_fold(job);
+  }
   motion->band = 4 * motion->size * sqrt(resolved);
   motion->length = (double)params.dt;
+  motion->near = (double)(tf_real_t)fmin(job->near, resolved / job->refinement);
   params.tolerance = 0; // as fine as the number type allows
-  cli_motion_begin(motion, &params);
-  set_step_length(&motion->short_steps,
-                  (tf_real_t)fmin(job->near, resolved / job->refinement));
-  (void)tf_begin(&motion->long_steps, &motion->state, &input, &report);
-  return instant(motion);
+  (void)tf_prepare(&motion->machine, &params, NULL);
+  (void)tf_begin(&motion->machine, &motion->state, &input, &report);
+  return cli_instant(motion);
+}
+
+// The longest step at an instant.
+static double longest_step(const cli_motion_t *motion,
+                           const cli_instant_t *now) {
+  const cli_two_fold_t *two_fold = &motion->job->two_fold;
+  const bool is_near = now->g * two_fold->g > 0 &&
+                       fabs(now->at.r - two_fold->r) < NEAR * fabs(two_fold->r);
+  return is_near ? motion->near : (double)motion->machine.dt;
 }
 
 static void add_noise(cli_motion_t *motion, double dt) {
-  const tf_machine_t *k = &motion->long_steps;
+  const tf_machine_t *k = &motion->machine;
   const double mechanism =
       motion->size * sqrt(dt) * draw_normal(&motion->draws);
   motion->state.v -= (tf_real_t)(mechanism / (double)k->sin_gamma);
@@ -148,7 +162,7 @@ static double square(double x) { return x * x; }
 // The shortest step under noise: a share of the time in which noise decides at
 // h = g = 0, but so long that the noise of a step is above the rounding of h.
 static double least_step(const cli_motion_t *motion) {
-  const tf_machine_t *k = &motion->long_steps;
+  const tf_machine_t *k = &motion->machine;
   const tf_state_t *x = &motion->state;
   const double rounding =
       (double)slip_rounding(k, x->r, x->v, x->w, k->omega0) / SEVERAL_STEPS;
@@ -164,18 +178,18 @@ static double least_step(const cli_motion_t *motion) {
 static bool advance(cli_motion_t *motion) {
   const double share = 1 / motion->job->args->fine;
   const tf_state_t from = motion->state;
-  const cli_instant_t at = instant(motion);
+  const cli_instant_t at = cli_instant(motion);
   const double way = square(at.h) + square(at.g);
   const double least = least_step(motion);
   double dt = fmin(2 * motion->length, share * way / square(motion->size));
-  dt = fmin(fmax(dt, least), cli_step_length(motion, at.at, at.g));
+  dt = fmin(fmax(dt, least), longest_step(motion, &at));
   cli_instant_t now = at;
   for (bool near = false; !near; dt = near ? dt : fmax(dt / 2, least)) {
     motion->state = from;
     if (!cli_step_of(motion, dt)) {
       return cli_refuse_cycle(motion);
     }
-    now = instant(motion);
+    now = cli_instant(motion);
     near = dt <= least ||
            square(now.h - at.h) + square(now.g - at.g) <= share * way;
   }

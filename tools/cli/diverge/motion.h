@@ -75,20 +75,14 @@ typedef struct {
 
 double cli_draw_uniform(cli_draws_t *draws); ///< in (0, 1)
 
-/// A wheel rests on the turntable where it is pinned, and in a stick that tends
-/// to g = 0 without an end, from |g| <= CLI_REST_SPEED [m/s] on; where h is 0
-/// within a band only, from |g| <= CLI_REST_BANDS band on.
-#define CLI_REST_SPEED 1e-9
-#define CLI_REST_BANDS 4
-
 typedef struct {
   const cli_job_t *job;
   cli_tracker_t tracker;
   cli_draws_t draws;
-  double size;              ///< of the mechanism, in this sample
-  double band;              ///< |h| <= band is on the surface [m/s]
-  tf_machine_t long_steps;  ///< machine away from the two-fold
-  tf_machine_t short_steps; ///< machine near the two-fold
+  double size;          ///< of the mechanism, in this sample
+  double band;          ///< noise: |h| <= band is on the surface [m/s]
+  tf_machine_t machine; ///< its dt is the longest step
+  double near;          ///< longest step near the two-fold, or in slip [s]
   tf_state_t state;
   tf_report_t report;
   double t;
@@ -107,22 +101,13 @@ typedef struct {
   bool (*pass)(cli_motion_t *motion);
 } cli_stepper_t;
 
-/// Puts a motion at t = 0, before the two-fold where it has to arrive there
-/// first, and prepares its machines. params: in, of the long steps.
-void cli_motion_begin(cli_motion_t *motion, const tf_params_t *params);
+/// Puts a motion at t = 0, at the two-fold or the start that was given.
+void cli_motion_begin(cli_motion_t *motion);
 
-double cli_step_length(const cli_motion_t *motion, cli_point_t at, double g);
-
-/// Takes a step of a length by tf_step_located, on the machine of the long
-/// steps. Returns: whether it was taken.
+/// Takes a step of a length by tf_step_located. Returns: whether it was taken.
 bool cli_step_of(cli_motion_t *motion, double dt);
 
-/// Where samples from the two-fold begin, in stick.
-tf_state_t cli_state_at_two_fold(const cli_job_t *job);
-
-/// The present instant of a motion at a point: on the surface where |h| is
-/// within its band.
-cli_instant_t cli_instant_at(const cli_motion_t *motion, cli_point_t at);
+cli_instant_t cli_instant(const cli_motion_t *motion);
 
 bool cli_refuse_cycle(cli_motion_t *motion);
 

@@ -20,15 +20,6 @@
 #define CODIM2_TOLERANCES 4096
 #define SLIPS (TF_MODE_BIT(TF_SLIP_PLUS) | TF_MODE_BIT(TF_SLIP_MINUS))
 
-static cli_instant_t instant(const cli_motion_t *motion) {
-  const tf_machine_t *k = &motion->job->machine;
-  cli_instant_t now = cli_instant_at(motion, cli_point_of(k, &motion->state));
-  now.on = !tf_mode_is_slip(motion->state.mode);
-  now.rests = motion->state.mode == TF_PINNED ||
-              (now.on && fabs(now.g) <= CLI_REST_SPEED);
-  return now;
-}
-
 static double draw_time(cli_motion_t *motion) {
   const double rate = (double)motion->job->setup.params.rate;
   const double u = cli_draw_uniform(&motion->draws);
@@ -54,7 +45,7 @@ static unsigned draw_mode(cli_motion_t *motion, unsigned set) {
 static bool leave_stick(cli_motion_t *motion, bool released) {
   motion->state.mode = (uint8_t)draw_mode(motion, SLIPS);
   motion->wait = -1;
-  cli_instant_t now = instant(motion);
+  cli_instant_t now = cli_instant(motion);
   now.on = false;
   now.released = released;
   now.h = motion->state.mode == TF_SLIP_PLUS ? 1e-300 : -1e-300;
@@ -72,7 +63,7 @@ static bool pass_two_fold(cli_motion_t *motion) {
   motion->t += reached;
   motion->state = cli_state_at(&job->machine, at);
   motion->state.mode = (uint8_t)cli_stick_mode(job->canard.s);
-  const cli_instant_t on = instant(motion);
+  const cli_instant_t on = cli_instant(motion);
   // To go on from the two-fold is no arrival there, wherever the sign of A is
   // that of its rounding.
   motion->tracker.last = on;
@@ -80,11 +71,8 @@ static bool pass_two_fold(cli_motion_t *motion) {
 }
 
 static cli_instant_t start(cli_motion_t *motion) {
-  cli_motion_begin(motion, &motion->job->params);
-  if (motion->job->at_two_fold) {
-    motion->state = cli_state_at_two_fold(motion->job);
-  }
-  return instant(motion);
+  cli_motion_begin(motion);
+  return cli_instant(motion);
 }
 
 // Every mode that may follow from where the motion is.
@@ -148,7 +136,7 @@ static bool was_at_codim2(cli_motion_t *motion, const tf_state_t *from,
   }
   motion->state = *from;
   const double passed = come_near(motion, &length, SHORTEST);
-  const cli_instant_t now = instant(motion);
+  const cli_instant_t now = cli_instant(motion);
   const double speed =
       fabs((double)motion->state.v) + fabs((double)motion->state.w);
   // Short steps may miss h = g = 0 where the long one hit it: then all but the
@@ -178,12 +166,12 @@ static bool leave_codim2(cli_motion_t *motion, unsigned mode) {
     }
     motion->t += OFF;
   }
-  const cli_instant_t now = instant(motion);
+  const cli_instant_t now = cli_instant(motion);
   return cli_track(&motion->tracker, &now);
 }
 
 static bool at_codim2(cli_motion_t *motion, unsigned set) {
-  cli_instant_t now = instant(motion);
+  cli_instant_t now = cli_instant(motion);
   now.on = false;
   return cli_track(&motion->tracker, &now) ||
          leave_codim2(motion, draw_mode(motion, set));
@@ -199,7 +187,7 @@ static bool leave_pinned(cli_motion_t *motion) {
 // and ended within the same step ended after the two-fold.
 static bool track(cli_motion_t *motion, const tf_state_t *from) {
   const cli_instant_t *before = &motion->tracker.last;
-  cli_instant_t now = instant(motion);
+  cli_instant_t now = cli_instant(motion);
   const double side = cli_stick_sign(from->mode);
   const tf_machine_t *k = &motion->job->machine;
   const unsigned through = SLIPS | TF_MODE_BIT(from->mode);
@@ -238,8 +226,8 @@ static bool advance(cli_motion_t *motion) {
   const bool waiting = waits(motion->job, &from);
   unsigned set = 0;
   // Windings are counted by changes of the sign of h, which need short steps.
-  double length = tf_mode_is_slip(from.mode) ? (double)motion->short_steps.dt
-                                             : (double)motion->long_steps.dt;
+  double length =
+      tf_mode_is_slip(from.mode) ? motion->near : (double)motion->machine.dt;
   if (waiting) {
     motion->wait = motion->wait < 0 ? draw_time(motion) : motion->wait;
     length = fmin(length, motion->wait);
@@ -280,7 +268,7 @@ cli_branch_t cli_random_branch(cli_motion_t *motion, unsigned mode,
   motion->t = 0;
   motion->wait = -1;
   motion->state.mode = (uint8_t)mode;
-  cli_instant_t now = instant(motion);
+  cli_instant_t now = cli_instant(motion);
   cli_track_start(&motion->tracker, &now);
   if (tf_mode_is_slip(mode)) {
     motion->tracker.last.on = true;
