@@ -55,7 +55,7 @@ static const cli_choice_t between[] = {
     {"linear", "inputs change linearly from row to row"},
     {NULL, NULL}};
 static const cli_choice_t formats[] = {
-    [CLI_FORMAT_CSV] = {"csv", "t,r,v,omega,h,g,F,M,mode,choices; for files"},
+    [CLI_FORMAT_CSV] = {"csv", CLI_CSV_HEADER "; for files"},
     [CLI_FORMAT_FRAMES] = {"frames",
                            "what a board sends: see docs/PROTOCOL.md; of "
                            "monitor all bytes as they come"},

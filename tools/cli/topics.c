@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "command.h"
+#include "run/row.h"
 #include "setup/setup.h"
 #include "sweep/point.h"
 #include "twofold.h"
@@ -19,9 +20,9 @@ typedef struct {
 
 static const topic_t topics[] = {
     {"csv columns",
-     "The rows of 'run' and 'monitor --format csv': "
-     "t,r,v,omega,h,g,F,M,mode,choices in s, m, m/s, rad/s, m/s, m/s, N, N "
-     "m. Numbers are the shortest decimals that read back to the same bits. "
+     "The rows of 'run' and 'monitor --format csv': " CLI_CSV_HEADER
+     " (" CLI_CSV_UNITS "). "
+     "Numbers are the shortest decimals that read back to the same bits. "
      "The start, every Nth step (--every N) and the last step have a row. "
      "--provenance puts four comment lines before the header. With these:\n"
      "  numpy    genfromtxt(FILE, delimiter=',', names=True, dtype=None,\n"

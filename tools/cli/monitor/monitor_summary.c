@@ -41,7 +41,7 @@ static void note_told(cli_told_t *count, uint32_t told) {
 
 static void note_row(cli_seen_t *seen, const cli_csv_t *row) {
   bool finite = true;
-  for (size_t i = 0; i < row->columns; i++) {
+  for (size_t i = 0; i < CLI_CSV_COLUMNS; i++) {
     finite = finite && isfinite(row->column[i]);
   }
   if (!finite && seen->not_finite++ == 0) {

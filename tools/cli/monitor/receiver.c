@@ -121,8 +121,8 @@ static bool take_schema(cli_receiver_t *receiver, const tf_frame_t *frame) {
   return true;
 }
 
-static bool fill_row(cli_receiver_t *receiver, size_t columns, uint8_t mode,
-                     uint8_t choices, cli_csv_t *row) {
+static bool fill_row(cli_receiver_t *receiver, uint8_t mode, uint8_t choices,
+                     cli_csv_t *row) {
   receiver->mode = mode;
   receiver->choices = choices;
   receiver->rows++;
@@ -131,7 +131,6 @@ static bool fill_row(cli_receiver_t *receiver, size_t columns, uint8_t mode,
       {receiver->is_float ? (double)(float)t : t, receiver->state[0],
        receiver->state[1], receiver->state[2], receiver->report[0],
        receiver->report[1], receiver->report[2], receiver->report[3]},
-      columns,
       receiver->is_float,
       mode,
       choices};
@@ -157,7 +156,7 @@ static bool take_report(cli_receiver_t *receiver, const tf_frame_t *frame,
   }
   receiver->status = (tf_status_t)(at[3] < 128 ? at[3] : (int)at[3] - 256);
   receiver->has_state = false;
-  return fill_row(receiver, CLI_CSV_COLUMNS, at[0], at[2], row);
+  return fill_row(receiver, at[0], at[2], row);
 }
 
 // Bytes of a payload of fixed length; 0 where the length depends on the data.

@@ -12,19 +12,21 @@
 #include <string.h>
 
 #include "../text/buffer.h"
+#include "../text/number.h"
 
 #define PLOTTED 6 // columns from the second up to this one
 
-const cli_quantity_t cli_csv_columns[CLI_CSV_COLUMNS] = {
-    {"t", "s"},   {"r", "m"},   {"v", "m/s"}, {"omega", "rad/s"},
-    {"h", "m/s"}, {"g", "m/s"}, {"F", "N"},   {"M", "N m"}};
+#define COLUMN(name, unit, value) {#name, unit},
+static const cli_quantity_t columns[] = {CLI_CSV_NUMBERS(COLUMN, COLUMN)};
+
+static void add(cli_buffer_t *text, const cli_csv_t *row, size_t i) {
+  cli_add_number(text, row->column[i], row->is_float);
+}
 
 static size_t csv(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
   cli_buffer_t text = {out, 0, CLI_ROW_ROOM, false};
   for (size_t i = 0; i < CLI_CSV_COLUMNS; i++) {
-    if (i < row->columns) {
-      cli_add_number(&text, row->column[i], row->is_float);
-    }
+    add(&text, row, i);
     cli_add(&text, ",");
   }
   cli_add_form(&text, "%s,%" PRIu64 "\n", tf_mode_name(row->mode),
@@ -34,9 +36,9 @@ static size_t csv(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
 
 static size_t plotter(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
   cli_buffer_t text = {out, 0, CLI_ROW_ROOM, false};
-  for (size_t i = 1; i < PLOTTED && i < row->columns; i++) {
-    cli_add_form(&text, "%s:", cli_csv_columns[i].name);
-    cli_add_number(&text, row->column[i], row->is_float);
+  for (size_t i = 1; i < PLOTTED; i++) {
+    cli_add_form(&text, "%s:", columns[i].name);
+    add(&text, row, i);
     cli_add(&text, " ");
   }
   cli_add_form(&text, "mode:%" PRIu64 " choices:%" PRIu64 "\n",
@@ -44,44 +46,33 @@ static size_t plotter(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
   return text.used;
 }
 
-static void teleplot_name(cli_buffer_t *text, const cli_csv_t *row,
-                          const char *name) {
-  const double ms = row->column[0] * 1000;
-  cli_add_form(text, "%s:", name);
-  cli_add_number(text, row->is_float ? (double)(float)ms : ms, row->is_float);
-  cli_add(text, ":");
-}
-
 static size_t teleplot(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
   cli_buffer_t text = {out, 0, CLI_ROW_ROOM, false};
-  for (size_t i = 1; i < row->columns; i++) {
-    teleplot_name(&text, row, cli_csv_columns[i].name);
-    cli_add_number(&text, row->column[i], row->is_float);
+  char room[CLI_REAL_ROOM];
+  const double ms = row->column[0] * 1000;
+  cli_buffer_t at = {room, 0, sizeof room, false};
+  cli_add_number(&at, row->is_float ? (double)(float)ms : ms, row->is_float);
+  for (size_t i = 1; i < CLI_CSV_COLUMNS; i++) {
+    cli_add_form(&text, "%s:%s:", columns[i].name, room);
+    add(&text, row, i);
     // The section sign stands before the unit.
-    cli_add_form(&text, "\xC2\xA7%s|g\n", cli_csv_columns[i].unit);
+    cli_add_form(&text, "\xC2\xA7%s|g\n", columns[i].unit);
   }
-  teleplot_name(&text, row, "mode");
-  cli_add_form(&text, "%s|t\n", tf_mode_name(row->mode));
-  teleplot_name(&text, row, "choices");
-  cli_add_form(&text, "%" PRIu64 "|g\n", (uint64_t)row->choices);
+  cli_add_form(&text, "mode:%s:%s|t\nchoices:%s:%" PRIu64 "|g\n", room,
+               tf_mode_name(row->mode), room, (uint64_t)row->choices);
   return text.used;
-}
-
-static void json_number(cli_buffer_t *text, const cli_csv_t *row, size_t i) {
-  if (isfinite(row->column[i])) {
-    cli_add_number(text, row->column[i], row->is_float);
-  } else {
-    cli_add(text, "null"); // JSON has no other word for it
-  }
 }
 
 static size_t json(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
   cli_buffer_t text = {out, 0, CLI_ROW_ROOM, false};
-  cli_add(&text, "{\"timestamp\":");
-  json_number(&text, row, 0);
-  for (size_t i = 1; i < row->columns; i++) {
-    cli_add_form(&text, ",\"%s\":", cli_csv_columns[i].name);
-    json_number(&text, row, i);
+  for (size_t i = 0; i < CLI_CSV_COLUMNS; i++) {
+    cli_add_form(&text, "%s\"%s\":", i == 0 ? "{" : ",",
+                 i == 0 ? "timestamp" : columns[i].name);
+    if (isfinite(row->column[i])) {
+      add(&text, row, i);
+    } else {
+      cli_add(&text, "null"); // JSON has no other word for it
+    }
   }
   cli_add_form(&text, ",\"mode\":%" PRIu64 ",\"choices\":%" PRIu64 "}\n",
                (uint64_t)row->mode, (uint64_t)row->choices);
@@ -89,22 +80,19 @@ static size_t json(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
 }
 
 const cli_stream_t cli_streams[CLI_FORMATS] = {
-    [CLI_FORMAT_CSV] = {CLI_CSV_HEADER, csv},
+    [CLI_FORMAT_CSV] = {CLI_CSV_HEADER "\n", csv},
     [CLI_FORMAT_FRAMES] = {"", NULL},
     [CLI_FORMAT_JSON] = {"", json},
     [CLI_FORMAT_PLOTTER] = {"", plotter},
     [CLI_FORMAT_TELEPLOT] = {"", teleplot}};
 
+#define NUMBER(name, unit, value) (double)(value),
 cli_csv_t cli_row(tf_real_t t, const tf_state_t *state,
                   const tf_report_t *report) {
-  return (cli_csv_t){
-      {(double)t, (double)state->r, (double)state->v, (double)state->w,
-       (double)report->slip.h, (double)report->slip.g, (double)report->force.F,
-       (double)report->force.M},
-      CLI_CSV_COLUMNS,
-      sizeof(tf_real_t) == sizeof(float),
-      report->mode,
-      report->choices};
+  return (cli_csv_t){{CLI_CSV_NUMBERS(NUMBER, NUMBER)},
+                     sizeof(tf_real_t) == sizeof(float),
+                     report->mode,
+                     report->choices};
 }
 
 #define GLANCED 6 // a terminal of 80 columns has no room for F and M

@@ -17,22 +17,32 @@ typedef enum {
 /// Room for the longest row or header.
 #define CLI_ROW_ROOM 1024
 
-/// A row of CSV in numbers: t r v omega h g F M.
-#define CLI_CSV_COLUMNS 8
-#define CLI_CSV_HEADER "t,r,v,omega,h,g,F,M,mode,choices\n"
-#define CLI_CSV_UNITS "t s, r m, v m/s, omega rad/s, h m/s, g m/s, F N, M N m"
+/// The numbers of a row of CSV: name, unit, and what it is of a time t, a state
+/// and its report. A column more is a line more, here. first: of the first one.
+#define CLI_CSV_NUMBERS(first, next)                                   \
+  first(t, "s", t) next(r, "m", state->r) next(v, "m/s", state->v)     \
+      next(omega, "rad/s", state->w) next(h, "m/s", report->slip.h)    \
+          next(g, "m/s", report->slip.g) next(F, "N", report->force.F) \
+              next(M, "N m", report->force.M)
+
+#define CLI_CSV_NAME(name, unit, value) #name ","
+#define CLI_CSV_UNIT(name, unit, value) #name " " unit
+#define CLI_CSV_NEXT_UNIT(name, unit, value) ", " #name " " unit
+#define CLI_CSV_ONE(name, unit, value) +1
+
+/// The header without its newline, the units, and how many numbers.
+#define CLI_CSV_HEADER \
+  CLI_CSV_NUMBERS(CLI_CSV_NAME, CLI_CSV_NAME) "mode,choices"
+#define CLI_CSV_UNITS CLI_CSV_NUMBERS(CLI_CSV_UNIT, CLI_CSV_NEXT_UNIT)
+#define CLI_CSV_COLUMNS (0 CLI_CSV_NUMBERS(CLI_CSV_ONE, CLI_CSV_ONE))
+
 typedef struct {
   double column[CLI_CSV_COLUMNS];
-  size_t columns; ///< how many are known; the others stay empty
-  bool is_float;  ///< the numbers are floats
+  bool is_float; ///< the numbers are floats
   unsigned mode, choices;
 } cli_csv_t;
 
-/// Names and units of those columns.
-extern const cli_quantity_t cli_csv_columns[CLI_CSV_COLUMNS];
-
-/// The form of a row. The modes are numbers where the tool draws numbers only;
-/// what a frame does not carry is left out, or left empty in CSV.
+/// The form of a row. The modes are numbers where the tool draws numbers only.
 typedef struct {
   const char *header; ///< the first line, may be empty
   /// Writes a row with its newlines.

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
 #include "../host/host.h"
@@ -272,8 +273,8 @@ static void write_header(cli_run_t *run) {
                        cli_crc(0, lines, provenance_of(run, every, lines)));
     write_schema(run);
   } else if (run->args->format == CLI_FORMAT_CSV) {
-    (void)cli_output_lines(&run->output, CLI_CSV_HEADER,
-                           sizeof CLI_CSV_HEADER - 1);
+    const char *header = cli_streams[CLI_FORMAT_CSV].header;
+    (void)cli_output_lines(&run->output, header, strlen(header));
   }
 }
 
