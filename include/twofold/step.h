@@ -42,7 +42,7 @@ typedef struct {
 /// Returns: TF_OK; TF_BAD_STATE (nothing touched).
 /// Trust: the set is that of the instant, whatever dt is; a step may find
 ///   another one. It is empty, and the mode pinned, where the law of rest
-///   leaves no future; the hull leaves one but at r = 0 (docs/INCLUSION.md).
+///   leaves no future; the hull leaves one but at r = 0 (DESIGN.md, section 5).
 #define tf_begin TF_LINK(tf_begin)
 TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
                             const tf_input_t *input, tf_report_t *report);

@@ -1,4 +1,4 @@
-/* Scene `chaos` by twofold/contact.h alone, stepped as docs/CONTACT.md says,
+/* Scene `chaos` by twofold/contact.h alone, stepped as docs/USE.md says,
  * against its reference: through h = g = 0 into stick-, out of the next one by
  * slip-, into the lower sliding region. */
 #include "../data/reference.h"

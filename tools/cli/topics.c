@@ -147,7 +147,7 @@ static const topic_t topics[] = {
      "forged or of another run (other_runs), and what the board's own "
      "heartbeat counts (docs/PROTOCOL.md)."},
     {"together",
-     "Of 'sweep': how many points are followed at once (docs/SWEEPS.md)."},
+     "Of 'sweep': how many points are followed at once (docs/USE.md)."},
     {"progress",
      "After two seconds, long work says on standard error how far it is and "
      "how much time is left: on a terminal in one line, in a log now and then. "
@@ -196,7 +196,7 @@ static const topic_t topics[] = {
     {"shard shards parallel slurm snakemake map",
      "--shard I/N of 'diverge' and 'sweep': one of N parts of the work, "
      "whose rows one after the other are those of one run. GNU parallel, "
-     "Slurm, Snakemake and the map of a sweep: docs/SWEEPS.md."},
+     "Slurm, Snakemake and the map of a sweep: docs/USE.md."},
     {"version float double number",
      "--version prints the version and the number type of this build: "
      "build/double/twofold or build/float/twofold ('make all')."},

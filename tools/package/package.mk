@@ -147,7 +147,7 @@ $(BUILD)/fmu/describe: tools/package/fmu/describe.c \
 	@echo '  LINK  $@'
 	@$(CC) $(COMMON) $(WARN) -Itools $(EXTRA) $(filter %.c %.o,$^) -lm -o $@
 
-FMU_SOURCES := $(wildcard tools/package/fmu/*.[chp]*) docs/FMU.md LICENSE
+FMU_SOURCES := $(wildcard tools/package/fmu/*.[chp]*) docs/USE.md LICENSE
 # The scene that a folder is named after: $(call fmu_scene,folder).
 fmu_scene = $(if $(filter $(FMU_SCENE),$(1)),$(or $(SCENE),chaos),$(1))
 # $(call fmu_link,directory of the scene,fmi2 or fmi3)

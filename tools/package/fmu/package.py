@@ -10,6 +10,7 @@ DIRECTORY/fmi2 and DIRECTORY/fmi3 are the contents of the two; the scene is in
 DIRECTORY/scene.h, as a constant; CORE has twofold.c and twofold.h."""
 import hashlib
 import json
+import re
 import shutil
 import sys
 import uuid
@@ -47,7 +48,8 @@ def page(model, version):
         f"<tr><td>{v['name']}</td><td>{v['role']}</td><td>{v['unit']}</td>"
         f"<td>{v['about'].replace('>', '&gt;')}</td></tr>"
         for v in model["variables"])
-    guide = (ROOT / "docs" / "FMU.md").read_text()
+    use = (ROOT / "docs" / "USE.md").read_text()
+    guide = re.search(r"^## FMI.*?(?=^## )", use, re.M | re.S)[0]
     guide = guide.replace("&", "&amp;").replace("<", "&lt;")
     return (f"<!DOCTYPE html>\n<html lang=\"en\"><meta charset=\"utf-8\">\n"
             f"<title>twofold {model['scene']}, FMI {version}</title>\n"

@@ -149,7 +149,7 @@ def cpp():
 
 
 def castor():
-    """The example of docs/CONTACT.md says the same in C and in C++. It sticks
+    """The example of docs/USE.md says the same in C and in C++. It sticks
     until A < 0, behind cos(psi)^2 = m e (kappa - e)/J, psi = 161 degrees, where
     other modes are possible, too, and then slips to one side and the other."""
     place = folder("castor")

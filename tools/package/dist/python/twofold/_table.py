@@ -17,7 +17,7 @@ UNITS = {"t": "s", "r": "m", "v": "m/s", "omega": "rad/s", "phi": "rad",
 # What numbers of a column stand for.
 MEMBERS = {"mode": Mode, "final": Mode, "status": Status, "region": Region,
            "type": Folds}
-# Okabe and Ito's colours, by mode as in docs/FIGURES.md.
+# Okabe and Ito's colours, by mode as in docs/PAPER.md.
 COLOURS = ("#d55e00", "#e69f00", "#0072b2", "#009e73", "#000000")
 SHOWN = 10
 

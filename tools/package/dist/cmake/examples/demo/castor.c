@@ -1,4 +1,4 @@
-/* The castor of a trolley that is pushed back, as docs/CONTACT.md derives it:
+/* The castor of a trolley that is pushed back, as docs/STUDIES.md derives it:
    it sticks until slip to either side is possible too (A < 0), and then slips
    to one side and the other in turn; where stick ends depends on dt. Prints
    each change of the mode or of the modes that are possible. */
