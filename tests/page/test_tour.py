@@ -32,7 +32,7 @@ def rows_of(*words):
 
 def test_opening():
     """The start of README's picture with its futures, each to be chosen."""
-    text = (ROOT / "tools/study/figures/futures.py").read_text()
+    text = (ROOT / "tools/study/futures.py").read_text()
     start = ast.literal_eval(re.search(r"^START = (.*)", text, re.M)[1])
     sets = [f"--set={name}={value}" for name, value in start.items()]
     row = rows_of("--t-end", "0", *sets)[0]

@@ -11,17 +11,16 @@ import subprocess
 import sys
 from pathlib import Path
 
-sys.path[:0] = map(str, Path(__file__).resolve().parents[1:3])
+sys.path.insert(0, str(Path(__file__).resolve().parent))
 import table  # noqa: E402
+from pictures import INK, LINE, SOFT  # noqa: E402
+from pictures import MODES as COLOURS  # noqa: E402
 
 # In the escaping region of h = 0; kappa so that the futures part visibly.
 START = {"kappa": "1", "r": "0.3", "omega": "-1.3", "h": "0"}
 T_END, DT, EVERY = 0.9, 1e-4, 150
 RULES = [("slip+", "it slips one way"), ("persist", "it rolls on"),
          ("slip-", "it slips the other way")]
-COLOURS = {"slip+": "#b84900", "slip-": "#b57d00", "stick+": "#0068b0",
-           "stick-": "#00876a", "pinned": "#1b1f24"}
-INK, SOFT, LINE = "#1b1f24", "#666c74", "#dcdad3"
 # Seconds of the picture: at the start, moving, at the end.
 HOLD, MOVE, REST = 1.0, 4.5, 1.5
 LOOP = HOLD + MOVE + REST
@@ -37,7 +36,7 @@ def motion(program, rule):
     out = subprocess.run(
         [program, "run", "chaos", "--t-end", str(T_END), "--dt", str(DT),
          "--select", rule, "--every", "10", *sets], check=True,
-        stdout=subprocess.PIPE, stderr=subprocess.DEVNULL).stdout
+        stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True).stdout
     rows, angle, before = [], 0.0, None
     for number, row in table.parsed(out).iterrows():
         t, r, omega = row.t, row.r, row.omega
