@@ -89,7 +89,7 @@ def departure(row: pd.Series) -> tuple[float, float, float]:
 
 def futures_back() -> list[tuple[tuple[float, float, float], float]]:
     """Starts and lengths of the branches that lead back to the two-fold, each
-    once, because they join: exits 60 ms apart, four to either side, and from
+    once, because they join: exits 60 ms apart, six to either side, and from
     each the fewest choices at h = g = 0 that lead back."""
     rows = rows_of("diverge", "chaos", "--exhaustive", "--depth", 8, "--grid",
                    0.06, "--patience", 2.4, "--count", 5000, "--branches", "-")
@@ -100,7 +100,7 @@ def futures_back() -> list[tuple[tuple[float, float, float], float]]:
         back.update((row.node, row) for _, row in found.iterrows())
         level = set(found.node)
     drawn, starts = set(), []
-    for _, row in rows[(rows.node == 0) & rows.to.notna()][:8].iterrows():
+    for _, row in rows[(rows.node == 0) & rows.to.notna()][:12].iterrows():
         while row is not None and row.node not in drawn:
             starts.append((departure(row), row.time))
             drawn |= {row.node} - {0}

@@ -58,15 +58,15 @@ def streams(axes, x, y, u, v, **style) -> None:
 
 
 def by_mode(axes, rows: pd.DataFrame, *names: str, scale=(1, 1, 1),
-            **style) -> None:
+            modes=tuple(MODES), **style) -> None:
     """A motion in the colours of its modes."""
-    for mode, colour in MODES.items():
+    for mode in modes:
         here = rows["mode"] == mode
         here |= here.shift(fill_value=False)  # to the row that ends it
         if here.any():
             axes.plot(*(rows[name].where(here) * by
-                        for name, by in zip(names, scale)), color=colour,
-                      **style)
+                        for name, by in zip(names, scale)),
+                      color=MODES[mode], **style)
 
 
 def panels(lines: int, columns: int, size: tuple[float, float],
@@ -256,8 +256,14 @@ def set_of_futures():
     far from it."""
     far, (r_low, r_high), (w_low, w_high) = 150, (0.1812, 0.188), (-1.056,
                                                                    -0.99)
-    motions = [trajectory(*start, time, 2e-4) for start, time in
-               futures_back()]
+    motions = []
+    for start, time in futures_back():
+        rows = trajectory(*start, time, 2e-4)
+        ends = rows["mode"] != rows["mode"].shift(-1)
+        slips = rows["mode"].str.startswith("slip")
+        motions += [rows[ends | (rows.index % np.where(slips, 8, 100) == 0)],
+                    pd.DataFrame([{"mode": ""}])]
+    rows = pd.concat(motions)  # one path a mode
     figure, axes = panels(1, 2, (10, 5.4), [
         *mode_keys("slip+", "slip-", "stick+", "stick-"),
         ("sliding", {"color": REGIONS["sliding"], "lw": 6}),
@@ -280,15 +286,11 @@ def set_of_futures():
                 panel.add_collection3d(Poly3DCollection(
                     [np.column_stack([way, on(*way.T)])], zorder=2,
                     color=REGIONS[name], alpha=0.6))
-        for rows in motions:
-            ends = rows["mode"] != rows["mode"].shift(-1)
-            slips = rows["mode"].str.startswith("slip")
-            rows = rows[ends | (rows.index % np.where(slips, 8, 100) == 0)]
-            v = on(rows.r, rows.omega) + 1e3 * far * math.sqrt(2) * rows.h
-            for level, modes in ((1, order[:1]), (3, (*order[1:], "stick+",
-                                                      "stick-"))):
-                by_mode(panel, rows[rows["mode"].isin(modes)].assign(v=v), "r",
-                        "omega", "v", lw=0.8, zorder=level)
+        v = on(rows.r, rows.omega) + 1e3 * far * math.sqrt(2) * rows.h
+        for level, modes in ((1, order[:1]), (3, (*order[1:], "stick+",
+                                                  "stick-"))):
+            by_mode(panel, rows.assign(v=v), "r", "omega", "v", modes=modes,
+                    lw=0.8, zorder=level)
         out = stick_out()[lambda rows: rows.stick_time <= 0.36]
         panel.plot(out.exit_r, out.exit_omega, on(out.exit_r, out.exit_omega),
                    color=MODES["stick+"], lw=2, zorder=3)
