@@ -1,22 +1,19 @@
 #!/usr/bin/python3 -B
-"""`twofold sweep` in shards under the real GNU parallel and Snakemake: the rows
-of one run, also where tasks were lost and started again; its map; and counts of
-`twofold diverge`, by tasks of Slurm's script started by hand. With them go the
-laws of the study's own integrators (tests/study). A program that is missing is
+"""`twofold sweep` in shards under the real GNU parallel and Snakemake, and
+`twofold diverge` by tasks of Slurm's script started by hand: the bytes of one
+run, also where tasks were lost and started again; and the map of a sweep. With
+them go the laws of the studies (tests/study). A program that is missing is
 skipped by name, or fails where it is required."""
-import csv
 import os
-import re
 import shutil
 import sys
-import zlib
-from collections import Counter
 from pathlib import Path
 
 for room in "support", "study":
     sys.path.append(str(Path(__file__).resolve().parents[1] / room))
 from tap import ROOT, TWOFOLD, check, lacks, run  # noqa: E402
 from tap import call as tap_call  # noqa: E402
+import test_figures  # noqa: E402
 import test_finer  # noqa: E402
 import test_mechanisms  # noqa: E402
 import test_noise  # noqa: E402
@@ -26,6 +23,7 @@ TOOLS = ROOT / "tools/study" / "shards"
 SWEEP = ["chaos", "--over", "kappa=0.2:0.4:12", "--over",
          "gamma=-0.6:0.6:5", "--dt", "1e-3", "--outcome",
          "modes,ambiguous,arrivals"]
+DIVERGE = ["chaos", "--samples", "7", "--cycles", "3", "--seed", "4"]
 SHARDS = 5
 
 
@@ -48,31 +46,18 @@ def whole(folder, *more):
     return path
 
 
-def rows(*paths):
-    return [line for path in paths for line in Path(path).read_text()
-            .splitlines() if not line.startswith("#")]
-
-
 def files(folder, name="out"):
     return [folder / f"{name}.{i}.csv" for i in range(1, SHARDS + 1)]
 
 
-def same_rows(folder, *paths):
-    check(rows(*paths) == rows(whole(folder)), "not the rows of one run")
+def joined(paths):
+    return b"".join(path.read_bytes() for path in paths)
 
 
-def lose(path):
-    """What a kill leaves of a file: a part of its rows with its check, and half
-    of one."""
-    lines = path.read_bytes().splitlines(keepends=True)
-    kept = lines[:len(lines) * 2 // 3]
-    told = [line for line in kept if not line.startswith(b"#")]
-    count = sum(line[:1].isdigit() for line in told)
-    check_line = re.sub(rb": \d+ rows, crc32 \w+", b": %d rows, crc32 %08x" %
-                        (count, zlib.crc32(b"".join(told))), lines[-1])
-    path.with_name(path.name + ".part").write_bytes(
-        b"".join([*kept, check_line, lines[len(kept)][:20]]))
-    path.unlink()
+def lose(folder, i):
+    """What a task leaves that was lost before it began."""
+    for path in folder.glob(f"out.{i}.csv*"):
+        path.unlink()
 
 
 def under_parallel(folder):
@@ -82,81 +67,33 @@ def under_parallel(folder):
                f"{folder}/out.{{}}.csv", "--resume", ":::",
                *range(1, SHARDS + 1)]
     environment = dict(os.environ, PARALLEL_HOME=str(folder))
+    want = whole(folder).read_bytes()
     call(*command, env=environment)
-    same_rows(folder, *files(folder))
+    check(joined(files(folder)) == want, "not the bytes of one run")
     before = [path.stat().st_mtime_ns for path in files(folder)]
-    lose(files(folder)[3])
+    lose(folder, 4)
     call(*command, env=environment)
-    same_rows(folder, *files(folder))
+    check(joined(files(folder)) == want, "not the bytes of one run")
     after = [path.stat().st_mtime_ns for path in files(folder)]
     check([a == b for a, b in zip(before, after)] ==
           [True, True, True, False, True], "only the lost shard is done again")
 
 
-COUNTED = ["chaos", "--samples", "7", "--cycles", "3", "--seed", "4"]
-
-
-def counted(*paths, out, code=0):
-    """Merges files of counts. Returns: what was said."""
-    return call(TWOFOLD, "merge", *paths, "--out", out, code=code)
-
-
-def counts(folder):
-    """Those of the rows; what is damaged, double or foreign is refused."""
-    exits, returns = folder / "exits", folder / "returns"
-    one = folder / "one"
-    call(TWOFOLD, "diverge", *COUNTED, "--exits", exits, "--returns", returns,
-         "--counts", one)
-    expected = Counter()
-    for row in csv.DictReader(rows(returns)):
-        back = row["outcome"] == "returned"
-        expected["outcome", row["outcome"]] += 1
-        expected["begun", row["cycle"]] += 1
-        if back:
-            expected["returned", row["cycle"]] += 1
-            width = 100 / 4096
-            expected["time", str(int(float(row["time"]) // width))] += 1
-        if row["landing_r"]:
-            expected["landing",
-                     str(int(float(row["landing_r"]) // 1e-4))] += 1
-    for row in csv.DictReader(rows(exits)):
-        expected["side", row["side"]] += 1
-        if row["phase"]:
-            expected["phase", str(int(float(row["phase"]) * 100))] += 1
-    found = {(row["what"], row["key"]): int(row["count"])
-             for row in csv.DictReader(rows(one))}
-    check(found == dict(expected), "counts are not those of the rows")
-    for i in range(1, SHARDS + 1):
-        call("sh", TOOLS / "shards.sbatch", folder / "part", "counts",
-             *COUNTED, env={**os.environ, "TWOFOLD": TWOFOLD,
+def under_slurm(folder):
+    def task(i):
+        call("sh", TOOLS / "shards.sbatch", folder / "part", "diverge",
+             *DIVERGE, env={**os.environ, "TWOFOLD": TWOFOLD,
                             "SLURM_ARRAY_TASK_ID": str(i),
                             "SLURM_ARRAY_TASK_MAX": str(SHARDS)})
-    parts = files(folder, "part")
-    counted(*parts[3:], out=folder / "some")
-    said = counted(*reversed(parts[:3]), folder / "some", out=folder / "all")
-    check("5 of 5" in said, said)
-    check((folder / "all").read_bytes() == one.read_bytes(), "other bytes")
-    text = parts[0].read_text()
-    bad = folder / "bad"
-    for wrong in (text[:len(text) // 2], text.replace(",1\n", ",2\n", 1),
-                  "", text + text, text.rsplit("#", 1)[0]):
-        bad.write_text(wrong)
-        counted(bad, out=folder / "no", code=2)
-    counted(parts[0], folder / "absent", out=folder / "no", code=2)
-    said = counted(parts[0], folder / "some", parts[4], out=folder / "no",
-                   code=3)
-    check("shard 5 is in another file" in said, said)
-    call(TWOFOLD, "diverge", *COUNTED[:-1], "5", "--counts", bad)
-    said = counted(parts[0], bad, out=folder / "no", code=3)
-    check("another run" in said, said)
-    said = counted(one, parts[0], out=folder / "no", code=3)
-    check("of the same run, cut into 5 shards and not 1" in said, said)
-    check(not (folder / "no").exists(), "what is refused writes nothing")
-    for wrong in (["--counts", one, "--exits", one], ["--exhaustive",
-                                                      "--counts", one]):
-        call(TWOFOLD, "diverge", *COUNTED, *wrong, code=2)
-    call(TWOFOLD, "diverge", "chaos", "--cycles", "65537", "--counts", bad,
-         code=3)
+
+    kinds = "exits", "returns"
+    call(TWOFOLD, "diverge", *DIVERGE, *(
+        word for kind in kinds for word in (f"--{kind}", folder / kind)))
+    for i in (*range(1, SHARDS + 1), 2):
+        task(i)  # one again: it has all
+    for kind in kinds:
+        check(joined(files(folder, f"part-{kind}")) ==
+              (folder / kind).read_bytes(), f"{kind}: not those of one run")
 
 
 def under_snakemake(folder):
@@ -166,14 +103,14 @@ def under_snakemake(folder):
                f"twofold={TWOFOLD}", "sweep=" + " ".join(SWEEP),
                "map=kappa gamma modes"]
     environment = dict(os.environ, XDG_CACHE_HOME=str(folder / "cache"))
+    want = whole(folder).read_bytes()
     call(*command, cwd=folder, env=environment)
-    same_rows(folder, folder / "out.csv")
+    check((folder / "out.csv").read_bytes() == want, "not those of one run")
     check((folder / "out.png").read_bytes().startswith(b"\x89PNG"), "no map")
-    lose(files(folder)[2])
+    lose(folder, 3)
     (folder / "out.csv").unlink()
-    said = call(*command, cwd=folder, env=environment)
-    same_rows(folder, folder / "out.csv")
-    check("were there" in said, "the lost shard goes on behind its last row")
+    call(*command, cwd=folder, env=environment)
+    check((folder / "out.csv").read_bytes() == want, "not those of one run")
     said = call(*command, cwd=folder, env=environment)
     check("Nothing to be done" in said, "what is whole is not done again")
     call(*command[:8], "out=out", code=1, cwd=folder, env=environment)
@@ -190,7 +127,6 @@ def maps(folder):
         text = picture.read_text()
         check("<svg" in text and "pattern" in text, "refused points are "
               f"hatched in the map of {outcome}")
-    draw(table, "kappa", "gamma", "modes", folder / "again.svg")
     line = folder / "line.csv"
     call(TWOFOLD, "sweep", "chaos", "--over", "kappa=0.2:0.4:9", "--out", line)
     for outcome in "energy", "modes":
@@ -199,42 +135,35 @@ def maps(folder):
 
 def maps_refuse(folder):
     table, picture = whole(folder), folder / "no.png"
-    lines = table.read_text().splitlines(keepends=True)
-    cut = folder / "cut.csv"
-    cut.write_text("".join(lines[:-9] + lines[-1:]))
     for words, text in [
             (["kappa", "gamma", "mode"], "there is no column 'mode'"),
             (["kappa", "modes"], "another axis was swept, too"),
-            (["kappa", "reason", "modes"], "not a number")]:
+            (["kappa", "reason", "modes"], "words, not numbers")]:
         said = draw(table, *words, picture, code=3)
         check(text in said and "Traceback" not in said, said)
-    said = draw(cut, "kappa", "gamma", "modes", picture, code=3)
-    check("shard 1/1 is damaged" in said, said)
-    shard = folder / "shard.csv"
-    call(TWOFOLD, "sweep", *SWEEP, "--shard", "1/2", "--out", shard)
-    said = draw(shard, "kappa", "gamma", "modes", picture, code=3)
-    check("shard 2/2 is missing" in said, said)
-    for other, text in ((["--shard", "2/2", "--set", "mu=1.1"],
-                         "of another run"),
-                        (["--shard", "1/2"], "shard 2 is missing")):
-        call(TWOFOLD, "sweep", *SWEEP, *other, "--out", folder / "other.csv")
-        joined = folder / "joined.csv"
-        joined.write_text(shard.read_text() +
-                          (folder / "other.csv").read_text())
-        said = draw(joined, "kappa", "gamma", "modes", picture, code=3)
-        check(text in said, said)
+    first, second = folder / "first.csv", folder / "second.csv"
+    for path, shard in (first, "1/2"), (second, "2/2"):
+        call(TWOFOLD, "sweep", *SWEEP, "--shard", shard, "--out", path)
+    lines = table.read_text().splitlines(keepends=True)
+    for text in ("".join([*lines[:20], *lines[25:]]),
+                 joined([first, first]).decode(),
+                 lines[0] + second.read_text()):
+        bad = folder / "bad.csv"
+        bad.write_text(text)
+        said = draw(bad, "kappa", "gamma", "modes", picture, code=3)
+        check("a shard is missing" in said and "Traceback" not in said, said)
     said = draw(table, "kappa", "gamma", "modes", folder / "x.what", code=3)
     check("x.what" in said and "Traceback" not in said, said)
     draw(table, code=2)
     check(not picture.exists(), "a table that is refused has no picture")
 
 
-TESTS = [("parallel: the rows of one run", under_parallel),
-         ("Snakemake: the rows of one run", under_snakemake),
+TESTS = [("parallel: the bytes of one run", under_parallel),
+         ("Slurm: the bytes of one run", under_slurm),
+         ("Snakemake: the bytes of one run", under_snakemake),
          ("map: words, numbers, refused points, one axis", maps),
          ("map: what it refuses", maps_refuse),
-         ("counts: those of the rows, merged in any order", counts),
-         *test_finer.TESTS, *test_mechanisms.TESTS,
+         *test_figures.TESTS, *test_finer.TESTS, *test_mechanisms.TESTS,
          *test_noise.TESTS, *test_trolley.TESTS]
 
 

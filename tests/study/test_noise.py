@@ -6,7 +6,7 @@ import numpy as np
 from scipy import stats
 from tap import call, check
 
-SIZE, SAMPLES, SECTION, LENGTH = 1e-5, 300, 2e-3, 0.37
+SIZE, SAMPLES, SECTION, LENGTH = 1e-5, 300, 1e-3, 0.37
 KAPPA, K2, R0, C, BETA, GAMMA = (0.27241153714062028, 2.2270992253886014, 0.1,
                                  1e-3, 0.05, -3 * np.pi / 4)
 FOLD = 0.1859, -0.037, -10.244253  # r, omega - omega0 and the slope there
@@ -48,7 +48,7 @@ def exits(folder):
     """As many have a phase, and of one law."""
     mine = euler_maruyama(np.random.default_rng(7))
     call("diverge", "chaos", "--by", "noise", "--size", SIZE, "--fine", "4",
-         "--samples", SAMPLES, "--patience", "0.25", "--section", SECTION,
+         "--samples", SAMPLES, "--patience", "0.25",
          "--exits", folder / "exits", "--returns", folder / "returns")
     lines = [line for line in (folder / "exits").read_text().splitlines()
              if not line.startswith("#")]

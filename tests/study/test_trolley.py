@@ -21,7 +21,7 @@ except ModuleNotFoundError:
     np = None  # study() says what is missing
 
 TROLLEY = str(Path(os.environ.get("TROLLEY") or
-                   ROOT / "build/study/trolley").resolve())
+                   ROOT / "build/study/trolley-program").resolve())
 SIDES = {"slip+": 1, "slip-": -1, 1: 1, -1: -1}
 
 

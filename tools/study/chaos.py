@@ -113,14 +113,9 @@ def futures_back() -> list[tuple[tuple[float, float, float], float]]:
 class Field:
     """Rates over arrays of states (r, p, z): p = v - d z, z = w - omega0."""
 
-    def __init__(self) -> None:
-        lines = (line.split() for line in said("scene", "chaos").stdout
-                 .splitlines())
-        self.of = {words[0]: float(words[1]) for words in lines
-                   if len(words) > 1 and re.match(r"[-\d]", words[1])}
-        self.mu, self.kappa = self.of["mu"], self.of["kappa"]
-        self.sine, self.cosine = (of(self.of["gamma"])
-                                  for of in (math.sin, math.cos))
+    def __init__(self, of: dict) -> None:
+        self.of, self.mu, self.kappa = of, of["mu"], of["kappa"]
+        self.sine, self.cosine = np.sin(of["gamma"]), np.cos(of["gamma"])
 
     def rates(self, r, p, z, F, M):
         """r', p', z' under a force and a moment, and h', g'."""
@@ -149,6 +144,22 @@ class Field:
         v, _, dz, _, _ = self.rates(r, p, z, force, force * M)
         return plus, minus, v, dz
 
+    def is_case_1(self, r, z, s):
+        """Whether a two-fold is one of Teixeira's, case 1: how h' under the
+        force of one slip changes along the other, by differences."""
+        p, K = -r * z * self.cosine / self.sine, {}
+        for b in 1, -1:
+            v, dp, dz, _, _ = self.rates(r, p, z, b * self.mu,
+                                         b * s * self.mu * self.kappa)
+            e = 1e-6 * np.minimum(np.abs(r / v), np.abs(z / dz))
+            for a in 1, -1:
+                ahead, behind = (self.rates(
+                    r + t * v, p + t * dp, z + t * dz, a * self.mu,
+                    a * s * self.mu * self.kappa)[3] for t in (e, -e))
+                K[a, b] = (ahead - behind) / (2 * e)
+        return ((K[1, 1] < 0) & (K[-1, -1] > 0) & (K[-1, 1] < 0)
+                & (K[1, -1] > 0) & (K[-1, 1] * K[1, -1] < K[1, 1] * K[-1, -1]))
+
     def corner(self, r, phi):
         """Next to h = g = 0, in the direction phi = atan2(h, g): how fast the
         distance rho grows, and rho phi'."""
@@ -164,7 +175,10 @@ class Field:
 
 @lru_cache(maxsize=None)
 def field() -> Field:
-    return Field()
+    """That of `chaos`."""
+    lines = map(str.split, said("scene", "chaos").stdout.splitlines())
+    return Field({words[0]: float(words[1]) for words in lines
+                  if len(words) > 1 and re.match(r"[-\d]", words[1])})
 
 
 @lru_cache(maxsize=None)

@@ -68,7 +68,7 @@ def rest(twofold: str, angle: float, found: dict) -> Optional[float]:
                 "--exits", "-", "--returns", "/dev/null")
     if text is None:
         return None
-    rows = table.parsed(text.encode())
+    rows = table.parsed(text)
     places = rows.r[rows.how != "released"]
     return float(places.iloc[0]) if len(places) else None
 
@@ -138,12 +138,12 @@ def core_agreement(twofold: str, finer: str) -> list[list[float]]:
     """dt and the largest difference of r, v, w between the core's law `smooth`
     and finer.c, at t = 0.15 s, width 1e-3."""
     text = said(finer, "width=1e-3", "until=0.15")
-    exact = table.parsed(text.encode()).iloc[0, -3:]
+    exact = table.parsed(text).iloc[0, -3:]
     rows = []
     for dt in 1e-3, 5e-4, 2.5e-4, 1.25e-4:
         text = said(twofold, "run", "smooth", "--set", "epsilon=1e-3", "--set",
                     "r=0.191960972", "--set", "omega=-1.053244828", "--set",
                     "h=0", "--t-end", 0.15, "--dt", dt)
-        state = table.parsed(text.encode()).iloc[-1, 1:4]
+        state = table.parsed(text).iloc[-1, 1:4]
         rows.append([dt, max(abs(a - b) for a, b in zip(state, exact))])
     return rows

@@ -1,26 +1,21 @@
-#!/usr/bin/python3 -B
-"""The figures of scene `chaos`, as SVG and PNG.
-
-usage: figures.py FOLDER [NAME]...     some of them, or all
-
-Each is a function. TWOFOLD in the environment names the program; QUICK takes
-coarser grids and fewer samples.
+"""`make figures`: the pictures of scene `chaos` in docs/figures. Each is a
+function; FIGURES in the environment names some of them, QUICK takes coarser
+grids and fewer samples.
 """
 import math
-import sys
+import os
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
-sys.path[:0] = map(str, Path(__file__).resolve().parents[:2])
-import pictures  # noqa: E402
-import table  # noqa: E402
+import pictures
+import table
 from chaos import OFF, QUICK, Chart, branches, departure, field, fold, \
-    futures_back, rows_of, samples, stick_out, trajectory  # noqa: E402
+    futures_back, rows_of, samples, stick_out, trajectory
 from pictures import INK, LINE, MODES, REGIONS, SERIES, SOFT, colors, \
-    pyplot  # noqa: E402
+    pyplot
 
 WINDOW = (0.10, 0.28), (-1.16, -0.88)  # r, omega of the regions
 CORNER = 0.17  # r of the portrait
@@ -470,15 +465,8 @@ FIGURES = {"surface": surface, "atlas": atlas, "normal": normal,
            "exits": exits, "return": returns, "portrait": portrait}
 
 
-def main() -> None:
-    folder, *names = sys.argv[1:]
-    Path(folder).mkdir(parents=True, exist_ok=True)
-    for name in names or FIGURES:
-        figure = FIGURES[name]()
-        for form in "svg", "png":
-            pictures.save(figure, Path(folder, f"{name}.{form}"))
-        print(f"{folder}/{name}.svg", flush=True)
-
-
-if __name__ == "__main__":
-    table.run_script(main)
+def count(_: Path, kept: Path) -> dict[str, str]:
+    """Draws them; they have no table."""
+    for name in os.environ.get("FIGURES", "").split() or FIGURES:
+        pictures.save(FIGURES[name](), kept / f"{name}.svg")
+    return {}

@@ -1,5 +1,5 @@
 """`make finer`: motions under laws without a jump, from the sliding region of
-`chaos` through its two-fold, as the width of the laws shrinks: docs/FINER.md.
+`chaos` through its two-fold, as the width of the laws shrinks.
 
 What theory says of a motion in the layer. Across a layer of effective width eps
 (the width over the slope of phi where the stick through the two-fold runs, phi
@@ -28,8 +28,8 @@ import driven
 import families
 import pictures
 import table
+from pictures import MODES, SERIES, pyplot
 
-PAGE = "docs/FINER.md"
 EXIT = 3  # a motion has left where |h| is that many widths
 GROWN = 30  # the exponent from which the theory of growth is used
 ALIKE = 0.05  # exits at times that differ by less are the same
@@ -42,15 +42,8 @@ LAST_BITS = {24: range(16, 25), 53: range(18, 27), 64: range(20, 27)}
 STARTS = 1e-15, 1e-12, 1e-9, 1e-6, 1e-3
 KICKED = 1e-12, 1e-8  # [m/s]
 KICKED_WIDTHS = range(16, 27, 2)
-COLOURS = ("#000000", "#E69F00", "#56B4E9", "#009E73", "#0072B2", "#D55E00",
-           "#CC79A7")  # Okabe and Ito's, of the forms
 TURNED = range(22, 29, 2)  # widths at which the kick is sought that turns it
 SINGLE = {1e-6: (113, range(8, 22, 3)), 1e-7: (64, range(10, 17, 3))}
-# What is kept of each motion, with so many digits; `after` and `zero_after`
-# are times from the two-fold.
-KEPT = {"experiment": 0, "form": 0, "bits": 0, "width": 6, "kick": 6,
-        "side": 0, "after": 8, "exit_r": 9, "zero_after": 8, "zero_r": 12,
-        "before": 7, "behind": 7, "error": 3}
 
 PHI: dict[str, Callable[[float], float]] = {
     "algebraic": lambda x: x / math.hypot(1, x),
@@ -140,7 +133,7 @@ def turning(fold: TwoFold, run: Callable[..., list[str]],
 
     def side(kick: float) -> object:
         said = "\n".join(run(113, [*form, f"kick={kick:.17g}"]))
-        return table.parsed(said.encode()).side[0]
+        return table.parsed(said).side[0]
 
     plain = side(0)
     scale = 1e-20 * (effective / 1e-6) ** 7.5 / 30
@@ -212,9 +205,10 @@ def follow(work: Path, twofold: str) -> None:
 def draw(study: Study, path: Path) -> None:
     """The picture of `make finer`: what decides, over the width; and where
     motions leave."""
-    figure, (left, right) = pictures.pyplot.subplots(1, 2, figsize=(11, 4.5))
+    figure, (left, right) = pyplot.subplots(1, 2, figsize=(11, 4.5))
     exact = study.exact.reset_index()
-    for (form, rows), colour in zip(exact.groupby("form", sort=False), COLOURS):
+    for (form, rows), colour in zip(exact.groupby("form", sort=False),
+                                      SERIES):
         decided = rows.dropna(subset="disturbance")
         left.loglog(decided.effective, decided.disturbance, "o-", ms=3, lw=0.8,
                     color=colour, label=form)
@@ -236,34 +230,17 @@ def draw(study: Study, path: Path) -> None:
     left.legend(fontsize=7)
     kicked = study.of("kicked")
     for kick, mark, alpha in (1e-8, "s", 0.25), (1e-12, "o", 0.6):
-        for side, colour in (1, "#D55E00"), (-1, "#E69F00"):
+        for side, colour in (1, MODES["slip+"]), (-1, MODES["slip-"]):
             rows = kicked[(kicked.n == kick) & (kicked.side == side)]
             right.semilogx(rows.effective, 1e3 * rows.exit_r, mark, ms=3,
                            color=colour, alpha=alpha)
     right.axhline(1e3 * study.fold.r, lw=0.6, color="black")
     right.set(xlabel="effective width [m/s]", ylabel="r at the exit [mm]",
               title="lines: undisturbed; kicks of 1e-12 (o), 1e-8 (square)")
-    pictures.save(figure, path, 90)
+    pictures.save(figure, path)
 
 
-def count(work: Path, kept: Path, build: str) -> None:
-    """What the page is made of: the motions themselves."""
-    del build
-    rows = table.read(work / "runs.csv")
-    rows["after"] = rows.exit_t - rows.fold_t
-    rows["zero_after"] = rows.zero_t - rows.fold_t
-    others = ~rows.experiment.str.startswith("exact")
-    rows.loc[others, ["before", "error"]] = math.nan
-    pd.DataFrame({name: rows[name].map(
-        lambda x, n=digits: "" if x != x else f"{x:.{n}g}" if n else x)
-        for name, digits in KEPT.items()}).to_csv(
-            kept / "finer-runs.csv", index=False)
-    for name in "turning.csv", "families.json":
-        (kept / f"finer-{name}").write_bytes((work / name).read_bytes())
-    draw(Study(kept), kept / "finer.png")
-
-
-# The page.
+# Tables.
 
 def told(width: float) -> str:
     return f"{width:.2g}"
@@ -282,11 +259,11 @@ class Study:
     `disturbance` the kick at the two-fold that would make this exit [m/s]."""
 
     def __init__(self, folder: Path) -> None:
-        self.families = json.loads((folder / "finer-families.json")
-                                   .read_text())
+        self.families = json.loads((folder / "families.json").read_text())
         self.fold = TwoFold(self.families["fold"])
-        self.turned = table.read(folder / "finer-turning.csv").abs()
-        rows = table.read(folder / "finer-runs.csv", list(KEPT))
+        self.turned = table.read(folder / "turning.csv").abs()
+        rows = table.read(folder / "runs.csv")
+        rows["after"] = rows.exit_t - rows.fold_t
         unit = {form: self.fold.width(form, 1) for form in PHI}
         rows["effective"] = rows.width / rows.form.map(unit)
         grown = (rows.side != 0) & (rows.behind >= GROWN)
@@ -347,7 +324,7 @@ class Study:
         return 10 ** (-np.interp(want, at, exact.index) / 4) \
             if at[0] <= want <= at[-1] else math.nan
 
-    def selected(self) -> str:
+    def selected(self) -> pd.DataFrame:
         """Side and time by form and width, and what follows; and the shares of
         each precision."""
         lines = []
@@ -363,24 +340,25 @@ class Study:
                 between(grown if grown.min() > GROWN else [], 1),
                 between(1e3 * others.zero_r, 2),
                 *("" if one is None else f"{one:.2f}" for one in shares)])
-        return table.markdown(
-            ["effective width [m/s]", *PHI, "E", "r [mm], all but `angle`",
-             *NAMES.values()], lines)
+        return pd.DataFrame(lines, columns=[
+            "effective width [m/s]", *PHI, "E", "r [mm], all but `angle`",
+            *NAMES.values()])
 
-    def kicked(self) -> str:
+    def kicked(self) -> pd.DataFrame:
         """Spread of futures under one disturbance, the smaller one."""
         lines = []
         for (kick, n), rows in self.of("kicked", n=KICKED[0]).groupby(
                 ["n", pd.to_numeric(self.rows.step)]):
             left = rows[rows.side != 0]
-            lines.append([
-                f"{kick:g}", told(10 ** (-n / 4)), f"{len(left)} of "
-                f"{len(rows)}", (rows.side == 1).sum(),
+            lines.append({
+                "disturbance [m/s]": f"{kick:g}",
+                "effective width [m/s]": told(10 ** (-n / 4)),
+                "leave": f"{len(left)} of {len(rows)}",
+                "to slip+": (rows.side == 1).sum(), "range of r at exit [mm]":
                 f"{1e3 * np.ptp(left.exit_r):.2g}" if len(left) else "",
-                f"{1e3 * np.ptp(rows.zero_r):.2g}"])
-        return table.markdown(
-            ["disturbance [m/s]", "effective width [m/s]", "leave", "to slip+",
-             "range of r at exit [mm]", "range of r where g = 0 [mm]"], lines)
+                "range of r where g = 0 [mm]":
+                f"{1e3 * np.ptp(rows.zero_r):.2g}"})
+        return pd.DataFrame(lines)
 
     def kick_exponents(self) -> pd.DataFrame:
         """Motions after a kick and, where the kick is small enough, the
@@ -390,22 +368,18 @@ class Study:
         return rows.assign(want=[self.fold.exponent(gain) for gain in
                                  EXIT * rows.effective / rows.kick])
 
-    def gamma(self) -> str:
+    def gamma(self) -> pd.DataFrame:
         """Machines with the wheel at other angles."""
-        lines = []
-        for row in self.families["gamma"]:
-            ratio = row["strong"] / row["weak"]
-            lines.append([
-                *(f"{row[name]:.4g}" for name in ("angle", "kappa", "k2")),
-                row["type"], row["case"] or "-",
-                f"{row['weak']:.4g}", f"{row['strong']:.4g}",
-                f"{ratio:.4g}" if ratio > 0 else "-",
-                f"{row['jump_p']:.3g}", f"{row['jump_w']:.3g}",
-                f"{row['rest']:.4g}" if row["rest"] else "-"])
-        return table.markdown(
-            ["gamma + pi", "kappa [m]", "k2 [N/m]", "type", "case", "weak",
-             "strong", "ratio", "jump of p' [m/s^2]", "of w' [rad/s^2]",
-             "stick rests at r [m]"], lines)
+        rows = pd.DataFrame(self.families["gamma"])
+        rows.insert(7, "ratio", rows.strong / rows.weak)
+        rows["case"] = rows.case.map("{:.0f}".format, "ignore")
+        rows["ratio"] = rows.ratio.where(rows.ratio > 0)
+        texts = rows.applymap(lambda one: one if isinstance(one, str) else
+                              "-" if one != one else f"{one:.4g}").fillna("-")
+        texts.columns = ["gamma + pi", "kappa [m]", "k2 [N/m]", "type", "case",
+                         "weak", "strong", "ratio", "jump of p' [m/s^2]",
+                         "of w' [rad/s^2]", "stick rests at r [m]"]
+        return texts
 
     def power(self) -> str:
         """Exponent of the disturbance over the width, where all are past
@@ -417,7 +391,7 @@ class Study:
         return (f"{fit.slope:.2f} (+- {2 * fit.stderr:.2f} by the fit alone, "
                 f"{len(rows)} motions from 3e-6 m/s down)")
 
-    def numbers(self) -> str:
+    def numbers(self) -> pd.DataFrame:
         """What the text speaks of."""
         nu, limits = self.fold.nu, self.families["limits"]
         exact, circle = self.exact.loc["algebraic"], self.families["circle"]
@@ -430,7 +404,7 @@ class Study:
                     for _, _, end, _, _ in circle["motions"])
         last, exacts = exact.iloc[-1], self.of("exact")
         moved = np.ptp(self.of("start", n=1e-3).exit_r)
-        return table.markdown(["what", "value"], [
+        return pd.DataFrame(columns=["what", "value"], data=[
             ["phi of the stick through the two-fold, lambda/mu",
              f"{self.fold.share:.4f}"],
             ["r at the exit, where w at the start changes by up to 1e-3",
@@ -474,8 +448,9 @@ class Study:
              "{:.4f} and {:.4f} 1/s".format(*circle["rates"])]])
 
 
-def parts(kept: Path) -> dict[str, str]:
-    """What the page has of it."""
-    study = Study(kept)
+def count(work: Path, kept: Path) -> dict[str, pd.DataFrame]:
+    """The tables, and the picture."""
+    study = Study(work)
+    draw(study, kept / "finer.png")
     return {name: getattr(study, name)() for name in (
         "numbers", "selected", "kicked", "gamma")}

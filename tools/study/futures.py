@@ -11,7 +11,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent))
+sys.path[:0] = map(str, Path(__file__).resolve().parents[:2])
 import table  # noqa: E402
 from pictures import INK, LINE, SOFT  # noqa: E402
 from pictures import MODES as COLOURS  # noqa: E402

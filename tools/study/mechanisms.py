@@ -1,5 +1,5 @@
 """`make mechanisms`: how common two-folds are among random planar mechanisms
-with a wheel. docs/MECHANISMS.md says what is drawn, searched and counted.
+with a wheel.
 
 A mechanism is an open chain of bodies on revolute (R) or prismatic (P) joints;
 the wheel is on the last one. Its heading is t, its axle n = t turned by +90
@@ -11,8 +11,6 @@ from __future__ import annotations
 
 import concurrent.futures
 import os
-import shutil
-import time
 from pathlib import Path
 from typing import NamedTuple
 
@@ -22,10 +20,8 @@ import pandas as pd
 import driven
 import pictures
 import table
-from pictures import pyplot
+from pictures import SERIES, SOFT, pyplot
 
-PAGE = "docs/MECHANISMS.md"
-COUNTS = "mechanisms.csv"
 MECHANISMS = int(os.environ.get("MECHANISMS") or 10000)  # of each kind
 SEED, PART = 1, 100  # mechanisms of a part
 KINDS = "RR", "RP", "PR", "RRR", "RRP", "RPR", "RPP", "PRR", "PRP", "PPR"
@@ -38,7 +34,7 @@ ARMS = {"below 0.1": (0, 4), "0.1 to 0.32": (5, 6), "0.32 to 1": (7, 8),
 FOUND = {"negative": "A < 0", "two_fold": "two-fold", "visible": "visible",
          "mixed": "one visible", "invisible": "invisible", "case_1": "case 1",
          "case_1_half": "case 1, half the starts"}
-COLOURS = {"negative": "#777777", "two_fold": "#0072B2", "case_1": "#D55E00"}
+COLOURS = {"negative": SOFT, "two_fold": SERIES[0], "case_1": SERIES[3]}
 
 
 def perp(a: np.ndarray) -> np.ndarray:
@@ -224,34 +220,25 @@ def follow(work: Path, _: str) -> None:
     """Counts all, in parts."""
     jobs = [(kinds, number) for number in range(MECHANISMS // PART)
             for kinds in KINDS]
-    found, begun = [], time.monotonic()
     with concurrent.futures.ProcessPoolExecutor(driven.processors()) as pool:
-        for counts in pool.map(part, *zip(*jobs)):
-            found.append(counts)
-            if len(found) % 100 == 0:
-                left = (time.monotonic() - begun) * (len(jobs) / len(found) - 1)
-                print(f"mechanisms: {len(found)} of {len(jobs)} parts, "
-                      f"{left:.0f} s left")
-    pd.concat(found).groupby(level=[0, 1, 2]).sum().to_csv(work / COUNTS)
-
-
-def read(kept: Path) -> pd.DataFrame:
-    rows = table.read(kept / COUNTS, ["joints", "ground", "bin", *FOUND])
-    return rows.assign(freedom=rows.joints.str.len())
+        found = driven.side_by_side(
+            lambda job: pool.submit(part, *job).result(), jobs)
+    pd.concat(found).groupby(level=[0, 1, 2]).sum().to_csv(
+        work / "mechanisms.csv")
 
 
 def share(rows: pd.DataFrame, name: str) -> table.Estimate:
     return table.share(rows[name].sum(), rows.mechanisms.sum())
 
 
-def count(work: Path, kept: Path, _: str) -> None:
-    """Keeps the counts, and draws shares over kappa/arm."""
-    shutil.copy(work / COUNTS, kept)
-    rows = read(kept)
+def count(work: Path, kept: Path) -> dict[str, pd.DataFrame]:
+    """The table, and shares over kappa/arm in a picture."""
+    rows = table.read(work / "mechanisms.csv")
+    freedoms = rows.joints.str.len()
     figure, axes = pyplot.subplots(figsize=(7, 4))
     for name, colour in COLOURS.items():
         for freedom, line in (2, "-"), (3, "--"):
-            here = rows[rows.freedom == freedom]
+            here = rows[freedoms == freedom]
             value, low, high = np.transpose([
                 share(here[here.bin == i], name) for i in range(1, len(EDGES))])
             axes.stairs(value, EDGES, baseline=None, color=colour, ls=line,
@@ -260,22 +247,17 @@ def count(work: Path, kept: Path, _: str) -> None:
                         alpha=0.25)
     axes.set(xscale="log", yscale="log", xlabel="kappa / arm",
              ylabel="share of mechanisms")
-    axes.legend(fontsize=8, loc="lower right")
-    pictures.save_drawing(figure, kept / "mechanisms.svg")
-
-
-def parts(kept: Path) -> dict[str, str]:
-    """What the page has of it."""
-    rows = read(kept)
+    axes.legend(loc="lower right")
+    pictures.save(figure, kept / "mechanisms.svg")
     groups = {
-        **{f"{n} degrees of freedom": rows.freedom == n for n in (2, 3)},
+        **{f"{n} degrees of freedom": freedoms == n for n in (2, 3)},
         **{f"on a {ground}": rows.ground == ground
            for ground in ("belt", "turntable")},
         **{f"kappa/arm {name}": rows.bin.between(*bins)
            for name, bins in ARMS.items()},
         **{kinds: rows.joints == kinds for kinds in KINDS}}
-    return {"shares": table.markdown(
-        ["mechanisms", "drawn", *FOUND.values()],
-        [[name, rows[which].mechanisms.sum(), *(
-            share(rows[which], one).text(2) for one in FOUND)]
-         for name, which in groups.items()])}
+    return {"shares": pd.DataFrame([
+        {"mechanisms": name, "drawn": rows[which].mechanisms.sum(), **{
+            what: share(rows[which], one).text(2)
+            for one, what in FOUND.items()}}
+        for name, which in groups.items()])}

@@ -1,10 +1,10 @@
 """`make sides`: to which side motions leave the layer of finer laws, at 200
 widths a decade, and how often the side changes along lines of starts before
-the two-fold, between which are canards: docs/FINER.md.
+the two-fold, between which are canards.
 
 The side is that of the first swing of h, where |h| first is 1 width. At 3
-widths, where docs/FINER.md says that a motion has left, it is the other one
-where the first swing turns back in between.
+widths, where finer.py says that a motion has left, it is the other one where
+the first swing turns back in between.
 """
 import itertools
 import json
@@ -20,8 +20,8 @@ import families
 import finer
 import pictures
 import table
+from pictures import LINE, MODES, colors, pyplot
 
-PAGE = "docs/FINER.md"
 WIDTHS = range(700, 1501)  # effective ones, 10^(-n/200) m/s
 READ = [(form, 1) for form in finer.PHI] + [("algebraic", 3)]
 HANDED_ON = 0.0997  # [s], 24 ms before the two-fold: binary128 from there on
@@ -36,7 +36,7 @@ SIGNS = {-1: "-", 0: "0", 1: "+"}
 
 def motion(program: str, *words: object) -> pd.Series:
     """What finer.c says of one."""
-    return table.parsed(driven.output(program, *words).encode()).iloc[-1]
+    return table.parsed(driven.output(program, *words)).iloc[-1]
 
 
 def side(programs: str, fold: finer.TwoFold, form: str, exit_at: int,
@@ -122,53 +122,49 @@ def follow(work: Path, twofold: str) -> None:
         work / "sides.csv", index=False)
 
 
-def count(work: Path, kept: Path, build: str) -> None:
-    """The rows themselves, and their picture."""
-    del build
-    (kept / "sides.csv").write_bytes((work / "sides.csv").read_bytes())
-    rows = table.read(kept / "sides.csv").iloc[:len(READ)]
-    figure, axes = pictures.pyplot.subplots(figsize=(9, 3.2))
-    axes.pcolormesh(
-        [10 ** (-n / 200) for n in WIDTHS], range(len(READ)),
-        [["-0+".index(side) for side in sides] for sides in rows.sides],
-        cmap=pictures.matplotlib.colors.ListedColormap(
-            ["#E69F00", "#DDDDDD", "#D55E00"]), vmin=0, vmax=2)
-    axes.set(xscale="log", xlabel="effective width [m/s]",
-             title="first slip+ (vermilion), slip- (orange), or rest (grey)")
-    axes.set_yticks(range(len(READ)), [
-        form + f", at {exit_at} widths" * (exit_at > 1)
-        for form, exit_at in READ])
-    pictures.save(figure, kept / "sides.png", 90)
-
-
 def turns(sides: str) -> list[int]:
     """Where a side differs from that of the motion before it."""
     return [i for i in range(1, len(sides)) if sides[i] != sides[i - 1]
             and "0" not in sides[i - 1:i + 1]]
 
 
-def parts(kept: Path) -> dict[str, str]:
-    """What the page has of it."""
-    rows, lines = table.read(kept / "sides.csv"), []
+def count(work: Path, kept: Path) -> dict[str, pd.DataFrame]:
+    """The tables, and the picture."""
+    rows, lines = table.read(work / "sides.csv"), []
+    draw(kept / "sides.png", rows.sides[:len(READ)])
     for form, exit_at, sides in rows.iloc[:len(READ)].itertuples(index=False):
         left, up = len(sides) - sides.count("0"), sides.count("+")
         # Wald and Wolfowitz
         by_chance = 2 * up * (left - up) / left
         spread = math.sqrt(by_chance * (by_chance - 1) / (left - 1))
         last = turns(sides)[-1:]
-        lines.append([
-            form, exit_at, left, up, len(turns(sides)),
-            f"{by_chance - 2 * spread:.0f} to {by_chance + 2 * spread:.0f}",
-            *(f"{10 ** (-WIDTHS[i] / 200):.2g}" for i in last or [])])
-    forms = table.markdown(
-        ["form", "read at [widths]", "leave", "to slip+", "changes of side",
-         "of a random order", "last change at [m/s]"], lines)
+        lines.append({
+            "form": form, "read at [widths]": exit_at, "leave": left,
+            "to slip+": up, "changes of side": len(turns(sides)),
+            "of a random order": f"{by_chance - 2 * spread:.0f} to "
+                                 f"{by_chance + 2 * spread:.0f}",
+            "last change at [m/s]": "".join(
+                f"{10 ** (-WIDTHS[i] / 200):.2g}" for i in last)})
     found = rows.iloc[len(READ):].sides.map(lambda one: " ".join(
         side for side, _ in itertools.groupby(one.replace("0", ""))))
     each = dict(zip(LINES, found))
-    canards = table.markdown(
-        ["width [m/s]", "E before", *(f"ratio {ratio}" for ratio in RATIOS)],
-        [[f"{width:g}", before, *(each[ratio, width, before]
-                                  for ratio in RATIOS)]
-         for width in LAYERS for before in BEFORE])
-    return {"sides": forms, "canards": canards}
+    return {"sides": pd.DataFrame(lines), "canards": pd.DataFrame([
+        {"width [m/s]": f"{width:g}", "E before": before, **{
+            f"ratio {ratio}": each[ratio, width, before] for ratio in RATIOS}}
+        for width in LAYERS for before in BEFORE])}
+
+
+def draw(path: Path, sides: pd.Series) -> None:
+    """The side over the width, of each form."""
+    figure, axes = pyplot.subplots(figsize=(9, 3.2))
+    axes.pcolormesh(
+        [10 ** (-n / 200) for n in WIDTHS], range(len(READ)),
+        [["-0+".index(side) for side in one] for one in sides],
+        cmap=colors.ListedColormap([MODES["slip-"], LINE, MODES["slip+"]]),
+        vmin=0, vmax=2)
+    axes.set(xscale="log", xlabel="effective width [m/s]",
+             title="first slip+ (dark), slip- (light), or rest (grey)")
+    axes.set_yticks(range(len(READ)), [
+        form + f", at {exit_at} widths" * (exit_at > 1)
+        for form, exit_at in READ])
+    pictures.save(figure, path)

@@ -8,6 +8,8 @@ import math
 import re
 import subprocess
 import sys
+import tempfile
+import time
 from pathlib import Path
 from typing import Callable, Iterable, NamedTuple, Optional, Sequence
 
@@ -15,7 +17,8 @@ import numpy as np
 import pandas as pd
 from scipy import stats
 from statsmodels.stats.proportion import proportion_confint
-from tabulate import tabulate
+
+import driven
 
 LEVEL = 0.95
 DOCUMENTS = "docs/STUDIES.md", "docs/BENCH.md"
@@ -81,6 +84,42 @@ def whole(rows: pd.DataFrame, column: str, path: object) -> pd.DataFrame:
     return rows
 
 
+def sharded(work: Path, name: str, twofold: str,
+            words: Sequence[str]) -> None:
+    """Runs `twofold diverge` in shards on this machine: NAME-exits.csv and
+    NAME-returns.csv have the rows of one run, however many processors, because
+    a sample depends on the seed and its own number alone. Where a shard fails
+    nothing is joined."""
+    jobs = driven.processors()
+    with tempfile.TemporaryDirectory() as folder:
+        def part(i: int) -> None:
+            if said(twofold, "diverge", "chaos", *words, "--shard",
+                    f"{i}/{jobs}", "--exits", f"{folder}/exits.{i}",
+                    "--returns", f"{folder}/returns.{i}") is None:
+                raise TableError(f"a shard of {name} failed; nothing was "
+                                 "joined")
+
+        driven.side_by_side(part, range(1, jobs + 1))
+        for kind in "exits", "returns":
+            (work / f"{name}-{kind}.csv").write_bytes(b"".join(
+                Path(folder, f"{kind}.{i}").read_bytes()
+                for i in range(1, jobs + 1)))
+
+
+def followed(work: Path, twofold: str, runs: dict[str, str],
+             costs: Sequence[float]) -> None:
+    """All runs, by their options, each with a seed of its own: no two have a
+    draw in common. `costs` are about in proportion to their times."""
+    begin, done = time.time(), 0.0
+    for seed, ((name, options), cost) in enumerate(zip(runs.items(), costs), 1):
+        took = time.time() - begin
+        left = f", {took * (sum(costs) / done - 1):.0f} s left" if done else ""
+        print(f"  {seed} of {len(runs)} after {took:.0f} s{left}, {name}: "
+              f"{options}", file=sys.stderr)
+        sharded(work, name, twofold, [*options.split(), "--seed", str(seed)])
+        done += cost
+
+
 # Statistics.
 
 class Estimate(NamedTuple):
@@ -140,10 +179,11 @@ def distance(first: pd.Series, second: pd.Series, tests: int = 1) -> Estimate:
 # Documents. A program fills what stands behind a line <!-- NAME --> and before
 # an empty one; all other words are the document's.
 
-def markdown(columns: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
+def markdown(rows: pd.DataFrame) -> str:
     """A table, of texts as they are."""
-    return tabulate([[str(cell) for cell in row] for row in rows], columns,
-                    "github", disable_numparse=True)
+    text = rows.astype(str).to_markdown(index=False, disable_numparse=True,
+                                        tablefmt="github")
+    return re.sub(r"-{3,}", "--", re.sub(r" +\|", " |", text))
 
 
 def filled(page: str, parts: dict[str, str]) -> str:

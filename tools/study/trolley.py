@@ -1,17 +1,15 @@
-#!/usr/bin/python3 -B
-"""trolley.py TROLLEY PICTURE.svg - two-folds of castors, motions through them
-by tools/study/trolley.c, and real castors: prints the table, draws the picture.
-Equations: docs/CONTACT.md."""
+"""`make trolley`: two-folds of castors, motions through them by trolley.c
+(which has the equations), and real castors."""
 import subprocess
 import sys
+from pathlib import Path
 from types import SimpleNamespace
 
-import matplotlib
 import numpy as np
-from tabulate import tabulate
+import pandas as pd
 
-matplotlib.use("svg")
-from matplotlib import pyplot  # noqa: E402
+import pictures
+from pictures import MODES, REGIONS, pyplot
 
 # A castor, (u, s, behind) of a two-fold, and a time of its motion [s].
 FORWARD = {"m": 2.0677, "J": 0.0056545, "kappa": 0.17152, "mu": 3.4405,
@@ -40,7 +38,6 @@ RANGES = {"m": (0.3, 30), "J": (1e-4, 0.1), "kappa": (0.005, 0.2),
           "mu": (0.1, 100), "k": (1, 1e4), "c": (0.01, 10), "cp": (1e-4, 0.1),
           "V": (0.1, 3)}
 COUNT = 400000
-COLOURS = {"slip+": "#D55E00", "slip-": "#E69F00", "stick+": "#0072B2"}
 
 
 def two_folds(q, u, s, behind):
@@ -126,7 +123,7 @@ def lasting(trolley, castor, steps):
         yield round((m["t"][left] - m["t"][passed]) / time * steps)
 
 
-def table(trolley):
+def rows_of(trolley) -> pd.DataFrame:
     rows = []
     for name, castor in ("forward", FORWARD), ("backward", BACKWARD):
         values, (_, s, behind), time = castor
@@ -153,10 +150,10 @@ def table(trolley):
     rows += [(name, f"trail / kappa > {e / kappa:.2f}, two-folds take "
               f"{1 / (1 + J / (m * e**2)):.3f} to 1")
              for name, e, kappa, J, m in REAL]
-    print(tabulate(rows, ("what", "value"), "github"))
+    return pd.DataFrame(rows, columns=["what", "value"])
 
 
-def picture(trolley, path):
+def picture(trolley, path: Path) -> None:
     """Left: regions of h = 0 and sticks through the two-fold, by the angle and
     h' without friction. Right: futures of one of them, by psi' and y."""
     values, place, time = FORWARD
@@ -166,23 +163,22 @@ def picture(trolley, path):
     def inverse_mass(psi):
         return np.cos(psi)**2 / q.m + q.e * (q.e + q.kappa) / q.J
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(9, 3.8))
-    for name, low, high, shade in (("sliding", -0.07, 0, "#cfe6f5"),
-                                   ("escaping", 0, 0.13, "#f7cfb5")):
+    for name, low, high in ("sliding", -0.07, 0), ("escaping", 0, 0.13):
         psi = np.linspace(f.psi + low, f.psi + high)
         edge = q.mu * inverse_mass(psi)
-        left.fill_between(np.degrees(psi), -edge, edge, color=shade, lw=0,
+        left.fill_between(np.degrees(psi), -edge, edge, color=REGIONS[name], lw=0,
                           label=name)
     start = {**passing(values, place, -time), "dt": 1e-3}
     for off in np.linspace(-0.02, 0.02, 5):
         m = motion(trolley, **{**start, "y": start["y"] + off, "until": 0.17})
         m = m[m["mode"] == "stick+"][1:]
         left.plot(np.degrees(m["psi"]), inverse_mass(m["psi"]) * m["F"],
-                  color=COLOURS["stick+"], lw=0.8)
+                  color=MODES["stick+"], lw=0.8)
     for leave in 0.06, 0.09, 0.12:
         for side in 1, -1:
             m = motion(trolley, **start, until=1.2, leave=leave, side=side,
                        every=4)
-            for mode, colour in list(COLOURS.items())[:2]:
+            for mode, colour in list(MODES.items())[:2]:
                 right.plot(*np.where(m["mode"] == mode, (m["w"], m["y"]),
                                      np.nan), color=colour, lw=0.8,
                            label=mode if (leave, side) == (0.06, 1) else None)
@@ -193,13 +189,12 @@ def picture(trolley, path):
              "displacement of the body [m]", "lower left")):
         axes.plot(x, y, "ko", ms=4, label="two-fold")
         axes.set(xlabel=across, ylabel=up)
-        axes.legend(frameon=False, loc=place)
-        axes.spines[["top", "right"]].set_visible(False)
-    figure.tight_layout()
-    figure.savefig(path, metadata={"Date": None})
+        axes.legend(loc=place)
+    pictures.save(figure, path)
 
 
-if __name__ == "__main__":
-    matplotlib.rcParams["svg.hashsalt"] = "trolley"
-    table(sys.argv[1])
-    picture(*sys.argv[1:])
+def count(work: Path, kept: Path) -> dict[str, pd.DataFrame]:
+    """The table, and the picture. trolley.c is compiled beside `work`."""
+    program = work.parent / "trolley-program"
+    picture(program, kept / "trolley.svg")
+    return {"castors": rows_of(program)}
