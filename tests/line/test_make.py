@@ -31,11 +31,11 @@ def test_switches_are_yes_or_no():
         for value, on in ("yes", 1), ("no", 0), ("", 0):
             code, said, _ = make("-n", *more, f"{name}={value}")
             same((value, code, flag in said), (value, 0, bool(on)))
-    for name in "UPLINK", "KEY_WEAK", "FULL", "FEW":
-        for value in "1", "No", "yes no":
-            code, _, said = make("-n", f"{name}={value}")
-            same((code, f"{name} is one of: yes no; not '{value}'" in said),
-                 (2, True))
+    for name, value in (("UPLINK", "1"), ("KEY_WEAK", "No"),
+                        ("FULL", "yes no"), ("FEW", "1")):
+        code, _, said = make("-n", f"{name}={value}")
+        same((code, f"{name} is one of: yes no; not '{value}'" in said),
+             (2, True))
     # `make check` and the tests, which ask whether there is FULL at all.
     for value, found in ("yes", "yes"), ("no", "none"), ("", "none"):
         Path("probe.mk").write_text(
@@ -50,8 +50,8 @@ def test_switches_are_yes_or_no():
 def test_what_is_no_number_or_no_choice_is_named():
     for name, low, values in (
             ("RATE", 1, ("1e3", "0", "-1", "010", "", "4294967296", "1 2")),
-            ("STEPS", 0, ("many", "0.5", "")), ("EVERY", 1, ("0", "1e1", "")),
-            ("BAUD", 10, ("9", "fast")), ("DEADMAN", 0, ("-1", "1s"))):
+            ("STEPS", 0, ("many",)), ("EVERY", 1, ("0",)), ("BAUD", 10, ("9",)),
+            ("DEADMAN", 0, ("1s",))):
         for value in values:
             code, _, said = make("-n", f"{name}={value}")
             same((value, code, said.split("***")[-1]), (
@@ -135,7 +135,7 @@ def test_another_key_is_another_program():
         path.chmod(0o600)
         os.utime(path, (year * 31556952 - 62167219200,) * 2)
         code, said, errors = make("FORMAT=frames", "UPLINK=yes", "NAMED=-other",
-                                  f"KEY={path}")
+                                  "BOARD_OPT=-O0", f"KEY={path}")
         check(code == 0, errors)
         built.append("  BOARD " in said)
         check(bytes.fromhex(key) in program.read_bytes(), "another key")
