@@ -3,6 +3,7 @@
 #ifndef TWOFOLD_PORT_CORTEX_M_H
 #define TWOFOLD_PORT_CORTEX_M_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 #include "register.h"
@@ -28,11 +29,9 @@ static inline void cortex_m_idle(const volatile uint32_t *ticks,
   __asm__ volatile("cpsie i" ::: "memory");
 }
 
-/// SysTick as tick and clock, started with so many cycles a tick (<= 2^24).
-void cortex_m_tick_start(uint32_t cycles);
-uint32_t cortex_m_ticks(void);
-uint32_t cortex_m_clock(void);
-void cortex_m_tick_idle(uint32_t seen);
+/// SysTick as tick and clock: cortex_m_tick.c, which defines port_ticks,
+/// port_clock and port_idle. Returns: whether it can do so many cycles a tick.
+bool cortex_m_tick_start(uint32_t cycles);
 
 /// Passes the exit code to a debugger or an emulator, then stops for good.
 __attribute__((noreturn)) void cortex_m_halt(int code);

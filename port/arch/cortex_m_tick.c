@@ -1,4 +1,5 @@
 // SysTick as the tick and, between two ticks, as the clock.
+#include "../port.h"
 #include "cortex_m.h"
 
 #define SYST_CSR REGISTER(0xE000E010u)
@@ -12,19 +13,21 @@ static uint32_t cycles_a_tick;
 
 void cortex_m_systick(void) { ticks++; }
 
-void cortex_m_tick_start(uint32_t cycles) {
+bool cortex_m_tick_start(uint32_t cycles) {
+  if (cycles < 500u || cycles > 1u << 24) return false;
   ticks = 0;
   cycles_a_tick = cycles;
   SYST_RVR = cycles - 1u;
   SYST_CVR = 0;
   SYST_CSR = 7u; // processor's clock, interrupt, on
+  return true;
 }
 
-uint32_t cortex_m_ticks(void) { return ticks; }
+uint32_t port_ticks(void) { return ticks; }
 
-void cortex_m_tick_idle(uint32_t seen) { cortex_m_idle(&ticks, seen); }
+void port_idle(uint32_t seen) { cortex_m_idle(&ticks, seen); }
 
-uint32_t cortex_m_clock(void) {
+uint32_t port_clock(void) {
   uint32_t tick, left;
   do { // again if a tick came in between, counted or pending
     tick = ticks;

@@ -2,6 +2,7 @@
 // usual addresses; see riscv.h.
 #include "riscv.h"
 
+#include "../port.h"
 #include "sections.h"
 
 #define MTIMECMP_LOW REGISTER(0x02004000u)
@@ -87,11 +88,11 @@ void riscv_tick_start(uint32_t period) {
   __asm__ volatile("csrs mie, %0" ::"r"(1u << 7));
 }
 
-uint32_t riscv_ticks(void) { return ticks; }
+uint32_t port_ticks(void) { return ticks; }
 
-uint32_t riscv_clock(void) { return MTIME_LOW; }
+uint32_t port_clock(void) { return MTIME_LOW; }
 
-void riscv_idle(uint32_t seen) {
+void port_idle(uint32_t seen) {
   // A masked interrupt still ends wfi, so none is lost between check and wait.
   __asm__ volatile("csrc mstatus, 8" ::: "memory");
   if (ticks == seen) __asm__ volatile("wfi" ::: "memory");

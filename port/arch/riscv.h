@@ -14,11 +14,9 @@ void riscv_interrupt(uint32_t source);
 /// Enables an external interrupt, of the one hart, in machine mode.
 void riscv_enable(uint32_t source);
 
-/// The machine timer as tick, its counter as clock. period: in its units.
+/// The machine timer as tick, its counter as clock: riscv.c defines port_ticks,
+/// port_clock and port_idle. period: in its units.
 void riscv_tick_start(uint32_t period);
-uint32_t riscv_ticks(void);
-uint32_t riscv_clock(void);
-void riscv_idle(uint32_t seen);
 
 /// Passes the exit code to a debugger or an emulator, then stops for good.
 __attribute__((noreturn)) void riscv_halt(int code);

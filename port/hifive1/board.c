@@ -83,10 +83,6 @@ bool port_tick_start(uint32_t rate) {
   return true;
 }
 
-uint32_t port_ticks(void) { return riscv_ticks(); }
-
-uint32_t port_clock(void) { return riscv_clock(); }
-
 uint32_t port_clock_rate(void) { return MTIME_HZ; }
 
 unsigned port_room(void) { return !(UART_TX & FULL_OR_EMPTY); }
@@ -94,8 +90,6 @@ unsigned port_room(void) { return !(UART_TX & FULL_OR_EMPTY); }
 void port_put(uint8_t byte) { UART_TX = byte; }
 
 int port_get(void) { return ring_get(&received); }
-
-void port_idle(uint32_t seen) { riscv_idle(seen); }
 
 // Semihosting, SYS_EXIT_EXTENDED; the three instructions are a fixed sequence.
 void riscv_halt(int code) {

@@ -100,15 +100,8 @@ void port_init(void) {
 }
 
 bool port_tick_start(uint32_t rate) {
-  const uint32_t cycles = clock_hz / rate;
-  if (cycles < 500u || cycles > 1u << 24) return false;
-  cortex_m_tick_start(cycles);
-  return true;
+  return cortex_m_tick_start(clock_hz / rate);
 }
-
-uint32_t port_ticks(void) { return cortex_m_ticks(); }
-
-uint32_t port_clock(void) { return cortex_m_clock(); }
 
 uint32_t port_clock_rate(void) { return clock_hz; }
 
@@ -117,7 +110,5 @@ unsigned port_room(void) { return !(UART_FR & TX_FULL); }
 void port_put(uint8_t byte) { UART_DR = byte; }
 
 int port_get(void) { return ring_get(&received); }
-
-void port_idle(uint32_t seen) { cortex_m_tick_idle(seen); }
 
 void port_halt(int code) { cortex_m_halt(code); }

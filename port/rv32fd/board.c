@@ -32,10 +32,6 @@ bool port_tick_start(uint32_t rate) {
   return true;
 }
 
-uint32_t port_ticks(void) { return riscv_ticks(); }
-
-uint32_t port_clock(void) { return riscv_clock(); }
-
 uint32_t port_clock_rate(void) { return CLOCK_HZ; }
 
 unsigned port_room(void) { return (UART_LSR & TX_EMPTY) != 0; }
@@ -43,8 +39,6 @@ unsigned port_room(void) { return (UART_LSR & TX_EMPTY) != 0; }
 void port_put(uint8_t byte) { UART_DATA = byte; }
 
 int port_get(void) { return ring_get(&received); }
-
-void port_idle(uint32_t seen) { riscv_idle(seen); }
 
 void riscv_halt(int code) {
   TEST_DEVICE = code == 0 ? 0x5555u : (uint32_t)code << 16 | 0x3333u;
