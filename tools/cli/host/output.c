@@ -282,7 +282,6 @@ static int destination_close(cli_destination_t *to, bool whole) {
 
 bool cli_output_open(cli_output_t *output, const char *path, bool keep) {
   output->used = 0;
-  output->checked = false;
   output->last = '\n';
   output->flushed = cli_now();
   output->name =
@@ -347,58 +346,8 @@ bool cli_output_lines(cli_output_t *output, const void *lines, size_t length) {
   return output->error == 0;
 }
 
-// Writes the lines of a part to its copy; of its trailers only the last, which
-// is at its end. Returns: 0 or an errno.
-static int copy_rows(const char *part, cli_output_t *copy) {
-  static char line[CLI_OUTPUT_ROOM + 1]; // as long as a row can be
-  char last[CLI_TRAILER_ROOM] = "";
-  FILE *from = fopen(part, "r");
-  if (from == NULL) {
-    return errno;
-  }
-  while (fgets(line, sizeof line, from) != NULL) {
-    if (strncmp(line, CLI_TRAILER_MARK, sizeof CLI_TRAILER_MARK - 1) == 0) {
-      (void)snprintf(last, sizeof last, "%.*s", (int)sizeof last - 1, line);
-    } else {
-      (void)cli_output_lines(copy, line, strlen(line));
-    }
-  }
-  (void)cli_output_lines(copy, last, strlen(last));
-  (void)cli_output_flush(copy);
-  const int error = ferror(from) != 0 ? EIO : copy->error;
-  (void)fclose(from);
-  return error;
-}
-
-// Takes the trailers but the last out of a part. What is rewritten where it
-// stands is lost with the program, so a copy takes the place of the part, and
-// keeps its own lock. Returns: 0 or an errno.
-static int drop_checks(cli_destination_t *to) {
-  static cli_output_t copy;
-  copy.last = '\n';
-  copy.error = names(to->part, to->descriptor)
-                   ? destination_open(&copy.to, to->part, false)
-                   : EBUSY;
-  if (copy.error != 0) {
-    return copy.error;
-  }
-  const int kept = dup(copy.to.descriptor);
-  int error = kept < 0 ? errno : copy_rows(to->part, &copy);
-  const int closed = destination_close(&copy.to, error == 0);
-  error = error == 0 ? closed : error;
-  if (copy.to.left) {
-    (void)unlink(copy.to.part);
-  }
-  (void)close(error == 0 ? to->descriptor : kept);
-  to->descriptor = error == 0 ? kept : to->descriptor;
-  return error;
-}
-
 bool cli_output_close(cli_output_t *output, bool whole) {
   (void)cli_output_flush(output);
-  if (output->checked && whole && output->error == 0) {
-    output->error = drop_checks(&output->to);
-  }
   const int error = destination_close(&output->to, whole && output->error == 0);
   if (output->error == 0) {
     output->error = error;
@@ -459,12 +408,6 @@ int cli_output_end(cli_output_t *output, int code) {
   }
   cli_output_tell_part(output);
   return code != CLI_DONE || closed ? code : CLI_STOPPED;
-}
-
-void cli_output_trailer(cli_output_t *output, const cli_trailer_t *trailer,
-                        const cli_shard_t *shard) {
-  char line[CLI_TRAILER_ROOM];
-  (void)cli_output_lines(output, line, cli_trailer_line(trailer, shard, line));
 }
 
 int cli_output_write(cli_output_t *output, const char *option, const char *path,

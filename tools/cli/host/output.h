@@ -9,7 +9,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "../text/trailer.h"
+#include "../text/shard.h"
 
 #define CLI_PATH_ROOM 4096
 typedef struct {
@@ -32,7 +32,6 @@ typedef struct {
   int error;      ///< errno of the first failure, 0 while there was none
   double flushed; ///< cli_now() of the last flush
   char last;      ///< byte that ends a row: newline unless set otherwise
-  bool checked;   ///< of the trailers in the part, FILE gets only the last
   size_t used;
   char buffer[CLI_OUTPUT_ROOM];
 } cli_output_t;
@@ -59,10 +58,6 @@ int cli_output_refuse_other(const char *path, const char *what);
 /// gets its name, otherwise a message says where its rows are.
 /// Returns: the code, or CLI_STOPPED in place of CLI_DONE.
 int cli_output_end(cli_output_t *output, int code);
-
-/// Writes the line that counts the rows of a shard.
-void cli_output_trailer(cli_output_t *output, const cli_trailer_t *trailer,
-                        const cli_shard_t *shard);
 
 /// Begins a file, writes one text, and ends it.
 int cli_output_write(cli_output_t *output, const char *option, const char *path,

@@ -14,8 +14,8 @@
 #include "../text/buffer.h"
 #include "../text/message.h"
 #include "../text/number.h"
+#include "../text/shard.h"
 #include "../text/summary.h"
-#include "../text/trailer.h"
 #include "record.h"
 #include "row.h"
 

@@ -27,7 +27,7 @@
 #include "../text/lines.h"
 #include "../text/message.h"
 #include "../text/number.h"
-#include "../text/trailer.h"
+#include "../text/shard.h"
 #include "record.h"
 
 #define VERSION "3"

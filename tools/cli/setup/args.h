@@ -3,7 +3,7 @@
 /// given is 0 otherwise. And the commands, which get it.
 #pragma once
 
-#include "../text/trailer.h"
+#include "../text/shard.h"
 #include "inputs.h"
 
 #define CLI_AXES 8     ///< of a sweep, at most

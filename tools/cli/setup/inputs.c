@@ -8,7 +8,7 @@
 
 #include "../text/buffer.h"
 #include "../text/message.h"
-#include "../text/trailer.h"
+#include "../text/shard.h"
 
 const cli_quantity_t cli_input_columns[CLI_INPUTS] = {
     {"omega0", "rad/s"}, {"r0", "m"}, {"force", "N"}, {"torque", "N m"}};

@@ -12,7 +12,7 @@
 
 #include "../text/message.h"
 #include "../text/number.h"
-#include "../text/trailer.h"
+#include "../text/shard.h"
 
 const cli_setting_t *cli_settings_find(const cli_settings_t *settings,
                                        const char *name) {

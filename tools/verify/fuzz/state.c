@@ -7,7 +7,7 @@
 
 #include "cli/run/record.h"
 #include "cli/text/message.h"
-#include "cli/text/trailer.h"
+#include "cli/text/shard.h"
 #include "verify/fuzz/fuzz.h"
 
 #define CRC_LINE 15

@@ -1,13 +1,8 @@
-// A part of a file that was cut off, or lost on the way to where the parts are
-// joined, looks like a smaller file that is whole. The last line of each part
-// says what it should have been, and which run it is of: a shard that was
-// stopped leaves the whole one of an earlier run under its name. It begins with
-// # because gnuplot, numpy and R skip such lines. tools/study/table.py checks
-// it.
+// Each shard is a run of neighbours, so that the rows of all shards, one file
+// after the other, are those of the whole.
 
-#include "trailer.h"
+#include "shard.h"
 
-#include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -17,8 +12,6 @@
 
 #define MAX_SHARDS 1000000000000000u
 
-// Each shard is a run of neighbours, so that the rows of all shards, one file
-// after the other, are those of the whole.
 const cli_shard_t cli_whole_shard = {1, 1};
 
 int cli_read_shard(const cli_given_t *given, cli_shard_t *shard) {
@@ -50,19 +43,4 @@ void cli_shard_range(const cli_shard_t *shard, uint64_t count, uint64_t *first,
 
 uint32_t cli_crc(uint32_t before, const void *from, size_t length) {
   return tf_crc32(before, from, length);
-}
-
-void cli_trailer_add(cli_trailer_t *trailer, const char *lines, size_t length,
-                     uint64_t rows) {
-  trailer->crc = cli_crc(trailer->crc, lines, length);
-  trailer->rows += rows;
-}
-
-size_t cli_trailer_line(const cli_trailer_t *trailer, const cli_shard_t *shard,
-                        char out[CLI_TRAILER_ROOM]) {
-  return (size_t)snprintf(
-      out, CLI_TRAILER_ROOM,
-      CLI_TRAILER_MARK "%" PRIu64 "/%" PRIu64 ": %" PRIu64
-                       " rows, crc32 %08" PRIx32 ", run %08" PRIx32 "\n",
-      shard->index, shard->of, trailer->rows, trailer->crc, trailer->run);
 }
