@@ -28,22 +28,11 @@ cli_field_t cli_field_at(const tf_machine_t *k, cli_point_t at) {
   return cli_wide_field_at(&wide, at);
 }
 
-tf_slip_t cli_slip_at(const tf_machine_t *k, cli_point_t at) {
-  const cli_field_t f = cli_field_at(k, at);
-  return (tf_slip_t){(tf_real_t)f.h, (tf_real_t)f.g};
-}
-
 tf_state_t cli_state_at(const tf_machine_t *k, cli_point_t at) {
   return (tf_state_t){.r = (tf_real_t)at.r,
                       .v = (tf_real_t)(at.p + (double)k->d * at.z),
                       .w = (tf_real_t)(at.z + (double)k->omega0),
                       .mode = TF_NO_MODE};
-}
-
-cli_point_t cli_point_of(const tf_machine_t *k, const tf_state_t *state) {
-  const double z = (double)state->w - (double)k->omega0;
-  return (cli_point_t){(double)state->r, (double)state->v - (double)k->d * z,
-                       z};
 }
 
 double cli_delassus(const tf_machine_t *k, double r, double g) {

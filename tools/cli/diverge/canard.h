@@ -15,12 +15,12 @@ typedef struct {
 
 /// At a point. [2]: for g > 0, for g < 0.
 typedef struct {
-  cli_point_t rate;         ///< time derivative without friction
-  double h, g;              ///< slip speeds [m/s]
-  double N, A[2];           ///< h' = N - A lambda [m/s^2], [1/kg]
-  double p_F;               ///< p' of F = 1 N
-  double arm, stick_arm[2]; ///< of F and of lambda about the axis [m]
-  double J;                 ///< [kg m^2]
+  cli_point_t rate;    ///< time derivative without friction
+  double h, g;         ///< slip speeds [m/s]
+  double N, A[2];      ///< h' = N - A lambda [m/s^2], [1/kg]
+  double p_F;          ///< p' of F = 1 N
+  double stick_arm[2]; ///< of lambda about the axis [m]
+  double J;            ///< [kg m^2]
 } cli_field_t;
 cli_field_t cli_field_at(const tf_machine_t *machine, cli_point_t at);
 
@@ -38,12 +38,8 @@ typedef struct {
   .minus_sin_gamma = (double)(k)->minus_sin_gamma
 cli_field_t cli_wide_field_at(const cli_wide_t *machine, cli_point_t at);
 
-/// Slip speeds at a point.
-tf_slip_t cli_slip_at(const tf_machine_t *machine, cli_point_t at);
-
-/// The state at a point, without a mode; and the point of a state.
+/// The state at a point, without a mode.
 tf_state_t cli_state_at(const tf_machine_t *machine, cli_point_t at);
-cli_point_t cli_point_of(const tf_machine_t *machine, const tf_state_t *state);
 
 /// Delassus scalar [1/kg] at r for the sign of g.
 double cli_delassus(const tf_machine_t *machine, double r, double g);

@@ -6,6 +6,7 @@
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "../text/message.h"
 
@@ -103,33 +104,6 @@ int cli_job_prepare(cli_job_t *job, const cli_args_t *args) {
   return prepare_two_fold(job);
 }
 
-// The members of the start count only where it was given: a sample from the
-// two-fold begins where the machine has it.
-void cli_job_describe(const cli_job_t *job, cli_buffer_t *text) {
-  const cli_args_t *args = job->args;
-  const tf_state_t *x = &job->setup.state;
-  cli_add_form(text, "twofold %s, commit %s, numbers are %s; diverge %s ",
-               TF_VERSION, cli_commit, CLI_NUMBER_TYPE, args->scene->name);
-  cli_add_hash(text, tf_params_hash(&job->setup.params));
-  cli_add_form(text, " --by %s --codim2 %" PRIu64,
-               cli_mechanisms[args->mechanism], (uint64_t)args->codim2);
-  cli_add_form(text,
-               " --samples %" PRIu64 " --cycles %" PRIu64 " --seed %" PRIu64,
-               args->samples, args->cycles, args->seed);
-  const double numbers[] = {args->size, args->spread, args->patience,
-                            job->refinement, args->fine};
-  for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
-    cli_add(text, " ");
-    cli_add_number(text, numbers[i], false);
-  }
-  if (!job->at_two_fold) {
-    cli_add_form(text, " from %g %g %g %g", (double)x->r, (double)x->v,
-                 (double)x->w, (double)x->phi);
-  }
-  cli_add_form(text, " --shard %" PRIu64 "/%" PRIu64, args->shard.index,
-               args->shard.of);
-}
-
 size_t cli_job_provenance(const cli_job_t *job, const char *units,
                           char out[CLI_PROVENANCE_ROOM]) {
   const cli_args_t *args = job->args;
@@ -150,4 +124,24 @@ size_t cli_job_provenance(const cli_job_t *job, const char *units,
                    args->size, args->spread, dt);
   }
   return cli_provenance(&told, how, units, out);
+}
+
+void cli_job_describe(const cli_job_t *job, cli_buffer_t *text) {
+  const cli_args_t *args = job->args;
+  const double numbers[] = {args->size, args->spread, args->patience,
+                            job->refinement, args->fine};
+  char lines[CLI_PROVENANCE_ROOM];
+  (void)cli_job_provenance(job, "SI", lines);
+  for (char *end = lines; (end = strchr(end, '\n')) != NULL;) {
+    *end = ' ';
+  }
+  cli_add_form(text,
+               "%s--codim2 %" PRIu64 " --samples %" PRIu64 " --cycles %" PRIu64
+               " --shard %" PRIu64 "/%" PRIu64,
+               lines, (uint64_t)args->codim2, args->samples, args->cycles,
+               args->shard.index, args->shard.of);
+  for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+    cli_add(text, " ");
+    cli_add_number(text, numbers[i], false);
+  }
 }

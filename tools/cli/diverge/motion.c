@@ -64,9 +64,11 @@ bool cli_step_of(cli_motion_t *motion, double dt) {
 
 cli_instant_t cli_instant(const cli_motion_t *motion) {
   const tf_machine_t *k = &motion->machine;
-  const cli_point_t at = cli_point_of(k, &motion->state);
-  const tf_slip_t slip = cli_slip_at(k, at);
-  const double h = (double)slip.h, g = (double)slip.g;
+  const double z = (double)motion->state.w - (double)k->omega0;
+  const cli_point_t at = {(double)motion->state.r,
+                          (double)motion->state.v - (double)k->d * z, z};
+  const cli_field_t f = cli_field_at(k, at);
+  const double h = (double)(tf_real_t)f.h, g = (double)(tf_real_t)f.g;
   const bool stays = motion->band > 0 ? fabs(h) <= motion->band
                                       : !tf_mode_is_slip(motion->state.mode);
   const double speed =
