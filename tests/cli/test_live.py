@@ -6,29 +6,19 @@ not one escape code."""
 import os
 import re
 import signal
-import subprocess
-import sys
 import termios
 import threading
 from pathlib import Path
 
+from outputs import column, says, table
+from tap import TWOFOLD, call, check, main, output
 from terminal import Terminal
-
-sys.path.append(str(Path(__file__).resolve().parents[1] / "support"))
-from tap import TWOFOLD, check, run  # noqa: E402
 
 LONG = [TWOFOLD, "run", "chaos", "--live", "--realtime", "--dt", "1e-3",
         "--t-end", "1000"]
 SHORT = [TWOFOLD, "run", "chaos", "--live", "--t-end", "10", "--events", "0"]
 LANES = ["slip+", "slip-", "stick+", "stick-", "pinned", "ambiguous"]
 MARKS = dict(zip(LANES, "+-PMo?"))
-
-
-def plain(*words, **options):
-    """The program where its output is no terminal."""
-    return subprocess.run([str(word) for word in words], check=False,
-                          stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                          stderr=subprocess.PIPE, **options)
 
 
 def lanes_of(lines):
@@ -47,7 +37,7 @@ def planes_of(lines):
             if line[:1] in "│|"]
 
 
-def shows_planes_and_lanes():
+def test_shows_planes_and_lanes():
     for columns, rows in (133, 50), (40, 15), (300, 100):
         with Terminal(LONG, columns, rows) as terminal:
             lines = terminal.drawn(5)
@@ -64,15 +54,14 @@ def shows_planes_and_lanes():
             check(terminal.end() == 4, "code of an interrupted run")
 
 
-def visited(*more):
+def visited(*words):
     """Modes of the rows of a run, and whether it had several futures."""
-    out = plain(TWOFOLD, "run", *more).stdout.decode().splitlines()[1:]
-    modes = {line.split(",")[8] for line in out}
-    futures = any(int(line.split(",")[9]) > 1 for line in out)
-    return modes | ({"ambiguous"} if futures else set())
+    rows = table(call("run", *words)[0])
+    futures = any(int(choices) > 1 for choices in column(rows, "choices"))
+    return {*column(rows, "mode"), *(["ambiguous"] if futures else [])}
 
 
-def lanes_are_the_modes_of_the_rows():
+def test_lanes_are_the_modes_of_the_rows():
     for words in (["chaos", "--t-end", "10"], ["coulomb", "--t-end", "3"],
                   ["chaos", "--t-end", "0.003"],
                   ["chaos", "--set", "omega=-1", "--set", "h=0"]):
@@ -85,20 +74,21 @@ def lanes_are_the_modes_of_the_rows():
             check(shown == visited(*words), f"{words}: {shown}")
             check("steps      " in terminal.text(), "the summary follows")
         check(Path("rows").read_bytes() ==
-              plain(TWOFOLD, "run", *words).stdout, "other rows")
+              output(TWOFOLD, "run", *words), "other rows")
 
 
-def gives_back_on(number):
-    with Terminal(LONG) as terminal:
-        terminal.drawn(2)
-        check(not terminal.screen.cursor and terminal.screen.other,
-              "it takes the terminal")
-        terminal.signal(number)
-        check(terminal.end() == 4, "code")
-        check(terminal.is_given_back(), "not given back")
+def test_gives_back_on_a_signal():
+    for number in signal.SIGINT, signal.SIGTERM, signal.SIGHUP:
+        with Terminal(LONG) as terminal:
+            terminal.drawn(2)
+            check(not terminal.screen.cursor and terminal.screen.other,
+                  "it takes the terminal")
+            terminal.signal(number)
+            check(terminal.end() == 4 and terminal.is_given_back(),
+                  f"{number.name}: code, or not given back")
 
 
-def gives_back_before_a_second_signal():
+def test_gives_back_before_a_second_signal():
     """The first signal alone puts the terminal in order: where the program
     then hangs, here in a full pipe, a second one kills it."""
     os.mkfifo("fifo")
@@ -116,7 +106,7 @@ def gives_back_before_a_second_signal():
     os.close(reader)
 
 
-def follows_the_size():
+def test_follows_the_size():
     with Terminal(LONG, 80, 24) as terminal:
         terminal.drawn(2)
         for columns, rows in (120, 40), (50, 20), (30, 8), (80, 24):
@@ -134,7 +124,7 @@ def follows_the_size():
             check(fits(terminal.drawn(2)), terminal.text())
 
 
-def keys():
+def test_keys():
     """q leaves the picture, other keys do not, and the terminal takes lines
     again."""
     for leave in (lambda terminal: os.write(terminal.line, b"q"),
@@ -152,10 +142,10 @@ def keys():
                   "no lines")
 
 
-def rows_at_a_glance():
+def test_rows_at_a_glance():
     """On a terminal the first and the last rows; all of them, if asked."""
-    rows = plain(TWOFOLD, "run", "chaos", "--t-end", "0.2").stdout.decode()
-    rows = [line.split(",") for line in rows.splitlines()[1:]]
+    rows = call("run", "chaos", "--t-end", "0.2")[0].splitlines()[1:]
+    rows = [line.split(",") for line in rows]
     for count in (2001, 8, 1):
         words = [TWOFOLD, "run", "chaos", "--t-end", (count - 1) / 1e4]
         with Terminal(words) as terminal:
@@ -173,7 +163,7 @@ def rows_at_a_glance():
         check("t,r,v,omega" in terminal.text(), "--out - has all digits")
 
 
-def ascii_without_utf8():
+def test_ascii_without_utf8():
     for names in ({"LANG": ""}, {"LANG": "de_DE.ISO-8859-1"},
                   {"LC_ALL": "C", "LANG": "C.UTF-8"},
                   {"LC_CTYPE": "POSIX", "LANG": "C.UTF-8"}):
@@ -190,7 +180,7 @@ def ascii_without_utf8():
             check(not terminal.all.isascii(), f"{names}: is ASCII")
 
 
-def colours():
+def test_colours():
     for value, coloured in ("", True), ("1", False):
         with Terminal(SHORT, NO_COLOR=value) as terminal:
             check(terminal.end() == 0, "code")
@@ -199,22 +189,18 @@ def colours():
             check("t,r,v" not in terminal.text(), "no rows in the picture")
 
 
-def quiet_without_a_terminal():
-    rows = plain(TWOFOLD, "run", "chaos", "--t-end", "1").stdout
-    done = plain(TWOFOLD, "run", "chaos", "--t-end", "1", "--live")
-    check(done.returncode == 0 and done.stdout == rows, "rows as without it")
-    check(b"\x1b" not in done.stdout + done.stderr, "an escape code")
-    told = [line for line in done.stderr.decode().splitlines()
-            if "--live" in line]
+def test_quiet_without_a_terminal():
+    rows = call("run", "chaos", "--t-end", "1")[0]
+    out, told = call("run", "chaos", "--t-end", "1", "--live")
+    check(out == rows and "\x1b" not in out + told, "other rows, or a code")
+    told = [line for line in told.splitlines() if "--live" in line]
     check(len(told) == 1 and "needs a terminal" in told[0], str(told))
-    frames = plain(TWOFOLD, "run", "chaos", "--t-end", "1", "--format",
-                   "frames").stdout
-    done = plain(TWOFOLD, "monitor", "-", "--live")
-    check(b"\x1b" not in done.stdout + done.stderr, "an escape code")
-    Path("frames").write_bytes(frames)
-    done = plain(TWOFOLD, "monitor", "frames", "--live")
-    check(done.returncode == 0 and done.stdout == b"", "code")
-    check(done.stderr.count(b"--live needs a terminal") == 1, "a line")
+    Path("frames").write_bytes(output(TWOFOLD, "run", "chaos", "--t-end", "1",
+                                      "--format", "frames"))
+    for source, code in ("-", 4), ("frames", 0):
+        out, told = call("monitor", source, "--live", code=code)
+        check(not out and "\x1b" not in told and
+              told.count("--live needs a terminal") == 1, out + told)
     for term in "dumb", "":
         with Terminal([*SHORT, "--every", "50000"], TERM=term) as terminal:
             check(terminal.end() == 0 and b"\x1b" not in terminal.all,
@@ -233,9 +219,9 @@ def feed(pipe, data, terminal):
     terminal.until(lambda: not writing.is_alive(), "all is taken")
 
 
-def monitor_draws_a_stream():
-    frames = plain(TWOFOLD, "run", "chaos", "--t-end", "3", "--format",
-                   "frames").stdout
+def test_monitor_draws_a_stream():
+    frames = output(TWOFOLD, "run", "chaos", "--t-end", "3", "--format",
+                    "frames")
     half = len(frames) // 2
     reader, writer = os.pipe()
     with Terminal([TWOFOLD, "monitor", "-", "--live"], 100, 30,
@@ -253,15 +239,7 @@ def monitor_draws_a_stream():
         check("t = 3.0000 s" in terminal.text(), terminal.text())
         check(re.search(r"frames, 1 broken, \d+ lost", terminal.text()),
               terminal.text())
-    done = plain(TWOFOLD, "monitor", "-", "--live", "--format", "csv")
-    check(done.returncode == 2 and b"--out FILE" in done.stderr, "code 2")
+    says(2, "--out FILE", "monitor", "-", "--live", "--format", "csv")
 
 
-TESTS = [(test.__name__, test) for test in (
-    shows_planes_and_lanes, lanes_are_the_modes_of_the_rows,
-    gives_back_before_a_second_signal, follows_the_size, keys,
-    rows_at_a_glance, ascii_without_utf8,
-    colours, quiet_without_a_terminal, monitor_draws_a_stream)]
-TESTS += [(f"gives_back_on {one.name}", lambda one=one: gives_back_on(one))
-          for one in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)]
-sys.exit(run(TESTS, jobs=4))
+main(globals(), jobs=4)
