@@ -2,8 +2,8 @@
 # RAM and stack of the boards. Included by the Makefile.
 #
 #   ONLY='peers stability'   these sections of `make bench` (SECTIONS of
-#                        tools/bench/run) in place of USUAL; of `make size`:
-#                        these boards
+#                        bench.py) in place of USUAL; of `make size`: these
+#                        boards
 #   QUICK=1              of peers and schemes every fourth setting, once
 #   ROUNDS=5             of the peers
 
@@ -19,11 +19,11 @@ $(foreach v,$(VARIANTS),$(eval $(call bench_rules,$(v))))
 
 # What is not the project's own may use all that the processor has, but for
 # AVX-512, which valgrind does not know. SUNDIALS, Siconos and SciPy are used or
-# left out by tools/bench/run.
+# left out by bench.py.
 PEER_CPU = -march=native -ffp-contract=fast \
   $(if $(filter x86_64,$(shell uname -m)),-mno-avx512f)
 PEER_FLAGS = $(TOOL_FLAGS) $(PEER_CPU)
-PEERS := $(addprefix $(BUILD)/peers/,hand whole check)
+PEERS := $(addprefix $(BUILD)/peers/,hand check)
 PEER_LIBRARY := $(BUILD)/peers/shared.so
 $(BUILD)/peers/%.o: tools/bench/peers/%.c $(BUILD)/double/flags
 	$(call compile,$(PEER_FLAGS))
@@ -59,7 +59,7 @@ BENCH_NEEDS := $(BENCHES) $(if $(filter double,$(VARIANTS)),$(PEERS) \
 all: $(BENCH_NEEDS)
 
 run_bench = @BUILD='$(BUILD)' CC='$(CC)' OPT='$(OPT)' EXTRA='$(EXTRA)' \
-  QUICK='$(QUICK)' ROUNDS='$(ROUNDS)' tools/bench/run
+  QUICK='$(QUICK)' ROUNDS='$(ROUNDS)' tools/run bench
 bench: ## error against cost, peers, stability (or ONLY=...)
 stability: ## stiff and extreme cases: where a run is stable
 bench stability: $(BENCH_NEEDS)

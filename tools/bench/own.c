@@ -1,14 +1,11 @@
-// The project's own schemes over all problems, as a program would call them;
-// and for comparison, compiled with the same flags, a Runge-Kutta step on a
-// smoothed law. The located step takes part with its tolerance as the dial at
+// The project's own schemes over all problems, as a program would call them.
+// The located step takes part with its tolerance as the dial at
 // several lengths of the step, with its step as the dial at the tolerance 1e-8
 // and, `order`, at one that never splits it; and within budgets of segments.
 #include "own.h"
 
 #include <stdio.h>
 #include <string.h>
-
-#include "peers/runge_kutta.h"
 
 const char *const scheme_names[SCHEMES] = {"moreau", "compensated", "located"};
 
@@ -133,8 +130,7 @@ int sweep_main(int argc, char **argv) {
       MOST("segments=2", 2e-3),
       MOST("segments=8", 8e-3),
       MOST("1 kHz", 0),
-      {"moreau", ONLY(1e-4), 0, EVERY, MOREAU, by_step},
-      {"rk4-smooth same flags", ONLY(1e-4), 1e-4, UP_TO(1), 0, smooth_rk4}};
+      {"moreau", ONLY(1e-4), 0, EVERY, MOREAU, by_step}};
   return harness_main(argc, argv, solvers,
                       (int)(sizeof solvers / sizeof *solvers));
 }

@@ -23,8 +23,8 @@
 
 #include "../../tests/data/reference.h"
 
-// Where tests/data has no state: long double, every switch located, equal to 16
-// digits when the step is halved. tools/bench/peers/check.c makes them anew.
+// Where tests/data has no state: an event-driven solver in long double, equal
+// to 16 digits when the step is halved.
 static const double end_of_driven[3] = {0.01923285892412156, 1.822891319352441,
                                         2.524400963576163};
 static const double end_of_approach[3] = {

@@ -74,11 +74,11 @@ def parsed(text: str) -> pd.DataFrame:
 def whole(rows: pd.DataFrame, column: str, path: object) -> pd.DataFrame:
     """The rows of a run, whose numbers in a column are 0, 1, 2, ...: a shard
     that is missing, doubled or not in its place is an error."""
-    numbers = rows[column].drop_duplicates().to_numpy()
+    found = pd.to_numeric(rows[column], errors="coerce")  # no second header
+    numbers = found.drop_duplicates().to_numpy()
     off = np.nonzero(numbers != np.arange(len(numbers)))[0]
-    again = rows[column].diff() < 0
-    if len(off) or again.any():
-        at = off[0] if len(off) else rows[column][again].iloc[0]
+    if len(off) or not found.is_monotonic_increasing:
+        at = off[0] if len(off) else "one"
         raise TableError(f"{path}: {column} {at} is missing or not in its "
                          "place: a shard is missing, or is there twice")
     return rows

@@ -10,10 +10,10 @@ enum { ROOTS = 3 };
 typedef struct {
   model_t model;
   contact_t contact;
-  real_t near; // [m/s] of h = g = 0: the rest is a straight line
+  double near; // [m/s] of h = g = 0: the rest is a straight line
 } motion_t;
 
-static inline motion_t motion_of(const problem_t *problem, real_t tol) {
+static inline motion_t motion_of(const problem_t *problem, double tol) {
   motion_t x = {.model = model_of(problem), .near = sqrt(tol) / 10};
   x.contact.side = problem_side(problem);
   x.contact.roll =
@@ -22,7 +22,7 @@ static inline motion_t motion_of(const problem_t *problem, real_t tol) {
 }
 
 // The margins of g, of h or lambda, and in slip of the way to h = g = 0.
-static inline void margins(const motion_t *x, point_t at, real_t root[ROOTS]) {
+static inline void margins(const motion_t *x, point_t at, double root[ROOTS]) {
   const contact_t c = x->contact;
   root[0] = margin(&x->model, c, AT_G, at);
   root[1] = margin(&x->model, c, c.side ? AT_H : AT_LAMBDA, at);
@@ -30,7 +30,7 @@ static inline void margins(const motion_t *x, point_t at, real_t root[ROOTS]) {
 }
 
 // Goes on from root number i at time *t. Returns 0 where nothing is possible.
-static inline int change_at(motion_t *x, int i, real_t *t, point_t *at) {
+static inline int change_at(motion_t *x, int i, double *t, point_t *at) {
   const model_t *k = &x->model;
   contact_t *c = &x->contact;
   if (!c->side || i == 1)
@@ -41,7 +41,7 @@ static inline int change_at(motion_t *x, int i, real_t *t, point_t *at) {
     c->roll = rolling_rate(k, *at, dy) < 0 ? 1 : -1;
     return change(k, AT_G, c, at);
   }
-  const real_t fall = time_to_fall(k, *at, dy);
+  const double fall = time_to_fall(k, *at, dy);
   if (!(fall > 0)) return 1;
   *t += fall;
   return capture(k, dy, fall, at, c);
