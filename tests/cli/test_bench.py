@@ -9,7 +9,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
 from tap import ROOT, check, lacks, main, same  # noqa: E402
 
-sys.path[:0] = [str(ROOT / "tools/bench"), str(ROOT / "tools")]
+sys.path[:0] = [str(ROOT / "tools" / room) for room in ("bench", "study", "")]
 
 
 def bench(name):
@@ -24,24 +24,16 @@ def bench(name):
 
 
 def test_cells_are_good_only_if_near_and_silent():
-    pictures, pandas = bench("pictures"), bench("pandas")
+    charts, pandas = bench("charts"), bench("pandas")
     rows = pandas.DataFrame(
         [(error, verdict) for error in (0.001, 0.05, 0.93, math.nan)
          for verdict in ("ok", "coarse", "degraded", "refused")],
         columns=["error", "verdict"])
-    same(pictures.classes(rows).tolist(), [
+    same(charts.classes(rows).tolist(), [
         "within 1 %", *2 * ["TF_COARSE, within 10 %"], "refused",
         "within 10 %", *2 * ["TF_COARSE, within 10 %"], "refused",
         "worse, and silent", *2 * ["TF_COARSE, worse"], "refused",
         *3 * ["motion not known"], "refused"])
-
-
-def test_a_spring_that_loses_its_energy_is_not_good():
-    page, pictures = bench("page"), bench("pictures")
-    rows = page.Page().section("map")
-    cell = rows[(rows.problem == "map conservative=1e+06")
-                & (rows.solver == "moreau-0.5") & (rows.dial == "dt=0.0001")]
-    same(pictures.classes(cell).tolist(), ["TF_COARSE, worse"])
 
 
 def test_a_lucky_setting_does_not_count():
@@ -50,15 +42,6 @@ def test_a_lucky_setting_does_not_count():
         "error": [1, 1e-4, 1, 1e-4, 1e-4, 1e-5], "ns": [1, 2, 3, 4, 5, 6]})
     same(page.least(runs, 1e-3, "ns"), 4)
     check(math.isnan(page.least(runs, 1e-5, "ns")), "one setting is no proof")
-
-
-def test_the_page_is_that_of_the_rows():
-    page = bench("page")
-    bench("tabulate")
-    page.OUT.mkdir(parents=True)
-    page.write()
-    same((page.OUT / "BENCH.md").read_text("utf-8"),
-         Path("docs/BENCH.md").read_text("utf-8"))
 
 
 main(globals(), jobs=1)

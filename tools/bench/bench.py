@@ -1,18 +1,15 @@
-#!/usr/bin/python3 -B
-"""Measures, and writes BUILD/bench/results.csv and BUILD/bench/BENCH.md.
+"""Measures: rows in BUILD/bench/results.csv, tables and pictures beside them.
 
-  run [SECTION...]        these sections, or those of USUAL: their rows take the
-                          place of what the file has of them; the page takes
-                          other sections from docs/bench/results.csv
-  run sizes [BOARD...]    the firmware of these boards
-  run sizes --check       compares flash, RAM and stack of a few of them with
+  bench [SECTION...]      these sections, or those of USUAL: their rows take the
+                          place of those that are there
+  bench sizes [BOARD...]  the firmware of these boards
+  bench sizes --check     compares flash, RAM and stack of a few of them with
                           docs/bench/sizes.csv and names what has grown by more
                           than 2 %; --all, FULL=yes: of all boards and scenes
-  run stack BOARD REAL SCENE   the stack of one: worst of main, an interrupt,
+  bench stack BOARD REAL SCENE   the stack of one: worst of main, an interrupt,
                           and painted in the emulator
-  run parts BOARD REAL    flash of its scenes by groups of symbols
-  run --keep              copies page, pictures and tables to docs/, and puts
-                          the sections into docs/bench/results.csv
+  bench parts BOARD REAL  flash of its scenes by groups of symbols
+  bench --keep            copies pictures and tables to docs/
 
 What needs a tool that is missing is left out, with the reason. Environment:
 BUILD CC OPT EXTRA, ROUNDS of the peers (5), STEPS of a firmware in the emulator
@@ -23,14 +20,14 @@ import os
 import shutil
 import sys
 import time
-from pathlib import Path
 
-sys.path[:0] = [str(Path(__file__).resolve().parents[n]) for n in (0, 1)]
+sys.path.append("tools/study")  # table, pictures
 import driven
 import firmware
 import page
 import schemes
-from measure import KEPT, OUT, QUICK, RESULTS, put, results, say
+import table
+from measure import KEPT, OUT, QUICK, say
 
 USUAL = {
     "precision": schemes.precision, "peers": schemes.peers,
@@ -58,10 +55,10 @@ def measure(name: str, boards: list[str]) -> None:
 
 def keep() -> None:
     """Copies what was made to where git has it."""
-    put(KEPT, *results(OUT))
+    table.publish(OUT / "tables.md")
     for path in OUT.iterdir():
-        if path.name != RESULTS and not path.name.startswith("all-"):
-            shutil.copy(path, "docs" if path.suffix == ".md" else KEPT)
+        if (KEPT / path.name).exists():
+            shutil.copy(path, KEPT)
 
 
 def main() -> None:
@@ -74,7 +71,6 @@ def main() -> None:
                         default=bool(os.environ.get("FULL")))
     parser.add_argument("--keep", action="store_true")
     given = parser.parse_args()
-    driven.begin(__file__)
     words, boards = given.words, []
     if words[:1] == ["stack"] and len(words) == 4:
         firmware.print_stack(*words[1:])
@@ -98,9 +94,5 @@ def main() -> None:
     for name in words or USUAL:
         measure(name, boards)
     page.write()
-    print(f"The page is {OUT}/BENCH.md, rows and tables are beside it; "
+    print(f"Tables are in {OUT}/tables.md, rows and pictures beside them; "
           "`make keep-bench` copies them to docs/.")
-
-
-if __name__ == "__main__":
-    main()

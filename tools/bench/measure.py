@@ -24,10 +24,10 @@ CC = os.environ.get("CC") or "gcc"
 QUICK = bool(os.environ.get("QUICK"))
 REALS = "double", "float"
 OUT = BUILD / "bench"      # what was measured in this build
-KEPT = Path("docs/bench")  # what is kept: rows, tables, pictures
+KEPT = Path("docs/bench")  # what is kept: tables and pictures
 KEY = ["problem", "solver", "dial"]
 COLUMNS = [*KEY, "error", "ns", "instructions", "verdict"]
-RESULTS = "results.csv"
+RESULTS = OUT / "results.csv"
 
 
 def say(text: object) -> None:
@@ -61,24 +61,25 @@ def save(path: Path, head: list[str], table: pd.DataFrame) -> None:
         table.to_csv(file, index=False, float_format="%.6g")
 
 
-def results(folder: Path) -> tuple[dict[str, str], pd.DataFrame]:
-    """Of which core each section of a folder is, and all rows."""
-    if not (folder / RESULTS).exists():
+def results() -> tuple[dict[str, str], pd.DataFrame]:
+    """Of which core each section is, and all rows."""
+    if not RESULTS.exists():
         return {}, pd.DataFrame(columns=[*COLUMNS, "section"])
-    head, rows = load(folder / RESULTS)
+    head, rows = load(RESULTS)
     return dict(line.split(": ", 1) for line in head), rows
 
 
-def put(folder: Path, of: dict[str, str], rows: pd.DataFrame) -> None:
-    """Puts sections in the place of what a folder has of them."""
-    was, others = results(folder)
-    rows = pd.concat([others[~others.section.isin(of)], rows])
-    for name in "error", "ns", "instructions":
-        rows[name] = pd.to_numeric(rows[name])
+def put(name: str, of: str, rows: pd.DataFrame) -> None:
+    """Puts a section in the place of what was there."""
+    was, others = results()
+    rows = pd.concat([others[others.section != name],
+                      rows.assign(section=name)])
+    for number in "error", "ns", "instructions":
+        rows[number] = pd.to_numeric(rows[number])
     # Counts keep all digits.
     rows["instructions"] = rows.instructions.round().astype("Int64")
-    save(folder / RESULTS,
-         [f"{name}: {core}" for name, core in sorted({**was, **of}.items())],
+    save(RESULTS, [f"{section}: {core}"
+                   for section, core in {**was, name: of}.items()],
          rows.sort_values("section", kind="stable"))
 
 

@@ -1,21 +1,18 @@
-"""docs/BENCH.md: words written by hand, tables of what was measured.
+"""The tables of docs/BENCH.md.
 
-A table or paragraph stands below the line `<!-- NAME -->`. It is made from
-sections of BUILD/bench/results.csv; what was not measured in this build is
-taken from docs/bench/results.csv, which has the same form. What is not an
-error, a time or a verdict of a solver at a dial is in tables beside it.
+A table is made from sections of BUILD/bench/results.csv; what was not measured
+in this build stays in the document as it is. What is not an error, a time or a
+verdict of a solver at a dial is in tables beside the rows.
 """
-import itertools
 import math
 import re
-import textwrap
-from pathlib import Path
 from typing import Callable, Iterable
 
 import pandas as pd
 
-from pictures import PICTURES, classes
-from measure import COLUMNS, KEPT, OUT, load, problems, put, results, save
+import table as tables
+from charts import PICTURES
+from measure import COLUMNS, OUT, load, problems, put, results, save
 
 LEVELS = 1e-3, 1e-6, 1e-9
 PEERED = "chaos", "crossings", "stickslip", "driven"
@@ -23,7 +20,7 @@ STIFF = "stiff-spring", "stiff-smooth", "stiff-string"
 STIFF_LEVELS = 1e-2, 1e-3, 1e-4, 1e-6
 OWN = "moreau|compensated|located"
 RIVALS = f"(?!{OWN})"
-FIXED, HAND, LIBRARIES = "moreau", "events", "cvode|arkode|scipy"
+FIXED = "moreau"
 STABLE = "ok", "degraded"
 # Steps of section `kilohertz`, and how the page tells them apart.
 IN = {"dt=1.000e-03": "", "dt=3.333e-04": " in three", "dt=1.000e-04": ""}
@@ -105,27 +102,35 @@ def keep(section: str, of: str, rows: pd.DataFrame) -> None:
     for name, make in TABLES.get(section, {}).items():
         save(OUT / f"{name}.csv", [of], make(rows))
     for name, make in ROWS.get(section, {section: pd.DataFrame.copy}).items():
-        put(OUT, {name: of}, make(rows).assign(section=name))
+        put(name, of, make(rows))
+
+
+class NotMeasured(Exception):
+    """A section or a table that this build does not have."""
 
 
 class Page:
     """The tables, as the page shows them."""
 
     def __init__(self) -> None:
-        self.of: dict[str, str] = {}
-        self.results = results(OUT), results(KEPT)
+        self.of: set[str] = set()
+        self.results = results()
 
     def section(self, name: str) -> pd.DataFrame:
-        """Rows of this build, else those that are kept."""
-        of, rows = self.results[name not in self.results[0][0]]
-        self.of[name] = of[name]
+        """Rows of this build."""
+        of, rows = self.results
+        if name not in of:
+            raise NotMeasured
+        self.of.add(of[name])
         return rows[rows.section == name]
 
     def table(self, name: str) -> pd.DataFrame:
-        """A table of this build, else the one that is kept."""
+        """A table of this build."""
         path = OUT / f"{name}.csv"
-        (self.of[name],), rows = load(path if path.exists()
-                                      else KEPT / path.name)
+        if not path.exists():
+            raise NotMeasured
+        (of,), rows = load(path)
+        self.of.add(of)
         return rows
 
     def scenes(self) -> pd.DataFrame:
@@ -194,48 +199,6 @@ class Page:
         """The cost of some solvers as a share of that of others."""
         return self.cheapest(problem, level, own, unit)[0] / \
             self.cheapest(problem, level, rivals, unit)[0]
-
-    def glance(self) -> str:
-        """The page in a paragraph."""
-        def shares(problems: tuple[str, ...], levels: tuple[float, ...],
-                   own: str, rivals: str) -> str:
-            found = [self.share(problem, level, own, rivals) for problem, level
-                     in itertools.product(problems, levels)]
-            found = [x for x in found if not math.isnan(x)]
-            return f"{min(found):.2g} to {max(found):.2g}" if found else "-"
-
-        def stiff(level: float) -> str:
-            found = [self.share(problem, level, FIXED, RIVALS)
-                     for problem in STIFF]
-            return ", ".join("never" if math.isnan(x) else f"{x:.2g}"
-                             for x in found)
-
-        def cells(solvers: str) -> str:
-            kind = kinds[cells_of.solver.str.match(solvers)]
-            shares = [kind == "within 1 %", kind.str.startswith("TF_COARSE"),
-                      kind == "worse, and silent"]
-            return ", ".join(f"{100 * one.mean():.0f} %" for one in shares)
-
-        cells_of = self.section("map")
-        kinds = classes(cells_of)
-        step = self.section("kilohertz")
-        step = step[(step.solver == "moreau") & (step.dial == "dt=1.000e-03")]
-        text = f"""To the same error, 1e-3, 1e-6 or 1e-9 on each of four
-            problems, the located step takes
-            {shares(PEERED, LEVELS, "located", HAND)} of the time of the best
-            peer that is written by hand for this law alone, and
-            {shares(PEERED, LEVELS, "located", LIBRARIES)} of that of the best
-            of SUNDIALS and SciPy. A fixed step of 1 ms takes
-            {step.instructions.min():.0f} to {step.instructions.max():.0f}
-            instructions. On three stiff problems (spring, smooth law, string)
-            it takes {stiff(1e-3)} of the best peer's time to 1e-3, and to 1e-6
-            {stiff(1e-6)}. In the map below the
-            shares of cells that end within 1 % of the motion, that say
-            TF_COARSE, and that are off by more than 10 % in silence are
-            {cells(FIXED)} of the fixed step, {cells("located")} of the located
-            one."""
-        return textwrap.fill(" ".join(text.split()), 80,
-                             break_on_hyphens=False)
 
     def peers(self) -> pd.DataFrame:
         """All solvers, of each its best width or step."""
@@ -313,19 +276,6 @@ class Page:
         return whole(rows[rows.function.str.fullmatch(
             "tf_step(_located|_compensated)?")])
 
-    def made(self) -> pd.DataFrame:
-        """Of which core each table is."""
-        lines: dict[str, list[str]] = {}
-        for name in "precision", "boards":  # of pictures
-            self.section(name)
-        for name, of in self.of.items():
-            core, _, how = of.partition(". ")
-            how = f" ({how.rstrip('.')})" if how else ""
-            lines.setdefault(core.rstrip("."), []).append(name + how)
-        return pd.DataFrame([[core, ", ".join(names)]
-                             for core, names in lines.items()],
-                            columns=["core", "tables"])
-
 
 def joined(numbers: Iterable[float], form: str = ",.0f") -> str:
     """Numbers in a cell, `-` for none."""
@@ -359,19 +309,22 @@ def whole(table: pd.DataFrame) -> pd.DataFrame:
                           n if isinstance(n, str) else f"{n:.0f}")
 
 
+MADE = ("scenes", "races", "peers", "stiff", "kilohertz", "phases", "ensemble",
+        "verdicts", "boards", "worst")
+
+
 def write() -> None:
-    """The page of this build, beside its rows and tables."""
-    page = Page()
-
-    def block(found: re.Match) -> str:
-        made = getattr(page, found[1], lambda: page.table(found[1]))()
-        if isinstance(made, str):
-            return f"<!-- {found[1]} -->\n{made}\n"
-        table = made.to_markdown(index=False, disable_numparse=True)
-        table = re.sub(r" +\|", " |", table)
-        table = re.sub(r"-{3,}", "--", table)
-        return f"<!-- {found[1]} -->\n{table}\n"
-
-    text = re.sub(r"<!-- (\w+) -->\n(?:.+\n)*", block,
-                  Path("docs/BENCH.md").read_text("utf-8"))
-    (OUT / "BENCH.md").write_text(text, "utf-8")
+    """All tables of this build, and the cores that they are of."""
+    parts, page, made = {}, Page(), {}
+    for name in MADE:
+        page.of.clear()
+        try:
+            parts[name] = getattr(page, name, lambda: page.table(name))()
+        except NotMeasured:
+            continue
+        for core in page.of:
+            made.setdefault(core, []).append(name)
+    parts["made"] = pd.DataFrame(
+        [[core, ", ".join(names)] for core, names in made.items()],
+        columns=["core", "tables"])
+    tables.write(OUT / "tables.md", parts)

@@ -32,9 +32,7 @@ TWOFOLD = os.environ.get("TWOFOLD") or f"{BUILD}/double/twofold"
 
 def keep(name: str, kept: Path) -> None:
     """Copies tables and pictures to where git has them."""
-    text = (kept / "tables.md").read_text("utf-8")
-    table.publish(dict(part.rstrip("\n").split(" -->\n", 1) for part in
-                       text.split("<!-- ")[1:]))
+    table.publish(kept / "tables.md")
     for path in kept.iterdir():
         if path.suffix != ".md":
             print(shutil.copy(path, next(Path("docs").rglob(path.name), "docs")))
@@ -50,10 +48,8 @@ def make(name: str, follows: bool) -> None:
         section.follow(work, TWOFOLD)
     parts = {"of": driven.output("tools/stamp", "core").strip(),
              **section.count(work, kept)}
-    (kept / "tables.md").write_text("".join(
-        f"<!-- {SECTIONS[name]}-{part} -->\n"
-        f"{what if isinstance(what, str) else table.markdown(what)}\n\n"
-        for part, what in parts.items()), "utf-8")
+    table.write(kept / "tables.md", {f"{SECTIONS[name]}-{part}": what
+                                     for part, what in parts.items()})
     print(kept / "tables.md")
 
 

@@ -194,8 +194,20 @@ def filled(page: str, parts: dict[str, str]) -> str:
     return page
 
 
-def publish(parts: dict[str, str]) -> None:
-    """Puts parts into the documents that have a place for them."""
+def write(path: Path, parts: dict[str, object]) -> None:
+    """Writes parts, tables or texts, each behind its name."""
+    path.write_text("".join(
+        f"<!-- {name} -->\n"
+        f"{what if isinstance(what, str) else markdown(what)}\n\n"
+        for name, what in parts.items()), "utf-8")
+
+
+def publish(tables: Path) -> None:
+    """Puts parts that were written into the documents that have a place for
+    them."""
+    text = tables.read_text("utf-8")
+    parts = dict(part.rstrip("\n").split(" -->\n", 1)
+                 for part in text.split("<!-- ")[1:])
     for path in map(Path, DOCUMENTS):
         if path.exists():
             page = path.read_text("utf-8")

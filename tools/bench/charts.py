@@ -1,43 +1,31 @@
-"""The pictures of the page. Colours are Okabe and Ito's for colour-blind
-readers, and every series has a symbol of its own."""
-import io
-import re
-
-import matplotlib
+"""The pictures of the page. Every series has a symbol of its own."""
 import numpy as np
 import pandas as pd
+from matplotlib.patches import Patch
 
+import pictures
 from measure import OUT
+from pictures import LINE, SERIES, colors, pyplot
 
-matplotlib.use("Agg")
-from matplotlib import pyplot  # noqa: E402
-from matplotlib.colors import ListedColormap  # noqa: E402
-from matplotlib.patches import Patch  # noqa: E402
-
-matplotlib.rcParams.update({
-    "svg.hashsalt": "twofold", "svg.fonttype": "none", "font.size": 9,
-    "axes.grid": True,
-    "grid.color": "#dddddd", "lines.markersize": 3.5, "lines.linewidth": 1,
-    "legend.frameon": False})
+BLUE, ORANGE, GREEN, RED, SKY, PINK, YELLOW, BLACK, GREY = SERIES
 # Of each solver, by the first word of its name, the colour and the symbol.
 STYLES = {
-    "moreau": ("#000000", "o"), "moreau-1": ("#000000", "s"),
-    "compensated": ("#777777", "s"), "located": ("#D55E00", "D"),
-    "events-rk4": ("#0072B2", "<"), "rk4": ("#0072B2", "<"),
-    "events-dp5": ("#0072B2", "^"), "dp5": ("#0072B2", "^"),
-    "cvode-adams": ("#009E73", "v"), "cvode-bdf": ("#009E73", "P"),
-    "arkode-erk5": ("#56B4E9", "*"), "cvode-smooth": ("#CC79A7", "x"),
-    "rk4-smooth": ("#CC79A7", "+"), "scipy-radau": ("#E69F00", "h"),
-    "scipy-lsoda": ("#E69F00", "X"), "scipy-rk45": ("#E69F00", ">"),
-    "siconos": ("#777777", "2")}
+    "moreau": (BLACK, "o"), "moreau-1": (BLACK, "s"),
+    "compensated": (GREY, "s"), "located": (RED, "D"),
+    "events-rk4": (BLUE, "<"), "events-dp5": (BLUE, "^"),
+    "cvode-adams": (GREEN, "v"), "cvode-bdf": (GREEN, "P"),
+    "arkode-erk5": (SKY, "*"), "cvode-smooth": (PINK, "x"),
+    "scipy-radau": (ORANGE, "h"),
+    "scipy-lsoda": (ORANGE, "X"), "scipy-rk45": (ORANGE, ">"),
+    "siconos": (GREY, "2")}
 # The classes of a cell of the map, the worst last.
 CLASSES = {
-    "within 1 %": "#0072B2", "within 10 %": "#56B4E9",
-    "TF_COARSE, within 10 %": "#F0E442", "TF_COARSE, worse": "#E69F00",
-    "refused": "#BBBBBB", "worse, and silent": "#000000",
+    "within 1 %": BLUE, "within 10 %": SKY,
+    "TF_COARSE, within 10 %": YELLOW, "TF_COARSE, worse": ORANGE,
+    "refused": "#BBBBBB", "worse, and silent": BLACK,
     "motion not known": "#FFFFFF"}
-BOARDS = {"stm32f405 float": "#D55E00", "stm32f405 double": "#E69F00",
-          "microbit float": "#0072B2", "mega float": "#009E73"}
+BOARDS = {"stm32f405 float": RED, "stm32f405 double": ORANGE,
+          "microbit float": BLUE, "mega float": GREEN}
 AXES = {"k2_rest": "spring k2 [N/m], at rest",
         "conservative": "spring k2 [N/m], stretched, no friction",
         "mu": "friction mu [N]"}
@@ -64,16 +52,10 @@ def best(rows: pd.DataFrame) -> pd.DataFrame:
 
 
 def save(figure: pyplot.Figure, name: str, handles: list, labels: list[str],
-         columns: int, height: float) -> None:
-    """Writes a picture, its legend above the panels, where it hides no curve;
-    without a date, digits and blanks that nobody sees."""
+         columns: int) -> None:
+    """Writes a picture, its key above the panels, where it hides no curve."""
     figure.legend(handles, labels, ncol=columns, loc="upper center")
-    figure.tight_layout(rect=(0, 0, 1, height))
-    text = io.StringIO()
-    figure.savefig(text, format="svg", metadata={"Date": None})
-    pyplot.close(figure)
-    short = re.sub(r"(\d\.\d)\d+", r"\1", text.getvalue())
-    (OUT / name).write_text(re.sub(r"\s*\n\s*", "\n", short), "utf-8")
+    pictures.save(figure, OUT / name)
 
 
 def panel(axis: pyplot.Axes, rows: pd.DataFrame, problem: str) -> None:
@@ -92,6 +74,7 @@ def panel(axis: pyplot.Axes, rows: pd.DataFrame, problem: str) -> None:
              xlabel="time of the run [us]",
              ylabel="error at the end [m, m/s, rad/s]")
     axis.minorticks_off()
+    axis.grid(color=LINE)
 
 
 def keyed(figure: pyplot.Figure) -> tuple[list, list[str]]:
@@ -108,13 +91,13 @@ def costs(rows: pd.DataFrame) -> None:
     for axis, problem in zip(axes.flat, ("chaos", "crossings", "stickslip",
                                          "driven")):
         panel(axis, rows, problem)
-    save(figure, "costs.svg", *keyed(figure), 6, 0.93)
+    save(figure, "costs.svg", *keyed(figure), 6)
     figure, axes = pyplot.subplots(1, 3, figsize=(11, 4.6))
     for axis, problem in zip(axes, ("stiff-spring", "stiff-smooth",
                                     "stiff-string")):
         panel(axis, rows[~rows.solver.str.match(
-            "compensated|rk4-smooth")], problem)
-    save(figure, "stiff.svg", *keyed(figure), 6, 0.88)
+            "compensated")], problem)
+    save(figure, "stiff.svg", *keyed(figure), 6)
 
 
 def boards(rows: pd.DataFrame) -> None:
@@ -128,7 +111,7 @@ def boards(rows: pd.DataFrame) -> None:
         for hertz in (16e6, 168e6):
             axis.axvline(hertz, color="#999999", linestyle=":")
             axis.annotate(f"{hertz / 1e6:.0f} MHz", (hertz, 0.02), ha="right",
-                          va="bottom", rotation=90, color="#777777",
+                          va="bottom", rotation=90, color=GREY,
                           xycoords=("data", "axes fraction"))
         here = rows[rows.problem == problem]
         for (board, scheme), line in here.groupby(["board", "scheme"]):
@@ -138,7 +121,7 @@ def boards(rows: pd.DataFrame) -> None:
         axis.set(title=problem, xscale="log", yscale="log",
                  xlabel="instructions of a simulated second")
     axes[0].set(ylabel="error at the end [m, m/s, rad/s]")
-    save(figure, "boards.svg", *axes[0].get_legend_handles_labels(), 4, 0.86)
+    save(figure, "boards.svg", *axes[0].get_legend_handles_labels(), 4)
 
 
 def classes(rows: pd.DataFrame) -> pd.Series:
@@ -161,7 +144,7 @@ def stability(rows: pd.DataFrame) -> None:
     rows[["sweep", "value"]] = rows.problem.str[4:].str.split("=", expand=True)
     rows["value"] = rows.value.astype(float)
     figure, axes = pyplot.subplots(3, 3, figsize=(10, 9.5))
-    colours = ListedColormap(CLASSES.values())
+    colours = colors.ListedColormap(CLASSES.values())
     for line, (sweep, label) in zip(axes, AXES.items()):
         for axis, (scheme, title) in zip(line, SCHEMES.items()):
             cells = rows[(rows.sweep == sweep) & (rows.solver == scheme)].pivot(
@@ -178,8 +161,8 @@ def stability(rows: pd.DataFrame) -> None:
                 axis.set_title(title)
     shown = [name for name in CLASSES if number[name] in set(rows.kind)]
     save(figure, "stability.svg", [
-        Patch(facecolor=CLASSES[name], edgecolor="#777777") for name in shown],
-        shown, 4, 0.94)
+        Patch(facecolor=CLASSES[name], edgecolor=GREY) for name in shown],
+        shown, 4)
 
 
 PICTURES = {"peers": costs, "boards": boards, "map": stability}
