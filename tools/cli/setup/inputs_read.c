@@ -79,26 +79,24 @@ static int read_header(reader_t *reader, char *line) {
 static int read_field(const reader_t *reader, size_t field, const char *text,
                       tf_real_t *value) {
   static const cli_quantity_t t = {"t", "s"};
-  const char *why = "";
   const size_t kind = reader->kind[field];
   const cli_quantity_t *column =
       kind < CLI_INPUTS ? &cli_input_columns[kind] : &t;
   const size_t i = cli_parameter_index(column->name);
-  const tf_parameter_range_t *range = &tf_parameter_ranges[i];
-  const double low =
-      i < TF_PARAMETERS ? (double)range->low : -(double)TF_STATE_LIMIT;
-  const double high =
-      i < TF_PARAMETERS ? (double)range->high : (double)TF_STATE_LIMIT;
+  const bool ranged = i < TF_PARAMETERS;
+  const tf_real_t low = ranged ? tf_parameter_ranges[i].low : -TF_STATE_LIMIT;
+  const tf_real_t high = ranged ? tf_parameter_ranges[i].high : TF_STATE_LIMIT;
+  const char *why = "";
   if (!cli_read_real(text, value, &why)) {
     return refuse(reader, CLI_USAGE, field, text, why);
   }
-  return (double)*value >= low && (double)*value <= high
+  return *value >= low && *value <= high
              ? CLI_DONE
              : cli_message(
-                   CLI_REFUSED,
-                   "%s:%lu: column %zu: %s = %s must lie in [%g, %g] %s",
+                   CLI_REFUSED, "%s:%lu: column %zu: %s = %s %s",
                    reader->lines.name, reader->lines.line, field + 1,
-                   column->name, text, low, high, column->unit);
+                   column->name, text,
+                   cli_must_lie((double)low, (double)high, column->unit));
 }
 
 static int read_row(reader_t *reader, char *line) {

@@ -57,6 +57,25 @@ tf_real_t cli_parameter(const tf_params_t *params, size_t index) {
   return value;
 }
 
+const char *cli_parameter_must(size_t index) {
+  const tf_parameter_range_t *range = &tf_parameter_ranges[index];
+  return cli_must_lie((double)range->low, (double)range->high, range->unit);
+}
+
+size_t cli_parameter_out(const tf_params_t *params) {
+  size_t i = 0;
+  for (; i < TF_PARAMETERS; i++) {
+    const tf_parameter_range_t *range = &tf_parameter_ranges[i];
+    const tf_real_t value = cli_parameter(params, i);
+    const bool used = (range->laws >> (unsigned)params->law & 1u) != 0;
+    if (!(value >= range->low && value <= range->high) &&
+        (used || !(value >= 0 && value <= 0))) {
+      break;
+    }
+  }
+  return i;
+}
+
 bool cli_parameter_fits(size_t index, tf_real_t value) {
   const bool counts = strcmp(tf_parameter_ranges[index].name, "segments") == 0;
   return !counts || !(value >= 0 && value < TF_R(65536.0)) ||

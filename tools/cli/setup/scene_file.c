@@ -52,40 +52,34 @@ static void *member(reader_t *reader, const scene_key_t *key) {
   return (char *)reader->file + key->at;
 }
 
-static int refuse_range(const char *place, const char *name, const char *unit,
-                        tf_real_t value, double low, double high) {
+static int refuse_range(const char *place, const char *name, tf_real_t value,
+                        const char *must) {
   char text[CLI_REAL_ROOM];
-  const bool plain = strcmp(unit, "1") == 0;
   (void)cli_write_real(text, value);
-  return cli_message(CLI_REFUSED, "%s %s = %s must lie in [%g, %g]%s%s", place,
-                     name, text, low, high, plain ? "" : " ",
-                     plain ? "" : unit);
+  return cli_message(CLI_REFUSED, "%s %s = %s %s", place, name, text, must);
 }
 
 static int read_speed_of_knot(reader_t *reader, const char *text,
                               tf_real_t *value) {
-  const tf_parameter_range_t *range =
-      &tf_parameter_ranges[cli_parameter_index("omega0")];
+  const size_t i = cli_parameter_index("omega0");
   CLI_TRY(cli_read_number(reader->place, "profile", text, value));
-  return *value >= range->low && *value <= range->high
+  return *value >= tf_parameter_ranges[i].low &&
+                 *value <= tf_parameter_ranges[i].high
              ? CLI_DONE
-             : cli_message(CLI_REFUSED,
-                           "%s profile: omega0 = %s must lie in [%g, %g] %s",
-                           reader->place, text, (double)range->low,
-                           (double)range->high, range->unit);
+             : cli_message(CLI_REFUSED, "%s profile: omega0 = %s %s",
+                           reader->place, text, cli_parameter_must(i));
 }
 
 // A number that no law has a range for.
 static int read_number(const reader_t *reader, const scene_key_t *key,
                        const char *text, tf_real_t *value) {
-  const double low =
-      strcmp(key->name, "t-end") == 0 ? 0 : -(double)TF_STATE_LIMIT;
   const double high = (double)TF_STATE_LIMIT;
+  const double low = strcmp(key->name, "t-end") == 0 ? 0 : -high;
   CLI_TRY(cli_read_number(reader->place, key->name, text, value));
   return (double)*value >= low && (double)*value <= high
              ? CLI_DONE
-             : refuse_range(reader->place, key->name, key->unit, *value, low,
-                            high);
+             : refuse_range(reader->place, key->name, *value,
+                            cli_must_lie(low, high, key->unit));
 }
 
 static int read_bounded(reader_t *reader, const scene_key_t *key, char *text) {
@@ -305,34 +299,30 @@ static int read_lines(reader_t *reader) {
   return CLI_DONE;
 }
 
-// A parameter that the law does not use may be 0: it means "none".
 static int check_parameters(reader_t *reader) {
-  tf_scene_t *scene = &reader->file->scene;
+  const tf_params_t *params = &reader->file->scene.params;
   for (size_t key = 0; key < TF_PARAMETERS; key++) {
-    const tf_parameter_range_t *range = &tf_parameter_ranges[key];
-    const tf_real_t value = *parameter_of(scene, key);
-    if (reader->given[key] != 0 && !cli_parameter_fits(key, value)) {
+    if (reader->given[key] != 0 &&
+        !cli_parameter_fits(key, cli_parameter(params, key))) {
       return cli_message(CLI_REFUSED, "%s %s must be a whole number",
-                         place_of(reader, reader->given[key]), range->name);
+                         place_of(reader, reader->given[key]),
+                         tf_parameter_ranges[key].name);
     }
-    const bool used = ((range->laws >> (unsigned)scene->params.law) & 1u) != 0;
-    if ((value >= range->low && value <= range->high) ||
-        (!used && value >= 0 && value <= 0)) {
-      continue;
-    }
-    if (reader->given[key] != 0) {
-      return refuse_range(place_of(reader, reader->given[key]), range->name,
-                          range->unit, value, (double)range->low,
-                          (double)range->high);
-    }
-    return cli_message(CLI_REFUSED,
-                       "%s: %s is missing, which law %s needs: give it a value "
-                       "in [%g, %g] %s, or begin with 'based-on SCENE'",
-                       reader->path, range->name,
-                       tf_tyre_law_name(scene->params.law), (double)range->low,
-                       (double)range->high, range->unit);
   }
-  return CLI_DONE;
+  const size_t out = cli_parameter_out(params);
+  if (out == TF_PARAMETERS) {
+    return CLI_DONE;
+  }
+  const tf_parameter_range_t *range = &tf_parameter_ranges[out];
+  if (reader->given[out] != 0) {
+    return refuse_range(place_of(reader, reader->given[out]), range->name,
+                        cli_parameter(params, out), cli_parameter_must(out));
+  }
+  return cli_message(CLI_REFUSED,
+                     "%s: %s is missing, which law %s needs: give it a value "
+                     "in [%g, %g] %s, or begin with 'based-on SCENE'",
+                     reader->path, range->name, tf_tyre_law_name(params->law),
+                     (double)range->low, (double)range->high, range->unit);
 }
 
 // What a scene that is based on no other one has to give besides.

@@ -121,58 +121,31 @@ static bool is_used(const cli_setup_t *setup, int i) {
          0;
 }
 
-static int refuse_parameter(const cli_setup_t *setup, int offender) {
-  if (offender < 0 || offender >= TF_PARAMETERS) {
-    return cli_message(CLI_REFUSED, "scene %s: law, rule or rest is unknown",
-                       setup->scene->name);
-  }
-  const tf_parameter_range_t *range = &tf_parameter_ranges[offender];
+static int refuse_parameter(const cli_setup_t *setup, size_t offender) {
+  const char *name = tf_parameter_ranges[offender].name;
   const cli_setting_t *setting = setup->set_param[offender];
-  const bool plain = strcmp(range->unit, "1") == 0;
-  const char *space = plain ? "" : " ";
-  const char *unit = plain ? "" : range->unit;
   if (setting != NULL) {
-    return cli_message(CLI_REFUSED, "%s %s: %s must lie in [%g, %g]%s%s",
-                       setting->option, setting->text, range->name,
-                       (double)range->low, (double)range->high, space, unit);
+    return cli_message(CLI_REFUSED, "%s %s: %s %s", setting->option,
+                       setting->text, name, cli_parameter_must(offender));
   }
   char text[CLI_REAL_ROOM];
-  (void)cli_write_real(text, cli_parameter(&setup->params, (size_t)offender));
+  (void)cli_write_real(text, cli_parameter(&setup->params, offender));
   return cli_message(CLI_REFUSED,
-                     "scene %s with law %s: %s = %s must lie in [%g, %g]%s%s; "
-                     "give --set %s=VALUE",
+                     "scene %s with law %s: %s = %s %s; give --set %s=VALUE",
                      setup->scene->name, tf_tyre_law_name(setup->params.law),
-                     range->name, text, (double)range->low, (double)range->high,
-                     space, unit, range->name);
-}
-
-// First typed parameter that is out of its range although the law does not use
-// it: tf_prepare does not check those. 0 is allowed, it means "none".
-// Returns: TF_PARAMETERS where there is no such parameter.
-static int unused_offender(const cli_setup_t *setup) {
-  int i = 0;
-  for (; i < TF_PARAMETERS; i++) {
-    const tf_parameter_range_t *range = &tf_parameter_ranges[i];
-    const tf_real_t value = cli_parameter(&setup->params, (size_t)i);
-    if (setup->set_param[i] != NULL && !is_used(setup, i) &&
-        !(value >= 0 && value <= 0) &&
-        !(value >= range->low && value <= range->high)) {
-      break;
-    }
-  }
-  return i;
+                     name, text, cli_parameter_must(offender), name);
 }
 
 int cli_setup_machine(cli_setup_t *setup) {
-  int offender = TF_PARAMETERS;
   setup->params.with_angle =
       setup->params.with_angle || setup->set_start[CLI_START_PHI] != NULL;
-  if (tf_prepare(&setup->machine, &setup->params, &offender) != TF_OK) {
-    return refuse_parameter(setup, offender);
-  }
-  offender = unused_offender(setup);
+  const size_t offender = cli_parameter_out(&setup->params);
   if (offender < TF_PARAMETERS) {
     return refuse_parameter(setup, offender);
+  }
+  if (tf_prepare(&setup->machine, &setup->params, NULL) != TF_OK) {
+    return cli_message(CLI_REFUSED, "scene %s: law, rule or rest is unknown",
+                       setup->scene->name);
   }
   setup->input = tf_scene_input(setup->scene, &setup->machine, 0);
   return CLI_DONE;
@@ -191,10 +164,11 @@ int cli_setup_check_starts(const cli_setup_t *setup) {
     const tf_real_t value = setup->start[i];
     if (setting != NULL &&
         !(value >= -TF_STATE_LIMIT && value <= TF_STATE_LIMIT)) {
-      return cli_message(CLI_REFUSED, "%s %s: %s must lie in [%g, %g] %s",
-                         setting->option, setting->text, cli_starts[i].name,
-                         -(double)TF_STATE_LIMIT, (double)TF_STATE_LIMIT,
-                         cli_starts[i].unit);
+      return cli_message(
+          CLI_REFUSED, "%s %s: %s %s", setting->option, setting->text,
+          cli_starts[i].name,
+          cli_must_lie(-(double)TF_STATE_LIMIT, (double)TF_STATE_LIMIT,
+                       cli_starts[i].unit));
     }
   }
   return CLI_DONE;

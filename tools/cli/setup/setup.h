@@ -118,6 +118,13 @@ tf_real_t cli_parameter(const tf_params_t *params, size_t index);
 void cli_print_range(size_t parameter);
 void cli_print_ranges(void);
 
+/// What a value has to be to lie in its range, for messages: "must lie in ...".
+const char *cli_parameter_must(size_t index);
+
+/// The first parameter out of its range. One that the law does not use may be
+/// 0, which means "none". Returns: TF_PARAMETERS where there is none.
+size_t cli_parameter_out(const tf_params_t *params);
+
 /// Whether a parameter may have a value, its range apart: one that counts has
 /// no fraction, which the core would cut off.
 bool cli_parameter_fits(size_t index, tf_real_t value);

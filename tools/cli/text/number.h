@@ -26,6 +26,10 @@ size_t cli_write_real(char out[CLI_REAL_ROOM], tf_real_t value);
 /// built for.
 size_t cli_write_number(char out[CLI_REAL_ROOM], double value, bool is_float);
 
+/// "must lie in [low, high] unit", without a unit of "1".
+/// Returns: the text, which the next call writes over.
+const char *cli_must_lie(double low, double high, const char *unit);
+
 /// A value, or N of them from A to B, both included.
 typedef struct {
   const char *text; ///< as typed, NULL: not given
