@@ -2,10 +2,14 @@
 // from text and into it (libc.mjs). The page writes a set-up, begins, steps,
 // and reads rows. Instances share nothing, so a second one of the same module
 // that is made a copy of the first looks ahead into its futures.
+#include "motion.h"
+
 #include <string.h>
 
 #include "module.h"
-#include "package/fmu/take.h"
+
+// The module contains no other scheme.
+#define SCHEME MOTION_MOREAU
 
 // A set-up is a scene whose parameters and start the page alters. The angle is
 // drawn, so it is integrated here in every scene; nothing depends on it.
@@ -16,9 +20,8 @@ static uint32_t seed;
 // The motion, of the set-up with which it began.
 static tf_scene_t scene;
 static uint32_t scene_seed;
-static tf_machine_t machine;
-static tf_state_t state;
-static tf_report_t report;
+static motion_t motion;
+static const tf_machine_t *const machine = &motion.machine.machine;
 static tf_input_t applied; // in the last step
 static double table;       // angle of the turntable [rad]
 static double force, torque;
@@ -145,21 +148,18 @@ const char *EXPORT(scene_print)(void) {
 // the motion before goes on; after TF_BAD_PARAMETER `offending` is the number
 // of the parameter.
 int32_t EXPORT(begin)(void) {
-  tf_machine_t new_machine;
-  tf_state_t new_state;
-  tf_report_t new_report;
+  motion_t next;
+  const motion_start_t start = motion_start(&setup, seed);
   offender = TF_PARAMETERS;
-  tf_status_t status = tf_prepare(&new_machine, &setup.params, &offender);
-  if (status == TF_OK)
-    status =
-        tf_scene_start(&setup, &new_machine, seed, &new_state, &new_report);
+  tf_status_t status = motion_prepare(&next, SCHEME, &setup.params, &offender);
+  if (status != TF_OK) return status;
+  const tf_input_t input = tf_scene_input(&setup, &next.machine.machine, 0);
+  status = motion_begin(&next, SCHEME, &start, &input);
   if (status != TF_OK) return status;
   scene = setup;
   scene_seed = seed;
-  machine = new_machine;
-  state = new_state;
-  report = new_report;
-  applied = tf_scene_input(&scene, &machine, 0);
+  motion = next;
+  applied = input;
   table = force = torque = 0;
   changes = 0;
   begun = true;
@@ -170,7 +170,7 @@ int32_t EXPORT(offending)(void) { return offender; }
 
 // Whether the law of rest matters: only where stick carries a moment.
 bool EXPORT(uses_rest)(void) {
-  return begun && machine.contact.stick_kappa > 0;
+  return begun && machine->contact.stick_kappa > 0;
 }
 
 // A force and a torque beside those of the scene, from the next step on.
@@ -180,26 +180,27 @@ void EXPORT(by_hand)(double new_force, double new_torque) {
 }
 
 static tf_input_t next_input(void) {
-  tf_input_t input = tf_scene_input(&scene, &machine, state.tick + 1);
+  tf_input_t input = tf_scene_input(&scene, machine, motion.state.tick + 1);
   input.force += force;
   input.torque += torque;
   return input;
 }
 
 static void note_change(unsigned mode, unsigned before) {
-  if ((report.mode == mode && report.set == before) || changes == CHANGES)
+  if ((motion.report.mode == mode && motion.report.set == before) ||
+      changes == CHANGES)
     return;
   double *to = change[changes++];
-  to[0] = (double)state.tick;
+  to[0] = (double)motion.state.tick;
   to[1] = mode;
-  to[2] = report.mode;
-  to[3] = report.set;
-  to[4] = report.choices;
+  to[2] = motion.report.mode;
+  to[3] = motion.report.set;
+  to[4] = motion.report.choices;
 }
 
 static void note_step(const tf_input_t *input, const tf_report_t *before) {
   applied = *input;
-  table += input->omega0 * machine.dt;
+  table += input->omega0 * machine->dt;
   note_change(before->mode, before->set);
 }
 
@@ -209,58 +210,51 @@ int32_t EXPORT(step)(uint32_t steps) {
   tf_status_t status = begun ? TF_OK : TF_BAD_STATE;
   changes = 0;
   for (; steps > 0 && status >= 0; steps--) {
-    const tf_report_t before = report;
+    const tf_report_t before = motion.report;
     const tf_input_t input = next_input();
-    status = tf_step(&machine, &state, &input, &report);
+    status = motion_step(&motion, SCHEME, &input);
     if (status >= 0) note_step(&input, &before);
   }
   return status;
 }
 
-static tf_status_t step_under(void *input) {
-  return tf_step(&machine, &state, input, &report);
-}
-
-// One step into a mode that it may take (take.h); the rule goes on from there.
+// One step into a mode that it may take; the rule goes on from there.
 // Returns: as step; of what is < 0 nothing is kept.
 int32_t EXPORT(take)(uint32_t mode) {
   if (mode >= TF_MODES || !begun) return TF_BAD_PARAMETER;
-  const tf_report_t before = report;
-  tf_input_t input = next_input();
+  const tf_report_t before = motion.report;
+  const tf_input_t input = next_input();
   changes = 0;
-  const tf_status_t status =
-      take_mode(step_under, &input, &state, &machine.contact, &report, mode);
-  if (status >= 0)
-    note_step(&input, &before);
-  else
-    report = before;
+  const tf_status_t status = motion_take(&motion, SCHEME, &input, mode);
+  if (status >= 0) note_step(&input, &before);
   return status;
 }
 
 double *EXPORT(look)(void) {
+  const motion_row_t at = motion_row(&motion);
   const double now[ROW_COLUMNS] = {
-      [ROW_T] = (double)state.tick * machine.dt,
-      [ROW_R] = state.r,
-      [ROW_V] = state.v,
-      [ROW_W] = state.w,
-      [ROW_H] = report.slip.h,
-      [ROW_G] = report.slip.g,
-      [ROW_F] = report.force.F,
-      [ROW_M] = report.force.M,
-      [ROW_MODE] = report.mode,
-      [ROW_CHOICES] = report.choices,
-      [ROW_SET] = report.set,
-      [ROW_STATUS] = report.status,
-      [ROW_TICK] = (double)state.tick,
-      [ROW_PHI] = state.phi,
+      [ROW_T] = at.t,
+      [ROW_R] = at.r,
+      [ROW_V] = at.v,
+      [ROW_W] = at.omega,
+      [ROW_H] = at.h,
+      [ROW_G] = at.g,
+      [ROW_F] = at.F,
+      [ROW_M] = at.M,
+      [ROW_MODE] = at.mode,
+      [ROW_CHOICES] = at.choices,
+      [ROW_SET] = at.set,
+      [ROW_STATUS] = at.status,
+      [ROW_TICK] = (double)motion.state.tick,
+      [ROW_PHI] = at.phi,
       [ROW_TABLE] = table,
       [ROW_OMEGA0] = applied.omega0,
       [ROW_R0] = applied.r0,
       [ROW_FORCE] = applied.force,
       [ROW_TORQUE] = applied.torque,
-      [ROW_ENERGY] = tf_energy(&machine, &state, applied.r0),
-      [ROW_DELASSUS] = report.delassus,
-      [ROW_RESIDUAL] = report.residual};
+      [ROW_ENERGY] = tf_energy(machine, &motion.state, applied.r0),
+      [ROW_DELASSUS] = at.delassus,
+      [ROW_RESIDUAL] = motion.report.residual};
   memcpy(row, now, sizeof row);
   return row;
 }
@@ -268,22 +262,24 @@ double *EXPORT(look)(void) {
 // The motion is at the instant of the row that the page has written where
 // `look` keeps it, one that `look` gave for this set-up.
 void EXPORT(restore)(void) {
-  state = (tf_state_t){.r = row[ROW_R],
-                       .v = row[ROW_V],
-                       .w = row[ROW_W],
-                       .phi = row[ROW_PHI],
-                       .tick = (uint64_t)row[ROW_TICK],
-                       .seed = scene_seed,
-                       .mode = (uint8_t)row[ROW_MODE]};
-  report = (tf_report_t){.mode = (uint8_t)row[ROW_MODE],
-                         .set = (uint8_t)row[ROW_SET],
-                         .choices = (uint8_t)row[ROW_CHOICES],
-                         .force = {row[ROW_F], row[ROW_M]},
-                         .slip = {row[ROW_H], row[ROW_G]},
-                         .delassus = row[ROW_DELASSUS],
-                         .residual = row[ROW_RESIDUAL],
-                         .status = (tf_status_t)(int32_t)row[ROW_STATUS]};
-  applied = tf_scene_input(&scene, &machine, state.tick); // for its alpha
+  motion.state = (tf_state_t){.r = row[ROW_R],
+                              .v = row[ROW_V],
+                              .w = row[ROW_W],
+                              .phi = row[ROW_PHI],
+                              .tick = (uint64_t)row[ROW_TICK],
+                              .seed = scene_seed,
+                              .mode = (uint8_t)row[ROW_MODE]};
+  motion.report =
+      (tf_report_t){.mode = (uint8_t)row[ROW_MODE],
+                    .set = (uint8_t)row[ROW_SET],
+                    .choices = (uint8_t)row[ROW_CHOICES],
+                    .force = {row[ROW_F], row[ROW_M]},
+                    .slip = {row[ROW_H], row[ROW_G]},
+                    .delassus = row[ROW_DELASSUS],
+                    .residual = row[ROW_RESIDUAL],
+                    .status = (tf_status_t)(int32_t)row[ROW_STATUS]};
+  applied = tf_scene_input(&scene, machine,
+                           motion.state.tick); // for its alpha
   applied.omega0 = row[ROW_OMEGA0];
   applied.r0 = row[ROW_R0];
   applied.force = row[ROW_FORCE];
@@ -296,6 +292,6 @@ const double *EXPORT(changed)(void) { return change[0]; }
 
 uint32_t EXPORT(count_changes)(void) { return changes; }
 
-const tf_machine_t *machine_begun(void) { return begun ? &machine : 0; }
+const tf_machine_t *machine_begun(void) { return begun ? machine : 0; }
 
 tf_input_t input_applied(void) { return applied; }

@@ -18,7 +18,7 @@ PAGE_CORE := $(wildcard src/*/*.c) tools/cli/monitor/receiver.c \
   port/arch/memory.c $(wildcard tools/page/*.c tools/page/libc/*.c)
 PAGE_C := $(PAGE_CORE) $(wildcard tools/page/*.h tools/page/libc/*.h \
   tools/cli/monitor/receiver.h tools/cli/setup/*.h tools/cli/text/*.h \
-  src/*/*.h include/*.h include/twofold/*.h) tools/page/page.mk
+  src/*/*.h include/*.h include/twofold/*.h) tools/motion.h tools/page/page.mk
 PAGE_SOURCES := $(PAGE_C) tools/page/pack.py \
   $(wildcard tools/page/*.mjs tools/page/*.html tools/page/*.css)
 

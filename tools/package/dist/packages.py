@@ -99,7 +99,7 @@ def main():
             shutil.copy(DEMO, package / "examples/chaos/src/main.c")
         shutil.copy(ROOT / "LICENSE", package / "LICENSE")
         if template == "python":
-            shutil.copy(HERE.parent / "fmu/take.h", package)
+            shutil.copy(ROOT / "tools/motion.h", package)
         if template in ("cmake", "python"):
             archive(package, folder / template
                     / f"twofold-{version()}.tar.gz")

@@ -48,7 +48,7 @@ static fmu_status_t check_take(fmu_t *fmu, unsigned mode) {
   if ((motion->phase & (FMU_EVENT | FMU_STEP)) == 0)
     return fmu_discard(fmu, "take = %s is not open before the motion begins",
                        tf_mode_name(mode));
-  return fmu_check_open(fmu, FMU_DISCARD, mode, motion->state.tick + 1);
+  return fmu_check_open(fmu, FMU_DISCARD, mode, motion->now.state.tick + 1);
 }
 
 fmu_status_t fmu_check_set(fmu_t *fmu, uint32_t reference, unsigned kinds,

@@ -44,16 +44,14 @@ extern const char *const fmu_categories[FMU_CATEGORIES];
 /// All that the future depends on. No pointers: a copy is a snapshot.
 typedef struct {
   fmu_values_t values;
-  tf_machine_t machine;
-  tf_state_t state;
-  tf_report_t report;
+  motion_t now;
   tf_tally_t tally;
   uint64_t events;
   uint64_t event_tick;
   double start_time, stop_time;
   uint8_t phase;
   bool stops;   ///< stop_time is given
-  bool begun;   ///< machine, state and report are those of the values
+  bool begun;   ///< `now` is that of the values
   bool takes;   ///< the next step takes the mode in FMU_TAKE
   bool steered; ///< omega0 and alpha drive, not the profile
 } fmu_motion_t;

@@ -6,7 +6,6 @@
 
 #include "fmu_scene.h"
 #include "model.h"
-#include "take.h"
 
 // How far, in steps of dt, the length of a communication step may be from a
 // whole number. Importers send 0.016666666666666677.
@@ -21,8 +20,8 @@ static double magnitude_of(double x) { return x < 0 ? -x : x; }
 
 double fmu_time(const fmu_motion_t *motion) {
   if (!motion->begun) return motion->start_time;
-  return motion->start_time +
-         (double)motion->state.tick * (double)motion->machine.dt;
+  return motion->start_time + (double)motion->now.state.tick *
+                                  (double)motion->now.machine.machine.dt;
 }
 
 static tf_params_t parameters_of(const fmu_values_t *values) {
@@ -55,34 +54,49 @@ static tf_input_t input_at(const fmu_motion_t *motion, uint64_t tick,
                       .torque = (tf_real_t)values->real[FMU_TORQUE],
                       .alpha = (tf_real_t)values->real[FMU_ALPHA]};
   if (values->whole[FMU_FOLLOW_PROFILE] != 0 && !motion->steered) {
-    const tf_input_t driven = tf_scene_input(scene, &motion->machine, tick);
+    const tf_input_t driven =
+        tf_scene_input(scene, &motion->now.machine.machine, tick);
     input.omega0 = driven.omega0;
     input.alpha = driven.alpha;
   } else {
-    input.omega0 -=
-        input.alpha * ((tf_real_t)(end - tick) * motion->machine.dt);
+    input.omega0 -= input.alpha *
+                    ((tf_real_t)(end - tick) * motion->now.machine.machine.dt);
   }
   return input;
 }
 
+static motion_scheme_t scheme_of(const fmu_motion_t *motion) {
+  return (motion_scheme_t)motion->values.whole[FMU_SCHEME];
+}
+
 static fmu_status_t prepare(fmu_t *fmu) {
   fmu_motion_t *motion = &fmu->motion;
-  const fmu_values_t *values = &motion->values;
-  const tf_params_t params = parameters_of(values);
-  const unsigned located =
-      (1u << TF_TYRE_JUMP) | (1u << TF_TYRE_COULOMB) | (1u << TF_TYRE_NONE);
+  const motion_scheme_t scheme = scheme_of(motion);
+  const tf_params_t params = parameters_of(&motion->values);
   int offender = TF_PARAMETERS;
-  if (values->whole[FMU_FOLLOW_PROFILE] != 0 && FMU_SCENE->knots == 0)
+  if (motion->values.whole[FMU_FOLLOW_PROFILE] != 0 && FMU_SCENE->knots == 0)
     return fmu_discard(fmu, "follow_profile = true: the scene has no profile");
-  if (values->whole[FMU_SCHEME] == FMU_LOCATED &&
-      ((located >> params.law) & 1u) == 0)
-    return fmu_discard(fmu,
-                       "scheme = located: law must be jump, coulomb or none");
-  if (tf_prepare(&motion->machine, &params, &offender) == TF_OK) return FMU_OK;
+  if (!motion_takes_law(scheme, params.law))
+    return fmu_discard(fmu, "scheme = %s: law must be " MOTION_LOCATED_LAWS,
+                       motion_scheme_name(scheme));
+  if (motion_prepare(&motion->now, scheme, &params, &offender) == TF_OK)
+    return FMU_OK;
   return fmu_discard(fmu, "%s is out of its range",
                      offender < TF_PARAMETERS
                          ? tf_parameter_ranges[offender].name
                          : "law or rule");
+}
+
+static motion_start_t start_of(const fmu_values_t *values) {
+  motion_start_t start = motion_start(FMU_SCENE, 0);
+  start.state.r = (tf_real_t)values->real[FMU_START_R];
+  start.state.v = (tf_real_t)values->real[FMU_START_V];
+  start.state.w = (tf_real_t)values->real[FMU_START_OMEGA];
+  start.state.phi = (tf_real_t)values->real[FMU_START_PHI];
+  start.state.seed = (uint32_t)values->whole[FMU_SEED];
+  start.h = (tf_real_t)values->real[FMU_START_H];
+  start.from_h = values->whole[FMU_START_FROM_H] != 0;
+  return start;
 }
 
 fmu_status_t fmu_begin(fmu_t *fmu) {
@@ -94,22 +108,12 @@ fmu_status_t fmu_begin(fmu_t *fmu) {
       (tf_real_t)values->real[FMU_OMEGA0] != FMU_SCENE->params.omega0 ||
       values->real[FMU_ALPHA] != 0;
   const tf_input_t input = input_at(motion, 0, 0);
-  const tf_real_t h = (tf_real_t)values->real[FMU_START_H];
-  tf_state_t start;
-  memset(&start, 0, sizeof start);
-  start.r = (tf_real_t)values->real[FMU_START_R];
-  start.v = (tf_real_t)values->real[FMU_START_V];
-  start.w = (tf_real_t)values->real[FMU_START_OMEGA];
-  start.phi = (tf_real_t)values->real[FMU_START_PHI];
-  start.seed = (uint32_t)values->whole[FMU_SEED];
-  start.mode = TF_NO_MODE;
-  const bool from_h = values->whole[FMU_START_FROM_H] != 0;
-  if ((from_h ? tf_begin_with_slip(&motion->machine, &start, &input, h,
-                                   &motion->report)
-              : tf_begin(&motion->machine, &start, &input, &motion->report)) !=
-      TF_OK) {
-    if (from_h && tf_speed_for_slip(&motion->machine, start.r, start.w,
-                                    input.omega0, h, &start.v) != TF_OK)
+  motion_start_t start = start_of(values);
+  if (motion_begin(&motion->now, scheme_of(motion), &start, &input) != TF_OK) {
+    if (start.from_h &&
+        tf_speed_for_slip(&motion->now.machine.machine, start.state.r,
+                          start.state.w, input.omega0, start.h,
+                          &start.state.v) != TF_OK)
       return fmu_discard(fmu,
                          "no start.v gives start.h, because sin(gamma) is 0:"
                          " set start.from_h to false");
@@ -117,7 +121,6 @@ fmu_status_t fmu_begin(fmu_t *fmu) {
                        "the start is out of range: start.r, start.v,"
                        " start.omega and the inputs add up to more than 1e9");
   }
-  motion->state = start;
   motion->values.real[FMU_TURNTABLE] = (double)input.omega0;
   motion->begun = true;
   fmu_observe(motion);
@@ -125,42 +128,46 @@ fmu_status_t fmu_begin(fmu_t *fmu) {
 }
 
 void fmu_observe(fmu_motion_t *motion) {
-  const tf_report_t *report = &motion->report;
+  const motion_row_t row = motion_row(&motion->now);
+  const tf_tally_t *tally = &motion->tally;
   double *real = motion->values.real;
   int64_t *whole = motion->values.whole;
-  real[FMU_R] = (double)motion->state.r;
-  real[FMU_V] = (double)motion->state.v;
-  real[FMU_OMEGA] = (double)motion->state.w;
-  real[FMU_PHI] = (double)motion->state.phi;
-  real[FMU_H] = (double)report->slip.h;
-  real[FMU_G] = (double)report->slip.g;
-  real[FMU_F] = (double)report->force.F;
-  real[FMU_M] = (double)report->force.M;
-  real[FMU_DELASSUS] = (double)report->delassus;
-  real[FMU_RESIDUAL] = (double)report->residual;
-  real[FMU_ENERGY] = (double)tf_energy(&motion->machine, &motion->state,
-                                       (tf_real_t)real[FMU_R0]);
-  real[FMU_EVENT_TIME] = motion->start_time + (double)motion->event_tick *
-                                                  (double)motion->machine.dt;
-  whole[FMU_MODE] = report->mode;
-  whole[FMU_CHOICES] = report->choices;
-  whole[FMU_SET] = report->set;
-  whole[FMU_STATUS] = (int64_t)report->status;
-  whole[FMU_TICK] = (int64_t)motion->state.tick;
+  real[FMU_R] = (double)row.r;
+  real[FMU_V] = (double)row.v;
+  real[FMU_OMEGA] = (double)row.omega;
+  real[FMU_PHI] = (double)row.phi;
+  real[FMU_H] = (double)row.h;
+  real[FMU_G] = (double)row.g;
+  real[FMU_F] = (double)row.F;
+  real[FMU_M] = (double)row.M;
+  real[FMU_DELASSUS] = (double)row.delassus;
+  real[FMU_RESIDUAL] = (double)motion->now.report.residual;
+  real[FMU_ENERGY] =
+      (double)tf_energy(&motion->now.machine.machine, &motion->now.state,
+                        (tf_real_t)real[FMU_R0]);
+  real[FMU_EVENT_TIME] =
+      motion->start_time +
+      (double)motion->event_tick * (double)motion->now.machine.machine.dt;
+  whole[FMU_MODE] = row.mode;
+  whole[FMU_CHOICES] = row.choices;
+  whole[FMU_SET] = row.set;
+  whole[FMU_STATUS] = row.status;
+  whole[FMU_TICK] = (int64_t)motion->now.state.tick;
   whole[FMU_EVENTS] = (int64_t)motion->events;
-  whole[FMU_DEGRADED] = (int64_t)motion->tally.degraded;
-  whole[FMU_FELL_BACK] = (int64_t)motion->tally.fell_back;
-  whole[FMU_COARSE] = (int64_t)motion->tally.coarse;
-  whole[FMU_STALLED] = (int64_t)motion->tally.stalled;
-  whole[FMU_REFUSED] = (int64_t)motion->tally.refused;
-  whole[FMU_FIRST] = (int64_t)motion->tally.first;
+  whole[FMU_DEGRADED] = (int64_t)tally->degraded;
+  whole[FMU_FELL_BACK] = (int64_t)tally->fell_back;
+  whole[FMU_COARSE] = (int64_t)tally->coarse;
+  whole[FMU_STALLED] = (int64_t)tally->stalled;
+  whole[FMU_REFUSED] = (int64_t)tally->refused;
+  whole[FMU_FIRST] = (int64_t)tally->first;
 }
 
 // The tick at which a communication step ends.
 static fmu_status_t find_end(fmu_t *fmu, double time, double length,
                              uint64_t *end) {
   const fmu_motion_t *motion = &fmu->motion;
-  const double dt = (double)motion->machine.dt, now = fmu_time(motion);
+  const double dt = (double)motion->now.machine.machine.dt,
+               now = fmu_time(motion);
   const double last = time + length;
   const double reach = magnitude_of(time) + magnitude_of(last);
   if (!(reach <= DBL_MAX) || !(length > 0))
@@ -178,7 +185,7 @@ static fmu_status_t find_end(fmu_t *fmu, double time, double length,
                      last, motion->stop_time);
   const double steps = length / dt;
   const double rounding = 4 * DBL_EPSILON * reach / dt;
-  if (!(steps + (double)motion->state.tick <= MAX_STEPS))
+  if (!(steps + (double)motion->now.state.tick <= MAX_STEPS))
     return fmu_refuse(
         fmu, fmu->refusal,
         "communicationStepSize = %g s is more than 1e15 steps of dt = %g s",
@@ -192,7 +199,7 @@ static fmu_status_t find_end(fmu_t *fmu, double time, double length,
         "communicationStepSize = %g s is no whole multiple of dt = %g s; the"
         " nearest is %g s",
         length, dt, (double)(whole > 0 ? whole : 1) * dt);
-  *end = motion->state.tick + whole;
+  *end = motion->now.state.tick + whole;
   return FMU_OK;
 }
 
@@ -203,7 +210,7 @@ static void go_back(fmu_t *fmu) {
 
 static fmu_status_t refuse_step(fmu_t *fmu, tf_status_t status) {
   const double time = fmu_time(&fmu->motion);
-  const uint64_t tick = fmu->motion.state.tick;
+  const uint64_t tick = fmu->motion.now.state.tick;
   go_back(fmu);
   tf_tally_count(&fmu->motion.tally, tick, status);
   fmu->motion.values.whole[FMU_REFUSED] = (int64_t)fmu->motion.tally.refused;
@@ -212,23 +219,13 @@ static fmu_status_t refuse_step(fmu_t *fmu, tf_status_t status) {
                     tf_status_name(status));
 }
 
-typedef struct {
-  fmu_motion_t *motion;
-  tf_input_t input;
-} coming_t;
-
-static tf_status_t step_once(void *of) {
-  const coming_t *coming = of;
-  fmu_motion_t *motion = coming->motion;
-  return (motion->values.whole[FMU_SCHEME] == FMU_LOCATED ? tf_step_located
-                                                          : tf_step)(
-      &motion->machine, &motion->state, &coming->input, &motion->report);
-}
-
-static tf_status_t take_step(coming_t *coming, unsigned mode) {
-  fmu_motion_t *motion = coming->motion;
-  return take_mode(step_once, coming, &motion->state, &motion->machine.contact,
-                   &motion->report, mode);
+// One step, into the mode that is wanted where there is one. input: out.
+static tf_status_t step_once(fmu_motion_t *motion, uint64_t end, unsigned mode,
+                             tf_input_t *input) {
+  const motion_scheme_t scheme = scheme_of(motion);
+  *input = input_at(motion, motion->now.state.tick + 1, end);
+  return mode < TF_MODES ? motion_take(&motion->now, scheme, input, mode)
+                         : motion_step(&motion->now, scheme, input);
 }
 
 // The report of the last step does not tell: its set is that of its end or of
@@ -240,8 +237,8 @@ fmu_status_t fmu_check_open(fmu_t *fmu, fmu_status_t status, unsigned mode,
   fmu_say(message, "take = %s is not open", tf_mode_name(mode));
   for (unsigned other = 0; other < TF_MODES; other++) {
     fmu_motion_t motion = fmu->motion;
-    coming_t coming = {&motion, input_at(&motion, motion.state.tick + 1, end)};
-    if (take_step(&coming, other) < 0) continue;
+    tf_input_t input;
+    if (step_once(&motion, end, other, &input) < 0) continue;
     if (other == mode) return FMU_OK;
     fmu_say(message, "%s%s", comma, tf_mode_name(other));
     comma = ", ";
@@ -253,8 +250,8 @@ static void log_event(fmu_t *fmu) {
   if (fmu->emit == NULL || (fmu->logs & FMU_LOG_EVENTS) == 0) return;
   fmu_message_t *message = fmu_begin_message(fmu);
   fmu_say(message, "t = %g s, mode %s, choices %u", fmu_time(&fmu->motion),
-          tf_mode_name(fmu->motion.report.mode),
-          (unsigned)fmu->motion.report.choices);
+          tf_mode_name(fmu->motion.now.report.mode),
+          (unsigned)fmu->motion.now.report.choices);
   fmu->emit(fmu, FMU_OK, fmu_categories[0], message->text);
 }
 
@@ -262,23 +259,23 @@ static void log_event(fmu_t *fmu) {
 // whether mode or set changed.
 static fmu_status_t advance(fmu_t *fmu, uint64_t end, bool *event) {
   fmu_motion_t *motion = &fmu->motion;
-  const unsigned mode = motion->report.mode, set = motion->report.set;
+  const unsigned mode = motion->now.report.mode, set = motion->now.report.set;
   const unsigned wanted = (unsigned)motion->values.whole[FMU_TAKE];
-  coming_t coming = {motion, input_at(motion, motion->state.tick + 1, end)};
+  tf_input_t input;
   const tf_status_t status =
-      motion->takes ? take_step(&coming, wanted) : step_once(&coming);
+      step_once(motion, end, motion->takes ? wanted : TF_NO_MODE, &input);
   if (motion->takes && status == TF_BAD_PARAMETER) {
     go_back(fmu);
     return fmu_check_open(fmu, fmu->refusal, wanted, end);
   }
   if (status < 0) return refuse_step(fmu, status);
   motion->takes = false;
-  motion->values.real[FMU_TURNTABLE] = (double)coming.input.omega0;
-  tf_tally_count(&motion->tally, motion->state.tick, status);
-  *event = motion->report.mode != mode || motion->report.set != set;
+  motion->values.real[FMU_TURNTABLE] = (double)input.omega0;
+  tf_tally_count(&motion->tally, motion->now.state.tick, status);
+  *event = motion->now.report.mode != mode || motion->now.report.set != set;
   if (*event) {
     motion->events++;
-    motion->event_tick = motion->state.tick;
+    motion->event_tick = motion->now.state.tick;
     log_event(fmu);
   }
   return FMU_OK;
@@ -290,13 +287,13 @@ fmu_status_t fmu_step(fmu_t *fmu, double time, double length, fmu_step_t *end) {
   fmu_status_t status = find_end(fmu, time, length, &last);
   if (status != FMU_OK) return status;
   memcpy(&fmu->before, &fmu->motion, sizeof fmu->before);
-  while (fmu->motion.state.tick < last) {
+  while (fmu->motion.now.state.tick < last) {
     status = advance(fmu, last, &end->event);
     if (status != FMU_OK) return status;
     if (end->event && fmu->early_return) break;
   }
   fmu_observe(&fmu->motion);
-  end->early = fmu->motion.state.tick < last;
+  end->early = fmu->motion.now.state.tick < last;
   end->time = fmu_time(&fmu->motion);
   return FMU_OK;
 }

@@ -31,8 +31,8 @@ def sources_of(face, core):
     """The files from which one FMU is compiled, name to text: those here and
     the core in two files, because importers know no folders."""
     others = {n for f, names in FACES.items() if f != face for n in names}
-    paths = [*sorted(HERE.glob("*.[ch]")), core / "twofold.c",
-             core / "twofold.h"]
+    paths = [*sorted(HERE.glob("*.[ch]")), ROOT / "tools/motion.h",
+             core / "twofold.c", core / "twofold.h"]
     return {path.name: path.read_text() for path in paths
             if path.name not in others | NOT_IN_FMU}
 

@@ -5,10 +5,6 @@
 
 #include <string.h>
 
-static const char *scheme_name(unsigned scheme) {
-  return scheme == FMU_MOREAU ? "moreau" : "located";
-}
-
 // TF_NO_MODE: the rule of the machine decides.
 static const char *take_name(unsigned mode) {
   return mode < TF_MODES ? tf_mode_name(mode) : "choose";

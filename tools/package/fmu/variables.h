@@ -9,7 +9,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "twofold.h"
+#include "motion.h"
 
 /// The real variables behind the parameters of tf_parameter_ranges: number,
 /// name, unit, role and what it is. omega0 and r0 are inputs, which that table
@@ -56,8 +56,8 @@
     "law of friction")                                                        \
   X(RULE, "rule", MEMBER, PARAMETER, tf_rule_name, 0, TF_RULES - 1,           \
     "which of several consistent modes a step takes")                         \
-  X(SCHEME, "scheme", MEMBER, PARAMETER, scheme_name, 0, FMU_SCHEMES - 1,     \
-    "moreau: steps of fixed length; located: events inside")                  \
+  X(SCHEME, "scheme", MEMBER, PARAMETER, motion_scheme_name, 0,               \
+    MOTION_LOCATED, "moreau: steps of fixed length; located: events inside")  \
   X(SEED, "seed", SEED, PARAMETER, NULL, 0, UINT32_MAX, "of the rule random") \
   X(WITH_ANGLE, "with_angle", TRUTH, PARAMETER, NULL, 0, 1, "integrate phi")  \
   X(START_FROM_H, "start.from_h", TRUTH, PARAMETER, NULL, 0, 1,               \
@@ -95,9 +95,6 @@ enum {
   FMU_OTHER_REALS(FMU_NUMBER) FMU_REALS
 };
 enum { FMU_ALL_WHOLES(FMU_NUMBER) FMU_WHOLES };
-
-/// Members of the enumeration of FMU_SCHEME.
-enum { FMU_MOREAU, FMU_LOCATED, FMU_SCHEMES };
 
 /// Value references: 0 is the time, then the real variables, then the whole
 /// ones.

@@ -8,7 +8,7 @@
 #endif
 #include <math.h>
 
-#include "take.h"
+#include "motion.h"
 #include "twofold.c"
 
 #ifdef TF_REAL_FLOAT
@@ -17,29 +17,25 @@
 #define SHARED(name) name##_f64
 #endif
 
-/* A motion: what stays, and what a step changes. */
+/* A motion, the scene that drives it, and the scheme that advances it. */
 typedef struct {
-  const tf_compensated_t *machine;
+  motion_t *motion;
   const tf_scene_t *scene;
-  int scheme; /* moreau, located, compensated */
-  tf_state_t *state;
-  tf_compensation_t *low;
-  tf_report_t *report;
-} motion_t;
+  int scheme;
+} run_t;
 
 /* Takes steps of an ensemble, block by block, behind `from` of them up to `to`.
  * input: that of the first of them, behind which the turntable keeps its speed;
  * NULL: those of the scene. */
-typedef void lanes_t(const motion_t *of, tf_state_block_t *states, size_t n,
+typedef void lanes_t(const run_t *of, tf_state_block_t *states, size_t n,
                      tf_input_t *input, tf_report_block_t *reports,
                      uint64_t from, uint64_t to);
 lanes_t SHARED(twofold_lanes), SHARED(twofold_lanes_avx2);
 
-void LANES(twofold_lanes)(const motion_t *of, tf_state_block_t *states,
-                          size_t n, tf_input_t *input,
-                          tf_report_block_t *reports, uint64_t from,
-                          uint64_t to) {
-  const tf_machine_t *machine = &of->machine->machine;
+void LANES(twofold_lanes)(const run_t *of, tf_state_block_t *states, size_t n,
+                          tf_input_t *input, tf_report_block_t *reports,
+                          uint64_t from, uint64_t to) {
+  const tf_machine_t *machine = &of->motion->machine.machine;
   for (size_t at = 0; at < n; at += TF_LANES) {
     tf_input_t u = input ? *input : tf_input_default(machine);
     for (uint64_t i = from + 1; i <= to; i++) {
@@ -64,12 +60,6 @@ int SHARED(twofold_has_avx2)(void) {
 
 /* Sizes and offsets in the order that the module knows. */
 typedef struct {
-  double t;
-  tf_real_t r, v, omega, phi, h, g, F, M, delassus;
-  uint8_t mode, set, choices;
-  int8_t status;
-} row_t;
-typedef struct {
   tf_real_t r, v, omega, g, K[4], J1, J2, eigenvalue[2], time_scale;
   uint8_t type, paper_case;
 } fold_t;
@@ -93,105 +83,62 @@ static tf_real_t or_else(tf_real_t given, tf_real_t usual) {
   return isnan(given) ? usual : given;
 }
 
-/* Begins a motion whose state holds seed and mode. given: r, v, omega, h, phi;
- * NaN: that of the scene. */
-tf_status_t SHARED(twofold_begin)(const motion_t *to,
+/* Begins a motion. given: r, v, omega, h, phi; NaN: that of the scene. */
+tf_status_t SHARED(twofold_begin)(const run_t *of, uint32_t seed,
                                   const tf_real_t given[5]) {
-  const tf_machine_t *machine = &to->machine->machine;
-  const tf_scene_t *scene = to->scene;
-  const tf_input_t u = tf_scene_input(scene, machine, 0);
-  const tf_real_t v = or_else(given[1], scene->v);
-  const tf_real_t h = or_else(given[3], scene->h);
-  const bool has_v = !isnan(given[1]), has_h = !isnan(given[3]);
-  tf_state_t *x = to->state;
-  *to->low = (tf_compensation_t){0};
-  x->r = or_else(given[0], scene->r);
-  x->v = v;
-  x->w = or_else(given[2], scene->omega);
-  x->phi = or_else(given[4], 0);
-  if (has_v || (!has_h && scene->v_is_given))
-    return tf_begin(machine, x, &u, to->report);
-  const tf_status_t begun = tf_begin_with_slip(machine, x, &u, h, to->report);
-  if (begun < 0 || to->scheme != 2) return begun;
-  (void)tf_speed_for_slip_compensated(to->machine, x, to->low, u.omega0, h);
-  return tf_begin(machine, x, &u, to->report);
+  const tf_input_t u =
+      tf_scene_input(of->scene, &of->motion->machine.machine, 0);
+  motion_start_t start = motion_start(of->scene, seed);
+  start.from_h = isnan(given[1]) && (start.from_h || !isnan(given[3]));
+  start.state.r = or_else(given[0], start.state.r);
+  start.state.v = or_else(given[1], start.state.v);
+  start.state.w = or_else(given[2], start.state.w);
+  start.h = or_else(given[3], start.h);
+  start.state.phi = or_else(given[4], start.state.phi);
+  return motion_begin(of->motion, of->scheme, &start, &u);
 }
 
 /* The row of a state; its report is of the step that led to it. */
-void SHARED(twofold_row)(const motion_t *at, row_t *row) {
-  const tf_state_t *x = at->state;
-  const tf_report_t *report = at->report;
-  *row = (row_t){(double)x->tick * (double)at->machine->machine.dt,
-                 x->r,
-                 x->v,
-                 x->w,
-                 x->phi,
-                 report->slip.h,
-                 report->slip.g,
-                 report->force.F,
-                 report->force.M,
-                 report->delassus,
-                 report->mode,
-                 report->set,
-                 report->choices,
-                 (int8_t)report->status};
+void SHARED(twofold_row)(const motion_t *at, motion_row_t *row) {
+  *row = motion_row(at);
 }
 
-static tf_status_t one_step(const motion_t *of, const tf_input_t *input) {
-  const tf_machine_t *machine = &of->machine->machine;
-  const tf_input_t u =
-      input ? *input : tf_scene_input(of->scene, machine, of->state->tick + 1);
-  if (of->scheme == 2)
-    return tf_step_compensated(of->machine, of->state, of->low, &u, of->report);
-  *of->low = (tf_compensation_t){0};
-  return of->scheme == 1 ? tf_step_located(machine, of->state, &u, of->report)
-                         : tf_step(machine, of->state, &u, of->report);
+static tf_input_t next_input(const run_t *of, const tf_input_t *held) {
+  return held ? *held
+              : tf_scene_input(of->scene, &of->motion->machine.machine,
+                               of->motion->state.tick + 1);
 }
 
 /* Goes on behind `from` of so many steps, for `most` of them, and writes a row
  * after every `every` of all and after the last. input: held, its alpha is 0
  * behind a step; NULL: those of the scene. Returns: steps taken, with `from`;
  * fewer where one is refused, whose status is in `status`. */
-uint64_t SHARED(twofold_run)(const motion_t *of, tf_input_t *input,
-                             uint64_t from, uint64_t most, uint64_t steps,
-                             uint64_t every, row_t *rows, int *status) {
+uint64_t SHARED(twofold_run)(const run_t *of, tf_input_t *input, uint64_t from,
+                             uint64_t most, uint64_t steps, uint64_t every,
+                             motion_row_t *rows, int *status) {
   const uint64_t end = steps - from > most ? from + most : steps;
   for (uint64_t i = from + 1; i <= end; i++) {
-    *status = one_step(of, input);
+    const tf_input_t u = next_input(of, input);
+    *status = motion_step(of->motion, of->scheme, &u);
     if (*status < 0) return i - 1;
     if (input) input->alpha = 0;
     if (i % every == 0 || i == steps)
-      SHARED(twofold_row)(of, rows + (i - 1) / every);
+      rows[(i - 1) / every] = motion_row(of->motion);
   }
   return end;
 }
 
-typedef struct {
-  motion_t of;
-  const tf_input_t *input;
-  tf_compensation_t low;
-} forced_t;
-
-static tf_status_t forced_step(void *of) {
-  const forced_t *forced = of;
-  *forced->of.low = forced->low;
-  return one_step(&forced->of, forced->input);
-}
-
-/* One step into a mode that it may take: see take.h. */
-tf_status_t SHARED(twofold_take)(const motion_t *of, const tf_input_t *input,
+/* One step into a mode that it may take. */
+tf_status_t SHARED(twofold_take)(const run_t *of, const tf_input_t *input,
                                  unsigned mode) {
-  tf_compensated_t machine = *of->machine;
-  forced_t forced = {*of, input, *of->low};
-  forced.of.machine = &machine;
-  return take_mode(forced_step, &forced, of->state, &machine.machine.contact,
-                   of->report, mode);
+  const tf_input_t u = next_input(of, input);
+  return motion_take(of->motion, of->scheme, &u, mode);
 }
 
 /* The two-folds, with K in the paper's time. */
-tf_status_t SHARED(twofold_folds)(const motion_t *of, fold_t rows[TF_TWO_FOLDS],
+tf_status_t SHARED(twofold_folds)(const run_t *of, fold_t rows[TF_TWO_FOLDS],
                                   int *count) {
-  const tf_machine_t *machine = &of->machine->machine;
+  const tf_machine_t *machine = &of->motion->machine.machine;
   const tf_input_t u = tf_scene_input(of->scene, machine, 0);
   tf_surface_point_t points[TF_TWO_FOLDS];
   tf_status_t status = tf_two_folds(machine, &u, points, count, NULL);
@@ -218,9 +165,9 @@ tf_status_t SHARED(twofold_folds)(const motion_t *of, fold_t rows[TF_TWO_FOLDS],
 
 /* The regions of h = 0 at places whose r and omega are filled in; NaN: lambda
  * or delassus is not defined there. */
-tf_status_t SHARED(twofold_regions)(const motion_t *of, place_t *places,
+tf_status_t SHARED(twofold_regions)(const run_t *of, place_t *places,
                                     size_t n) {
-  const tf_machine_t *machine = &of->machine->machine;
+  const tf_machine_t *machine = &of->motion->machine.machine;
   const tf_input_t u = tf_scene_input(of->scene, machine, 0);
   tf_status_t status = TF_OK;
   for (size_t i = 0; status >= 0 && i < n; i++) {

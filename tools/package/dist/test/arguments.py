@@ -120,7 +120,7 @@ def table(real):
                                         pair[0] is not BAD_SHAPE[-1]])),
         ("Ensemble", twofold.Ensemble, {"machine": machine, **three, "v": 0},
          {"machine": [(value, TypeError) for value in
-                      (None, "chaos", 1, twofold.Machine, machine._machine)],
+                      (None, "chaos", 1, twofold.Machine, machine._motion)],
           "r": COLUMN, "omega": COLUMN, "v": WITHOUT_NONE, "seed": SEEDS}),
         ("Ensemble", twofold.Ensemble, {"machine": machine, **three, "h": 0},
          {"h": WITHOUT_NONE}),
@@ -131,7 +131,7 @@ def table(real):
 
 def bits(machine, ensemble):
     """All that a refused call must leave as it is."""
-    return (bytes(machine.state), machine.report.raw, machine._params.raw,
+    return (bytes(machine._motion), machine._params.raw,
             ensemble.states.tobytes(), ensemble.reports.tobytes())
 
 

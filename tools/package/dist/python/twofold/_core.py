@@ -39,7 +39,6 @@ class Core:
     def _structs(self):
         self.State = self._struct("r v w phi", ("tick", c_uint64),
                                   ("seed", c_uint32), ("mode", c_uint8))
-        self.Low = self._struct("r v w phi")
         self.Input = self._struct("omega0 r0 force torque alpha")
         Range = self._struct(
             "", ("name", c_char_p), ("unit", c_char_p), ("offset", c_uint16),
@@ -49,9 +48,12 @@ class Core:
             ("params", c_char * self.size["params"]), ("start", 4 * self.real),
             ("v_is_given", c_bool), ("t_end", self.real))
         self.Motion = self._struct(
-            "", ("machine", c_void_p), ("scene", POINTER(self.Scene)),
-            ("scheme", c_int), ("state", POINTER(self.State)),
-            ("low", POINTER(self.Low)), ("report", c_void_p))
+            "", ("machine", c_char * self.size["machine"]),
+            ("state", self.State), ("low", 4 * self.real),
+            ("report", c_char * self.size["report"]))
+        self.Run = self._struct(
+            "", ("motion", POINTER(self.Motion)),
+            ("scene", POINTER(self.Scene)), ("scheme", c_int))
         self.scenes = {one.contents.name.decode(): one.contents for one in
                        (POINTER(self.Scene) * self.size["scenes"]).in_dll(
                            _shared, f"tf_scenes_{self.suffix}")}
@@ -79,7 +81,7 @@ class Core:
                                         lanes=LANES)
 
     def _functions(self):
-        real, any_, motion = self.real, c_void_p, POINTER(self.Motion)
+        real, any_, run = self.real, c_void_p, POINTER(self.Run)
         input_ = POINTER(self.Input)
         for name, result, arguments in (
                 ("tf_prepare_compensated", c_int,
@@ -91,14 +93,14 @@ class Core:
                 ("tf_ensemble_put", None,
                  (any_, c_size_t, POINTER(self.State))),
                 ("twofold_lanes", None,
-                 (motion, any_, c_size_t, input_, any_, *2 * [c_uint64])),
-                ("twofold_begin", c_int, (motion, any_)),
-                ("twofold_row", None, (motion, any_)),
-                ("twofold_take", c_int, (motion, input_, c_uint)),
-                ("twofold_folds", c_int, (motion, any_, POINTER(c_int))),
-                ("twofold_regions", c_int, (motion, any_, c_size_t)),
+                 (run, any_, c_size_t, input_, any_, *2 * [c_uint64])),
+                ("twofold_begin", c_int, (run, c_uint32, any_)),
+                ("twofold_row", None, (any_, any_)),
+                ("twofold_take", c_int, (run, input_, c_uint)),
+                ("twofold_folds", c_int, (run, any_, POINTER(c_int))),
+                ("twofold_regions", c_int, (run, any_, c_size_t)),
                 ("twofold_run", c_uint64,
-                 (motion, input_, *4 * [c_uint64], any_, POINTER(c_int)))):
+                 (run, input_, *4 * [c_uint64], any_, POINTER(c_int)))):
             avx2 = "_avx2" * (name == "twofold_lanes" and
                               _shared.twofold_has_avx2_f64())
             function = getattr(_shared, f"{name}{avx2}_{self.suffix}")

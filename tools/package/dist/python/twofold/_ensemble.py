@@ -59,7 +59,7 @@ class Ensemble:
         first = int(self.states["tick"].max())
         for tick in range(first, first + steps, most):
             self.core.call_lanes(
-                self.machine._motion(), self.states.ctypes.data, self.n, held,
+                self.machine._run(), self.states.ctypes.data, self.n, held,
                 self.reports.ctypes.data, tick,
                 min(tick + most, first + steps))
 

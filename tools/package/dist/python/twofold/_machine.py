@@ -22,7 +22,7 @@ SHORT_STEP = 1e-3
 INPUTS = {"omega0": "rad/s", "r0": "m", "force": "N", "torque": "N m",
           "alpha": "rad/s^2"}
 START = {"r": "m", "v": "m/s", "omega": "rad/s", "h": "m/s", "phi": "rad"}
-BUFFERS = "state", "low", "report", "_params", "_machine"
+BUFFERS = "_motion", "_params"
 # What else a mistyped setting may be; the command line selects by a rule.
 HINTS = {"select": "rule", **{name: name for name in (
     *START, "real", "law", "rule", "rest", "with_angle", "seed", "t_end",
@@ -80,9 +80,9 @@ class Machine:
         if v is not None and h is not None:
             raise ValueError("either v or h is to be given, not both")
         self._start = self._given(zip(START, (r, v, omega, h, phi)))
-        self._machine = ctypes.create_string_buffer(core.size["machine"])
+        self._motion = core.Motion()
         offender = c_int(-1)
-        if core.call_prepare_compensated(self._machine, self._params,
+        if core.call_prepare_compensated(byref(self._motion), self._params,
                                          byref(offender)) < 0:
             bad = core.ranges[offender.value]
             name = bad.name.decode()
@@ -135,25 +135,22 @@ class Machine:
     def _begin(self, start, what, seed=None, scheme=0):
         seed = integer("seed", self.seed if seed is None else seed, 0,
                        2 ** 32 - 1)
-        old = self.__dict__.copy()
-        self.state: Structure = self.core.State(seed=seed, mode=NO_MODE)
-        self.low = self.core.Low()
-        self.report = ctypes.create_string_buffer(self.core.size["report"])
         status = self.core.call_begin(
-            self._motion(scheme), (self.core.real * len(START))(*start))
+            self._run(scheme), seed, (self.core.real * len(START))(*start))
         if status < 0:
-            self.__dict__ = old
             if math.isnan(start[1]) and abs(math.sin(self["gamma"])) < 1e-6:
                 what += (": no speed v gives a slip speed h, because "
                          "sin(gamma) = 0; give v")
         self.core.fail(status, what)
         self._begun = start, bytes(self.state)
 
-    def _motion(self, scheme=0):
-        return self.core.Motion(
-            ctypes.addressof(self._machine), ctypes.pointer(self.scene), scheme,
-            ctypes.pointer(self.state), ctypes.pointer(self.low),
-            ctypes.addressof(self.report))
+    @property
+    def state(self) -> Structure:
+        return self._motion.state
+
+    def _run(self, scheme=0):
+        return self.core.Run(ctypes.pointer(self._motion),
+                             ctypes.pointer(self.scene), scheme)
 
     def copy(self) -> Machine:
         """One in the same state, which goes its own way."""
@@ -168,14 +165,14 @@ class Machine:
         self.__dict__ = held
         self.scene = self.core.scenes[self.name]
         for name in BUFFERS:
-            kind = getattr(self.core, name.title(), None)
-            setattr(self, name, kind.from_buffer_copy(held[name]) if kind else
-                    ctypes.create_string_buffer(held[name], len(held[name])))
+            kind = {"_motion": self.core.Motion}.get(
+                name, ctypes.c_char * len(held[name]))
+            setattr(self, name, kind.from_buffer_copy(held[name]))
 
     def input(self, **changed: float) -> Structure:
         """The inputs of a machine that nothing drives, with changes: omega0
         [rad/s], r0 [m], force [N], torque [N m], alpha [rad/s^2]."""
-        given = self.core.call_input_default(self._machine)
+        given = self.core.call_input_default(byref(self._motion))
         for name, value in changed.items():
             word("name of an input", name, INPUTS)
             setattr(given, name, number(name, value, -LIMIT, LIMIT,
@@ -207,7 +204,7 @@ class Machine:
         rows = np.zeros(8, self.core.fold)
         count = c_int(0)
         self.core.fail(self.core.call_folds(
-            self._motion(), rows.ctypes.data, byref(count)), "two_folds")
+            self._run(), rows.ctypes.data, byref(count)), "two_folds")
         return rows[:count.value].view(Table)
 
     def regions(self, r: ArrayLike, omega: ArrayLike) -> Table:
@@ -219,14 +216,14 @@ class Machine:
         rows = np.zeros([axis.size for axis in axes], self.core.place)
         rows["r"], rows["omega"] = np.meshgrid(*axes, indexing="ij")
         self.core.fail(self.core.call_regions(
-            self._motion(), rows.ctypes.data, rows.size),
+            self._run(), rows.ctypes.data, rows.size),
             "regions needs law jump or coulomb and |sin(gamma)| in [1e-06, 1], "
             f"not law {self._get('law', Law)} and gamma = {self['gamma']:g}")
         return rows.view(Table)
 
     def energy(self) -> float:
         """Mechanical energy of the present state [J]."""
-        return self.core.call_energy(self._machine, byref(self.state),
+        return self.core.call_energy(byref(self._motion), byref(self.state),
                                      self["r0"])
 
     def _scheme(self, scheme):
@@ -245,7 +242,7 @@ class Machine:
         start, state = self._begun
         if bytes(self.state) == state:
             self._begin(start, "start", self.state.seed, scheme=scheme)
-        return self._motion(scheme)
+        return self._run(scheme)
 
     def futures(self, scheme: Scheme | str | None = None,
                 inputs: Structure | None = None) -> dict[Mode, Machine]:
@@ -260,7 +257,7 @@ class Machine:
         held = None if inputs is None else self._held(inputs)
         self._ready(scheme)
         all_ = {mode: self.copy() for mode in Mode}
-        taken = {mode: self.core.call_take(one._motion(scheme), held, mode)
+        taken = {mode: self.core.call_take(one._run(scheme), held, mode)
                  for mode, one in all_.items()}
         self.core.fail(max(taken.values()), "step 1")
         return {mode: all_[mode] for mode in Mode if taken[mode] >= 0}
@@ -297,15 +294,15 @@ class Machine:
         steps, rest = divmod(self.core.real(t_end).value / self["dt"], 1)
         steps = int(steps) + (rest >= 0.5)  # round() goes to even
         held = None if inputs is None else self._held(inputs)
-        motion = self._ready(scheme)
+        run = self._ready(scheme)
         rows = np.zeros(1 + -(-steps // every), self.core.row)
-        self.core.call_row(motion, rows.ctypes.data)
+        self.core.call_row(byref(self._motion), rows.ctypes.data)
         done, status = 0, c_int(0)
         # A step of located is slow where its tolerance is small.
-        most = max(1, _core.SLICE >> 4 * (motion.scheme == Scheme.LOCATED))
+        most = max(1, _core.SLICE >> 4 * (run.scheme == Scheme.LOCATED))
         while done < steps and status.value >= 0:
             done = self.core.call_run(
-                motion, held, done, most, steps, every,
+                run, held, done, most, steps, every,
                 rows[1:].ctypes.data, byref(status))
         kept = rows if status.value >= 0 else rows[:1 + done // every]
         return kept.view(Table), done, status.value
