@@ -49,7 +49,7 @@ boards-list:
 	@echo '$(BOARDS)'
 
 test-boards: ## bits and real time of every board, in emulators
-	@BUILD='$(BUILD)' tests/target/run $(ONLY)
+	@BUILD='$(BUILD)' tools/run boards $(ONLY)
 
 boards: ## firmware for every board whose compiler is here
 	@for board in $(or $(ONLY),$(BOARDS)); do \

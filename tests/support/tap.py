@@ -30,14 +30,14 @@ def same(got, want):
     check(got == want, f"got  {str(got)[:300]}\nwant {str(want)[:300]}")
 
 
-def lacks(package):
-    """Skips a test for want of a package, or fails it where that is required
-    (.ci/required)."""
+def lacks(package, what=""):
+    """Skips a test for want of a package, or of what else, or fails it where
+    that is required (.ci/required)."""
     listed = os.environ.get("REQUIRED")
     check(not listed or not any(line.split()[-1:] == [package] for line in
                                 Path(listed).read_text().splitlines()),
-          f"missing, and required: {package}")
-    raise Skip(f"missing: {package}")
+          f"missing, and required: {what or package}")
+    raise Skip(f"missing: {what or package}")
 
 
 def output(*command, **options):
@@ -67,19 +67,13 @@ def until(holds, what, patience=60, every=0.01):
 
 
 def outcome(test):
-    """A word and what is said of it."""
+    """A word and what is said of it, which a test may return."""
     try:
-        test()
-        return "ok", ""
+        return "ok", test() or ""
     except Skip as reason:
         return "skip", str(reason)
     except (Exception, SystemExit):  # a test may fail in any way
         return "not ok", traceback.format_exc()
-
-
-def one_by_one(tests):
-    for _, test in tests:
-        yield outcome(test)
 
 
 def side_by_side(tests, jobs):
@@ -112,25 +106,45 @@ def side_by_side(tests, jobs):
                 yield "not ok", "it was killed"
 
 
+class Tally:
+    """What tests come to."""
+
+    def __init__(self):
+        self.count = {"ok": 0, "skip": 0, "not ok": 0}
+
+    def run(self, tests, jobs=0):
+        """Runs (name, function) pairs: in this process, or so many side by
+        side. Returns: a word of each."""
+        results = side_by_side(tests, jobs) if jobs else (
+            outcome(test) for _, test in tests)
+        words = []
+        for (name, _), (word, said) in zip(tests, results):
+            self.count[word] += 1
+            words.append(word)
+            number = sum(self.count.values())
+            if word == "skip":
+                print(f"ok {number} - {name} # SKIP {said}", flush=True)
+                continue
+            print(f"{word} {number} - {name}", flush=True)
+            print("".join(f"# {line}\n" for line in said.splitlines()), end="")
+        return words
+
+    def end(self):
+        """Prints the sum. Returns: the exit code."""
+        print(f"1..{sum(self.count.values())}")
+        if self.count["skip"]:
+            print(f"# {self.count['skip']} skipped")
+        print(f"{self.count['ok']} passed, {self.count['not ok']} failed",
+              flush=True)
+        return int(self.count["not ok"] > 0)
+
+
 def run(tests, jobs=0):
-    """Runs (name, function) pairs: in this process, or so many side by side.
-    Returns: the exit code."""
-    words = sys.argv[1:] or [""]
-    tests = [one for one in tests if any(word in one[0] for word in words)]
-    count = {"ok": 0, "skip": 0, "not ok": 0}
-    results = side_by_side(tests, jobs) if jobs else one_by_one(tests)
-    for number, ((name, _), (word, said)) in enumerate(zip(tests, results), 1):
-        count[word] += 1
-        if word == "skip":
-            print(f"ok {number} - {name} # SKIP {said}", flush=True)
-            continue
-        print(f"{word} {number} - {name}", flush=True)
-        print("".join(f"# {line}\n" for line in said.splitlines()), end="")
-    print(f"1..{len(tests)}")
-    if count["skip"]:
-        print(f"# {count['skip']} skipped")
-    print(f"{count['ok']} passed, {count['not ok']} failed", flush=True)
-    return 1 if count["not ok"] else 0
+    """Runs those that the words of the program name. Returns: the exit code."""
+    words, tally = sys.argv[1:] or [""], Tally()
+    tally.run([one for one in tests if any(word in one[0] for word in words)],
+              jobs)
+    return tally.end()
 
 
 def main(names, jobs):

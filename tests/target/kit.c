@@ -1,5 +1,5 @@
 // On the target: what port.h asks of a board, one function after the other, in
-// lines that tests/target/kit.py judges. Each part says at its beginning which
+// lines that tests/target/port.py judges. Each part says at its beginning which
 // it is, so that the last line names the one that does not come back. Ends with
 // KIT_CODE.
 #include <stdbool.h>
@@ -96,7 +96,7 @@ static tf_real_t operate(unsigned operation, tf_real_t a, tf_real_t b) {
   }
 }
 
-// The operations by name; kit.py compares with the computer that compiled this.
+// The operations by name; port.py compares with the computer that compiled this.
 static void compute(void) {
   static const char name[9][12] = {"addition",  "subtraction", "product",
                                    "quotient",  "root",        "rounding",

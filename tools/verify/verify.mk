@@ -1,7 +1,7 @@
 # Everything that is held up by machine: checks, worst cost, proofs, mutation,
 # fuzzing, soak. Included by the Makefile. Checks choose their own compilers.
 #
-#   CHECKS='format arrows'  only these; tools/verify/run has the list
+#   CHECKS='format arrows'  only these; tools/verify/check.py has the list
 #   FULL=yes                all of what checks sample otherwise (hours)
 #   EVALUATIONS=100000      bounds: calls of each function that the search tries
 #   ENTRIES='step_any'      eva: these entries
@@ -11,28 +11,22 @@
 #                           the target machine
 #   STEPS=1e9               soak: how many, in each of VARIANTS
 
-.PHONY: check valgrind stale bounds keep-bounds eva mutation fuzz \
+.PHONY: check valgrind bounds keep-bounds eva mutation fuzz \
   fuzz-clang soak
 
 check: ## warnings, format, static analysis, sanitizers, promises
-	@MAKEFLAGS= MAKELEVEL= BUILD='$(BUILD)/check' FULL='$(FULL)' \
-	  exec tools/verify/run $(CHECKS)
+	@BUILD='$(BUILD)/check' FULL='$(FULL)' exec tools/run check $(CHECKS)
 
 valgrind: ## nearly every test under memcheck (valgrind)
-	@MAKEFLAGS= MAKELEVEL= BUILD='$(BUILD)/check' FULL=yes \
-	  tools/verify/run valgrind
-
-stale: ## which reports of docs/ are of an older core
-	@MAKEFLAGS= MAKELEVEL= tools/verify/stale
+	@BUILD='$(BUILD)/check' FULL=yes tools/run check valgrind
 
 eva: ## all entries of Frama-C Eva (minutes)
-	@BUILD='$(BUILD)' tools/verify/eva/eva.py $(ENTRIES)
+	@BUILD='$(BUILD)' tools/run eva $(ENTRIES)
 
 SAMPLE ?= 60
 SEED ?= 1
 mutation: ## wrong changes of src/ for the tests to notice
-	@BUILD='$(BUILD)' SAMPLE='$(SAMPLE)' SEED='$(SEED)' \
-	  tools/verify/mutation/mutation.py
+	@BUILD='$(BUILD)' SAMPLE='$(SAMPLE)' SEED='$(SEED)' tools/run mutation
 
 # Instructions of the public functions (tools/verify/cost), on x86-64 only: the
 # core is compiled with -O2 and counts itself.
@@ -66,8 +60,7 @@ $(foreach v,$(REALS),$(eval $(call cost_rules,$(v))))
 
 bounds: ## worst cost and stack of every public function
 bounds: $(VARIANTS:%=$(BUILD)/%/cost)
-	@MAKEFLAGS= MAKELEVEL= BUILD='$(BUILD)' EVALUATIONS='$(EVALUATIONS)' \
-	  tools/verify/cost/bounds.py
+	@BUILD='$(BUILD)' EVALUATIONS='$(EVALUATIONS)' tools/run bounds
 keep-bounds: ## copy them to docs/bench, and the calls
 	@cp $(BUILD)/bounds/worst.double $(BUILD)/bounds/worst.float tools/verify/cost/
 	@cp $(BUILD)/bounds/worst.csv docs/bench/

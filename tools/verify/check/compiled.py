@@ -279,7 +279,7 @@ def mutation():
     of the commit, of which more survivors than a quarter are not chance."""
     need("gcc", "gcc")
     seed = os.environ.get("MUTATION_SEED") or commit()
-    if told("tools/verify/mutation/mutation.py", env={
+    if told("tools/run", "mutation", env={
             **os.environ, "CC": "gcc", "SAMPLE": "100", "BUILD": str(BUILD),
             "SEED": "kept" + f" {seed}" * FULL})[1]:
         wrong(f"wrong changes of src/ survive: SEED={seed}")

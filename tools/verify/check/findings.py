@@ -54,9 +54,9 @@ def quietly(*command, **options):
     return code == 0
 
 
-def passes(what, *command):
+def passes(what, *command, **options):
     """A command, which is wrong where it fails."""
-    if not quietly(*command):
+    if not quietly(*command, **options):
         wrong(what)
 
 

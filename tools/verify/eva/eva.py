@@ -1,6 +1,5 @@
-#!/usr/bin/python3 -B
 """Undefined behaviour and numbers that are not finite, looked for by abstract
-interpretation (Frama-C Eva): tools/verify/eva/eva.py [ENTRY...], each entry
+interpretation (Frama-C Eva): tools/run eva [ENTRY...], each entry
 of tools/verify/eva/entries in both real types; all of them by default, but as a
 check, without FULL, not step_finite, which takes longer than the others
 together.
@@ -19,6 +18,7 @@ BUILD/eva/ keeps all output.
 from __future__ import annotations
 
 import os
+import csv
 import re
 import shutil
 import subprocess
@@ -27,10 +27,7 @@ import time
 from pathlib import Path
 from typing import Iterable, NamedTuple
 
-TOOLS = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(TOOLS), str(TOOLS / "study")]
 import driven
-import table
 
 HERE = Path("tools/verify/eva")
 OUT = Path(os.environ.get("BUILD") or "build", "eva")
@@ -149,8 +146,10 @@ class Said(NamedTuple):
 def said_of(entry: str, path: Path) -> Said:
     """From the table of its properties."""
     reached, proven, alarms = False, 0, {}
-    rows = table.parsed(path.read_bytes(), str(path), text=True, tabs=True)
-    for row in rows.to_dict("records"):
+    with open(path, encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file, delimiter="\t",
+                                   quoting=csv.QUOTE_NONE))
+    for row in rows:
         function, status = row["function"], row["status"]
         kind, text = row["property kind"], row["property"]
         if kind == "user check" and text == "\\false":
@@ -184,7 +183,6 @@ def wrong(reasons: set[Alarm], runs: dict[str, Said],
 
 
 def main() -> None:
-    driven.begin(__file__)
     if not shutil.which("frama-c"):
         print("missing: frama-c (apt-get install frama-c-base)",
               file=sys.stderr)
@@ -213,7 +211,3 @@ def main() -> None:
           f"{sum(run.proven for run in runs.values())} properties proven, "
           f"{len(reasons & raised)} alarms explained, {len(bad)} not")
     sys.exit(bool(bad))
-
-
-if __name__ == "__main__":
-    main()

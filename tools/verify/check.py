@@ -1,5 +1,4 @@
-#!/usr/bin/python3 -B
-"""Runs the checks, or those named: tools/verify/run [NAME...]. Ends with a
+"""Runs the checks, or those named: tools/run check [NAME...]. Ends with a
 table of what was checked and how long it took (seconds, and those of
 processors), and the line "N passed, N failed". Output of a check appears where
 it fails; BUILD/NAME.log keeps all of it. A missing tool is a failure: what was
@@ -18,7 +17,6 @@ import sys
 import time
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 import driven
 
 # Name, script and argument of each check: the quick ones first, and of the
@@ -36,10 +34,9 @@ freestanding   compiled.py freestanding
 data           compiled.py data
 stack          stack.py
 cost           cost.py
-sizes          ../../bench/run sizes --check
+sizes          ../../run bench sizes --check
 loops          loops.py
 vectors        vectors.py
-published      published.py
 readme         readme.py
 reference      reference.py
 cppcheck       sources.py cppcheck
@@ -49,7 +46,7 @@ sanitize-gcc   compiled.py sanitize gcc
 bits           compiled.py bits
 contraction    contraction.py
 valgrind       valgrind.py
-eva            ../eva/eva.py
+eva            ../../run eva
 hostile        compiled.py hostile
 soak           soak.py
 fuzz           compiled.py fuzz
@@ -91,7 +88,6 @@ def judged(name: str, place: Path) -> tuple[bool, str]:
 
 
 def main() -> None:
-    driven.begin(__file__)
     wanted = sys.argv[1:] or list(CHECKS)
     unknown = set(wanted) - set(CHECKS)
     if unknown:
@@ -109,5 +105,3 @@ def main() -> None:
     print(f"{len(rows) - failed} passed, {failed} failed")
     sys.exit(failed > 0)
 
-
-main()

@@ -1,0 +1,310 @@
+"""Runs every board, or those named, in its emulator and checks what its serial
+line sends: tools/run boards [BOARD...]. Tests of a board whose port is wrong
+(port.py) are left out; where a board has no room for `chaos` its own scene is
+taken. A board whose compiler or emulator is missing is skipped by name, or
+fails where the file REQUIRED lists it (.ci/required).
+
+With FEW=yes a board has the loop of its last rate alone; where it tests other
+schemes it does so in one real type, and runs `string` in a generic firmware,
+which else none does. Environment: MAKE BUILD JOBS SCENES FEW SECONDS_OF_LOOP.
+"""
+from __future__ import annotations
+
+import filecmp
+import functools
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Callable, Iterator
+
+sys.path[:0] = [str(Path(__file__).resolve().parents[1] / place)
+                for place in ("support", "target")]
+import driven  # noqa: E402  (the paths come first)
+import port  # noqa: E402
+from board import BUILD, LIMIT, Board, make, run, scratch  # noqa: E402
+from tap import ROOT, Tally, check, same  # noqa: E402
+
+SHOWN = os.environ.get("SCENES") or \
+    "chaos gamma_zero gamma_right coulomb frictionless smooth rolling string " \
+    "driven"
+SECONDS = int(os.environ.get("SECONDS_OF_LOOP") or "3")
+FEW = bool(os.environ.get("FEW"))
+READ_BACK = ROOT / BUILD / "boards/read-back"
+PAIR = re.compile(r"[a-z]+:-?[0-9]+(\.[0-9]+)?(e-?[0-9]+)?")
+
+
+# What a board should send.
+
+def golden(start: str, real: str, table: str = "golden") -> str:
+    """A hash of the library: of the row that begins so."""
+    found = re.search(
+        rf"^{{{re.escape(start)},\s+0x([0-9A-F]+)u, 0x([0-9A-F]+)u}}",
+        (ROOT / f"tests/golden/{table}.inc").read_text("ascii"), re.M)
+    return found[1 if real == "double" else 2] if found else ""
+
+
+def trajectory_hash(scene: str, real: str, steps: str) -> str:
+    """The golden hash after 1e5 steps, or that of the host port."""
+    if steps == "100000":
+        return golden(f'"{scene}", TF_RULE_PERSIST, MOREAU', real)
+    elf = Board("host").elf(real, f"trajectory-{steps}", f"STEPS={steps}",
+                            scene=scene)
+    return run(elf).line("trajectory ").rpartition(" ")[2]
+
+
+def judge_loop(text: str, rate: int, shared: bool) -> str:
+    """Every line consists of label:value pairs; the last heartbeat counts all
+    ticks, and no overruns, skipped ticks or dropped records, of which 50 go out
+    in a second, or as many as there are steps. On a computer with other work
+    (shared) those are printed and not judged: its steps end after its ticks.
+    Returns: the last heartbeat."""
+    lines = [line for line in map(str.strip, text.splitlines())
+             if line and not line.startswith("EXIT")]
+    strange = [line for line in lines
+               if not all(map(PAIR.fullmatch, line.split()))]
+    same(strange, [])
+    beats = [n for n, line in enumerate(lines) if line.startswith("steps:")]
+    check(beats, "no heartbeat")
+    last = lines[beats[-1]]
+    count = {name: float(value) for name, value in
+             (pair.split(":") for pair in last.split())}
+    records = [n for n, line in enumerate(lines) if line.startswith("r:")]
+    check(count["steps"] <= rate * SECONDS <= count["steps"] + count["skipped"],
+          f"not {rate * SECONDS} steps: {last}")
+    same(count["sent"], len(beats) + sum(n < beats[-1] for n in records))
+    if not shared:
+        same(len(records), SECONDS * min(rate, 50) + 1)
+        same(len(beats), SECONDS + 1)
+        same([count[name] for name in ("overruns", "skipped", "dropped")],
+             [0, 0, 0])
+    check(count["min"] <= count["mean"] <= count["max"], f"times: {last}")
+    return last
+
+
+# The tests of a board; what one returns is printed.
+
+def test_port(board: Board, real: str) -> None:
+    """Each function of port.h, alone."""
+    board.need()
+    found = [*port.wrong(board, real)]
+    check(not found, "\n".join(found))
+
+
+def hashed(board: Board, real: str, program: str, want: str, *words: str,
+           scene: str = "chaos") -> None:
+    """A program that sends a line with a hash and ends."""
+    ran = board.run(board.elf(real, program, *words, scene=scene))
+    same((ran.line(want.split()[0]), ran.code), (want, 0))
+
+
+def test_trajectory(board: Board, real: str, scene: str, kind: str) -> None:
+    """Kind: the scene, compiled alone, or `generic`."""
+    steps = board.fact("STEPS")
+    hashed(board, real, f"trajectory-{scene}", f"trajectory {scene} {real} "
+           f"{steps} {trajectory_hash(scene, real, steps)}", f"START={scene}",
+           f"STEPS={steps}", scene=kind)
+
+
+def test_scheme(board: Board, real: str, scheme: str) -> None:
+    want = golden(f'"chaos", TF_RULE_PERSIST, {scheme.upper()}', real)
+    hashed(board, real, f"trajectory-{scheme}", f"trajectory chaos {real} "
+           f"100000 {want}", "STEPS=100000", f"SCHEME={scheme}")
+
+
+def test_population(board: Board, real: str, scheme: str, key: str) -> None:
+    """Steps of random machines."""
+    hashed(board, real, f"population-{scheme}", f"population {real} "
+           f"{golden(f'"{key}"', real, 'population')}", f"SCHEME={scheme}",
+           scene="generic")
+
+
+def test_loop(board: Board, real: str, rate: int, shift: str) -> str:
+    """Firmware takes all steps, without overruns or lost records."""
+    ran = board.counted(board.elf(
+        real, f"firmware-{rate}", f"RATE={rate}", f"STEPS={rate * SECONDS}",
+        f"EVERY={(rate + 49) // 50}", scene=board.fact("SCENE")), shift)
+    same(ran.code, 0)
+    return judge_loop(ran.out, rate, bool(board.fact("SHARED")))
+
+
+def test_module(board: Board, real: str) -> str:
+    """The simulator as a module, row by row as `twofold run`."""
+    elf = board.elf(real, "module", scene="generic")
+    rows = scratch() / "run.csv"
+    same(run(f"{BUILD}/{real}/twofold", "run", "chaos", "--t-end", 2,
+             "--scheme", "moreau", "--out", rows).code, 0)
+    with open(rows, "rb") as given:
+        ran = run(*board.fact("CHECK_MODULE").split(), elf, "chaos", real,
+                  stdin=given)
+    same(ran.code, 0)
+    return ran.out.splitlines()[-1]
+
+
+def test_frames(board: Board, real: str, shift: str) -> None:
+    """Every step as frames at 1 kHz, read by `twofold monitor`: the rows are
+    those of `twofold run`, byte for byte."""
+    work, twofold = scratch(), f"{BUILD}/{real}/twofold"
+    elf = board.elf(real, "firmware-frames", "RATE=1000", "STEPS=2000",
+                    "EVERY=1", "FORMAT=frames", "SCHEME=moreau",
+                    f"BAUD={board.fact('BAUDS').rpartition(' ')[2]}")
+    with open(work / "frames", "wb") as sent:
+        subprocess.run(board.command(elf, "-icount",
+                                     f"shift={shift},sleep=off"),
+                       stdin=subprocess.DEVNULL, stdout=sent, check=False,
+                       timeout=LIMIT)
+    same(run(twofold, "run", "chaos", "--t-end", 2, "--dt", "1e-3", "--out",
+             work / "run.csv").code, 0)
+    same(run(twofold, "monitor", work / "frames", "--format", "csv", "--out",
+             work / "monitor.csv").code, 0)
+    check(filecmp.cmp(work / "run.csv", work / "monitor.csv", shallow=False),
+          "other rows")
+
+
+def test_closed_loop(board: Board, real: str, *how: str) -> str:
+    """With a controller on this computer: the bits of a run here alone. What
+    was read in lockstep is kept to be compared with other boards."""
+    ran = run("tools/run", "hil", board.name, "--steps", 1000, "--csv",
+              READ_BACK / f"{real}-{board.name}", *how,
+              env={**os.environ, "REAL": real, "BUILD": BUILD})
+    check(ran.code == 0, f"code {ran.code}: {ran.out}{ran.errors}")
+    return ran.out.strip()
+
+
+def test_stack(board: Board, real: str) -> str:
+    """The painted stack is not deeper than the call graph says."""
+    ran = run("tools/run", "bench", "stack", board.name, real, "chaos",
+              env={**os.environ, "BUILD": BUILD})
+    words = ran.out.split()
+    check(len(words) == 3, ran.errors)
+    if "-" not in words:
+        worst, interrupt, painted = map(int, words)
+        check(worst // 4 <= painted <= worst + interrupt, ran.out)
+    return f"worst, of an interrupt, painted: {ran.out.strip()}"
+
+
+def test_overrun(board: Board, rate: str, shift: str) -> None:
+    """A step that is too late ends the loop, or is counted."""
+    for policy, pattern in (("skip", "0 .*overruns:[1-9].*skipped:[1-9]"),
+                            ("stop", "2 ")):
+        ran = board.counted(board.elf(
+            "float", f"firmware-{policy}", f"RATE={rate}", "STEPS=500",
+            "EVERY=50", f"OVERRUN={policy}"), shift)
+        beat = ran.line("steps")
+        check(re.match(pattern, f"{ran.code} {beat}"), f"{policy}: {ran}")
+
+
+def test_dead_man(board: Board, rate: str, shift: str) -> str:
+    """Inputs hold for half a second of the clock, not for so many steps."""
+    ran = board.counted(board.elf(
+        "float", "deadman", f"RATE={rate}", "FORMAT=frames", "UPLINK=yes"),
+        shift)
+    said = ran.line("deadman ")
+    ticks, held, safe, steps = map(int, said.split()[1::2])
+    check(ran.code == 0 and 3 * steps < 2 * held
+          and held < ticks == (int(rate) + 1) // 2 <= safe, said)
+    return said
+
+
+def test_starts(board: Board, real: str) -> str:
+    """With a key no session comes twice, and a recorded stop acts once; where
+    the emulator lacks what the board needs for that, it does not start."""
+    make(f"{BUILD}/tests/key")
+    elf = board.elf(real, "firmware-starts", f"KEY={BUILD}/tests/key",
+                    "FORMAT=frames", "UPLINK=yes")
+    if not board.fact("STARTS"):
+        same(board.run(elf)[:2], (1, ""))
+        return f"none without its {board.fact('BOOT')}"
+    ran = run("tests/line/starts.py", *board.command(elf))
+    check(ran.code == 0, ran.out + ran.errors)
+    return ran.out.splitlines()[-1]
+
+
+def test_too_large(board: Board, larger: str) -> None:
+    """What has no room is refused in one line, which names a board that has."""
+    why = board.make(os.environ.get("REAL") or "float", "firmware")[1]
+    check(re.search(rf"^{board.name}: .*SCENE=chaos is .*too large.*; "
+                    rf"BOARD={larger} has", why, re.M), why)
+
+
+def tests_of_real(board: Board, real: str) -> Iterator[tuple[Callable, list]]:
+    """What is tested of each real type."""
+    for scene in board.scene(SHOWN):
+        yield test_trajectory, [scene, scene]
+    if not board.fact("SMALL"):
+        few = ["string"] * bool(board.fact("SCHEMES"))
+        for scene in few if FEW else ["chaos", "string"]:
+            yield test_trajectory, [scene, "generic"]
+        yield test_population, ["moreau", "step on a board"]
+    for rate in board.fact(f"RATES_{real}").split()[-1 if FEW else 0:]:
+        hertz, _, shift = rate.partition(":")
+        yield test_loop, [int(hertz), shift]
+    if real in board.fact("SCHEMES").split()[:1 if FEW else None]:
+        yield test_scheme, ["located"]
+        yield test_scheme, ["compensated"]
+        yield test_population, ["located", "locate on a board"]
+    for what, test, *words in (("LOOP", test_closed_loop, "--delay", "20"),
+                               ("LOOP", test_closed_loop, "--lockstep"),
+                               ("CHECK_MODULE", test_module),
+                               ("PAINT", test_stack)):
+        if board.fact(what):
+            yield test, words
+    if board.fact("FRAMES"):
+        yield test_frames, [board.fact("FRAMES")]
+
+
+def tests_of(board: Board) -> Iterator[tuple[Callable, list]]:
+    """All that the board can do."""
+    reals = board.fact("REALS").split()
+    for real in reals:
+        for test, words in tests_of_real(board, real):
+            yield test, [real, *words]
+    if board.fact("BOOT"):
+        yield test_starts, [reals[0]]
+    if board.fact("LARGER"):
+        yield test_too_large, [board.fact("LARGER")]
+    if board.fact("LATE"):
+        yield test_overrun, board.fact("LATE").split(":")
+        yield test_dead_man, board.fact("LATE").split(":")
+
+
+def named(board: Board, test: Callable, words: list) -> tuple[str, Callable]:
+    name = test.__name__.removeprefix("test_").replace("_", " ")
+    return (" ".join(map(str, [board.name, name, *words])),
+            functools.partial(test, board, *words))
+
+
+def compare_loops(real: str) -> None:
+    """What is read in lockstep depends on no clock: all boards of a real type
+    send the same bits."""
+    first, *others = sorted(READ_BACK.glob(f"{real}-*")) or [None]
+    for other in others:
+        check(filecmp.cmp(first, other, shallow=False),
+              f"{first} and {other} differ")
+
+
+def main() -> None:
+    # Builds that boards share are made before they start.
+    shutil.rmtree(READ_BACK, ignore_errors=True)
+    READ_BACK.mkdir(parents=True)
+    done = make(*(f"{BUILD}/{real}/{program}" for real in ("double", "float")
+                  for program in ("twofold", "hil", "constants")))
+    if done.returncode:
+        sys.exit(done.stdout)
+    boards = [Board(name) for name in
+              sys.argv[1:] or make("boards-list").stdout.split()]
+    tally, jobs = Tally(), driven.processors()
+    ports = [(board, named(board, test_port, [real])) for board in boards
+             for real in board.fact("REALS").split() or ["float"]]
+    words = tally.run([test for _, test in ports], jobs)
+    bad = {board.name for (board, _), word in zip(ports, words)
+           if word != "ok"}
+    tally.run([named(board, *test) for board in boards
+               if board.name not in bad for test in tests_of(board)], jobs)
+    tally.run([(f"{real} loops in lockstep",
+                functools.partial(compare_loops, real))
+               for real in ("double", "float")
+               if len([*READ_BACK.glob(f"{real}-*")]) > 1])
+    sys.exit(tally.end())
