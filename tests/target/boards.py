@@ -116,9 +116,9 @@ def test_scheme(board: Board, real: str, scheme: str) -> None:
 
 def test_population(board: Board, real: str, scheme: str, key: str) -> None:
     """Steps of random machines."""
-    hashed(board, real, f"population-{scheme}", f"population {real} "
-           f"{golden(f'"{key}"', real, 'population')}", f"SCHEME={scheme}",
-           scene="generic")
+    want = golden(f'"{key}"', real, "population")
+    hashed(board, real, f"population-{scheme}", f"population {real} {want}",
+           f"SCHEME={scheme}", scene="generic")
 
 
 def test_loop(board: Board, real: str, rate: int, shift: str) -> str:
@@ -175,7 +175,7 @@ def test_closed_loop(board: Board, real: str, *how: str) -> str:
 
 def test_stack(board: Board, real: str) -> str:
     """The painted stack is not deeper than the call graph says."""
-    ran = run("tools/run", "bench", "stack", board.name, real, "chaos",
+    ran = run("tools/bench/run", "stack", board.name, real, "chaos",
               env={**os.environ, "BUILD": BUILD})
     words = ran.out.split()
     check(len(words) == 3, ran.errors)
