@@ -121,22 +121,6 @@ static bool take_schema(cli_receiver_t *receiver, const tf_frame_t *frame) {
   return true;
 }
 
-static bool fill_row(cli_receiver_t *receiver, uint8_t mode, uint8_t choices,
-                     cli_csv_t *row) {
-  receiver->mode = mode;
-  receiver->choices = choices;
-  receiver->rows++;
-  const double t = receiver->base + (double)receiver->tick * receiver->dt;
-  *row = (cli_csv_t){
-      {receiver->is_float ? (double)(float)t : t, receiver->state[0],
-       receiver->state[1], receiver->state[2], receiver->report[0],
-       receiver->report[1], receiver->report[2], receiver->report[3]},
-      receiver->is_float,
-      mode,
-      choices};
-  return true;
-}
-
 static void take_state(cli_receiver_t *receiver, const tf_frame_t *frame) {
   receiver->incomplete += receiver->has_state;
   const uint8_t *at = reals_at(receiver, frame->payload, receiver->state, 4);
@@ -156,7 +140,18 @@ static bool take_report(cli_receiver_t *receiver, const tf_frame_t *frame,
   }
   receiver->status = (tf_status_t)(at[3] < 128 ? at[3] : (int)at[3] - 256);
   receiver->has_state = false;
-  return fill_row(receiver, at[0], at[2], row);
+  receiver->mode = at[0];
+  receiver->choices = at[2];
+  receiver->rows++;
+  const double t = receiver->base + (double)receiver->tick * receiver->dt;
+  *row = (cli_csv_t){
+      {receiver->is_float ? (double)(float)t : t, receiver->state[0],
+       receiver->state[1], receiver->state[2], receiver->report[0],
+       receiver->report[1], receiver->report[2], receiver->report[3]},
+      receiver->is_float,
+      receiver->mode,
+      receiver->choices};
+  return true;
 }
 
 // Bytes of a payload of fixed length; 0 where the length depends on the data.
