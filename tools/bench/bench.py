@@ -8,7 +8,6 @@
                           than 2 %; --all, FULL=yes: of all boards and scenes
   bench stack BOARD REAL SCENE   the stack of one: worst of main, an interrupt,
                           and painted in the emulator
-  bench parts BOARD REAL  flash of its scenes by groups of symbols
   bench --keep            copies pictures and tables to docs/
 
 What needs a tool that is missing is left out, with the reason. Environment:
@@ -73,10 +72,8 @@ def main() -> None:
     given = parser.parse_args()
     words, boards = given.words, []
     if words[:1] == ["stack"] and len(words) == 4:
-        firmware.print_stack(*words[1:])
-        return
-    if words[:1] == ["parts"] and len(words) == 3:
-        firmware.print_parts(*words[1:])
+        print(*("-" if one is None else one
+                for one in firmware.stack_of(*words[1:])))
         return
     if given.check and words == ["sizes"]:
         sys.exit(firmware.check(given.all))

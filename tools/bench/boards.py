@@ -142,14 +142,6 @@ class Firmware:
         return Sizes(text + data, data + bss,
                      *(self._stack() if graph else (None, None)))
 
-    def symbols(self) -> dict[str, int]:
-        """Bytes of flash of each symbol of a firmware that was built."""
-        said = driven.output(self.board.tool("nm"), "-S",
-                             self.place / "firmware-sized.elf")
-        rows = [line.split() for line in said.splitlines()]
-        return {row[3].split(".")[0]: int(row[1], 16) for row in rows
-                if len(row) == 4 and row[2] in "tTrR"}
-
     def _stack(self) -> tuple[int, int]:
         """Worst of main and of an interrupt, by the call graph; a function of
         the C library or of soft float counts 32."""

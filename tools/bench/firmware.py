@@ -1,7 +1,6 @@
 """The sections of the boards: sizes, with their check."""
 import itertools
 import os
-import re
 from typing import Iterable, Optional
 
 import numpy as np
@@ -113,48 +112,18 @@ def check(every: bool) -> int:
     return 1 if wrong or not seen else 0
 
 
-# Groups of symbols, by the part of the core that they are of: the first that
-# fits; a small board inlines less and has more in `step`.
-GROUPS = {
-    "codimension two": r"codim2|course|quadrant|search_cell|zero_in|cross_cell|"
-                       r"add_exit|along_|end_at|multipliers_to|signs_agree|"
-                       r"field_of|rest_motion|rest_is|come_to",
-    "balance": r"end_about|end_with|balanced|checked_end|gyration",
-    "rare ends": r"rare|least_violation|enumerate|mode_end|turns_much|"
-                 r"reversed|select|secant|single_valued|share_at",
-    "report": r"status_of|commit",
-    "tyre": r"cot_psi|multipliers|tyre|_force",
-    "step": r"app_step|tf_step|end_of_step|linear|inclusion|free_|solve_"}
+Stack = tuple[Optional[int], Optional[int], Optional[int]]
 
 
-def print_parts(board: str, real: str) -> None:
-    """Flash of every scene by groups of symbols: what each carries."""
-    table = {}
-    for scene in SCENES:
-        one = Firmware(Board(board), real, scene)
-        sizes = one.sizes()
-        if isinstance(sizes, str) or sizes.flash is None:
-            continue
-        parts = dict.fromkeys([*GROUPS, "loop, line, start"], 0)
-        for name, size in one.symbols().items():
-            parts[next((group for group, of in GROUPS.items()
-                        if re.search(of, name)), "loop, line, start")] += size
-        table[scene] = {**parts, "flash": sizes.flash}
-    if not table:
-        say(f"{board} takes none of the scenes in {real}")
-        raise SystemExit(1)
-    print(pd.DataFrame(table).T.to_string())
-
-
-def print_stack(board: str, real: str, scene: str) -> None:
-    """Worst of main, an interrupt's and painted, "-" for what cannot be had."""
+def stack_of(board: str, real: str, scene: str) -> Stack:
+    """Worst of main, an interrupt's and painted; None for what cannot be
+    had."""
     one = Firmware(Board(board), real, scene)
     sizes = one.sizes()
-    figures: list[Optional[int]] = [None, None]
-    if not isinstance(sizes, str):
-        figures = [sizes.stack, sizes.interrupt]
-    figures.append(one.painted(int(os.environ.get("STEPS") or 2000)))
-    print(*("-" if one is None else one for one in figures))
+    painted = one.painted(int(os.environ.get("STEPS") or 2000))
+    if isinstance(sizes, str):
+        return None, None, painted
+    return sizes.stack, sizes.interrupt, painted
 
 
 # Problems of problem.c, by what differs from scene `chaos`.

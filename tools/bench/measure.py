@@ -98,9 +98,12 @@ def timed(text: str) -> pd.DataFrame:
     return whole.reset_index()
 
 
-def have_valgrind() -> bool:
-    """Whether instructions can be counted."""
-    return shutil.which("valgrind") is not None
+def counts_here(what: str) -> bool:
+    """Whether instructions can be counted; says what is left out."""
+    if shutil.which("valgrind"):
+        return True
+    say(f"left out: {what} (apt-get install valgrind)")
+    return False
 
 
 def counted(function: str, *command: object) -> list[tuple[str, int]]:
@@ -130,8 +133,7 @@ def counted(function: str, *command: object) -> list[tuple[str, int]]:
 
 def swept(program: Path, *command: str) -> pd.DataFrame:
     """The instructions of every setting of a program with harness_main."""
-    if not have_valgrind():
-        say("instructions left out: valgrind (apt-get install valgrind)")
+    if not counts_here("instructions"):
         return pd.DataFrame(columns=[*KEY, "instructions"])
     lines = counted("solve_counted", program, *command, "count")
     return pd.DataFrame([[*line.split(","), count] for line, count in lines],

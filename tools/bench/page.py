@@ -5,7 +5,6 @@ in this build stays in the document as it is. What is not an error, a time or a
 verdict of a solver at a dial is in tables beside the rows.
 """
 import math
-import re
 from typing import Callable, Iterable
 
 import pandas as pd

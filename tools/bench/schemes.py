@@ -9,8 +9,8 @@ from pathlib import Path
 import pandas as pd
 
 import driven
-from measure import (BUILD, CC, COLUMNS, KEY, QUICK, REALS, bench, counted, csv,
-                     have_valgrind, say, swept, timed)
+from measure import (BUILD, CC, COLUMNS, KEY, QUICK, REALS, bench, counted,
+                     counts_here, csv, say, swept, timed)
 
 HERE = Path("tools/bench/peers")
 WORK = BUILD / "peers"
@@ -85,35 +85,25 @@ def peers() -> pd.DataFrame:
 
 def one_step(real: str, scheme: str, problem: str, steps: int, every: int,
              ) -> list[list[object]]:
-    """Median, 99 % and most of single steps, of all and by phase."""
-    command = "single", scheme, problem, steps, every
-    figures = {"ns": csv(bench(real, command[0], "time", *command[1:]),
-                         ["before", "after", "cost"])}
-    if have_valgrind():
-        lines = counted("sample", BUILD / real / "bench", command[0], "count",
-                        *command[1:])
-        modes = pd.DataFrame([line.split(",")[:2] for line, _ in lines],
-                             columns=["before", "after"])
-        figures["instructions"] = modes.assign(cost=[n for _, n in lines])
-    costs = {}
-    for unit, steps_of in figures.items():
-        stays = steps_of.before == steps_of.after
-        kind = steps_of.before.str.replace("[+-]", "", regex=True)
-        for phase, of in [("all", steps_of.cost),
-                          *steps_of.cost.groupby(kind.where(stays, "changes"))]:
-            for name, share in ("median", 0.5), ("99 %", 0.99), ("most", 1):
-                costs[phase, name, unit] = of.quantile(
-                    share, interpolation="lower")
+    """Median, 99 % and most instructions of single steps, of all and by
+    phase."""
+    lines = counted("sample", BUILD / real / "bench", "single", scheme,
+                    problem, steps, every)
+    found = pd.DataFrame([[*line.split(","), n] for line, n in lines],
+                         columns=["before", "after", "cost"])
+    kind = found.before.str.replace("[+-]", "", regex=True)
+    kind = kind.where(found.before == found.after, "changes")
     solver = scheme + ("" if real == "double" else " float")
-    return [[problem, solver, f"{steps} steps, {phase}: {name}", None,
-             costs[phase, name, "ns"], costs.get((phase, name, "instructions")),
-             ""] for phase, name in dict.fromkeys(key[:2] for key in costs)]
+    return [[problem, solver, f"{steps} steps, {phase}: {name}", None, None,
+             of.quantile(share, interpolation="lower"), ""]
+            for phase, of in [("all", found.cost), *found.cost.groupby(kind)]
+            for name, share in (("median", 0.5), ("99 %", 0.99), ("most", 1))]
 
 
 def steps() -> pd.DataFrame:
     """Single steps: 0.1 ms of `cycle`, and 5 and 20 ms of two problems."""
     rows: list[list[object]] = []
-    for real in REALS:
+    for real in REALS if counts_here("single steps") else ():
         rows += one_step(real, "moreau", "cycle", 20000, 200)
         for problem in "cycle", "crossings":
             for scheme in "moreau", "compensated", "located":
@@ -129,11 +119,10 @@ def machines() -> pd.DataFrame:
     for name, count, steps_of, dt in (("golden", 1000, 12, 0),
                                       ("ordinary 1 ms", 100, 100, 1e-3),
                                       ("ordinary 0.1 ms", 100, 100, 1e-4)):
-        if not have_valgrind():
-            say("left out: random machines (apt-get install valgrind)")
+        if not counts_here("random machines"):
             break
         cost = pd.Series([n for _, n in counted(
-            "sample", BUILD / "double/bench", "single", "count", "moreau",
+            "sample", BUILD / "double/bench", "single", "moreau",
             "machines", count, steps_of, dt)])
         for what, value in (("mean", cost.mean()), ("median", cost.median()),
                             ("99 %", cost.quantile(0.99)),

@@ -1,30 +1,21 @@
-// What every single step of a run costs.
+// What every single step of a run costs, for callgrind, which dumps its counter
+// after every call of `sample`.
 //
-//   single time SCHEME PROBLEM STEPS EVERY
-//     ns, the least of several batches of the same step from a saved state
-//   single count SCHEME PROBLEM STEPS EVERY
-//     for callgrind, which dumps its counter after every call of `sample`
-//   single time|count SCHEME machines MACHINES STEPS DT
+//   single SCHEME PROBLEM STEPS EVERY
+//     every EVERYth step, every change of mode and, because they are rare and
+//     dear, the first steps of slip
+//   single SCHEME machines MACHINES STEPS DT
 //     every step of random machines: those of the golden hashes where DT is 0,
 //     else ordinary ones, about the size of the paper's, with its law
 //
-// A line a step: the modes before and after, and with `time` the ns. Looked at
-// are every EVERYth step, every change of mode and, because they are rare and
-// dear, the first steps of slip. One step is far shorter than a clock resolves,
-// so it is taken many times over from a copy of its state: caches and branch
-// prediction are warm.
-#define _POSIX_C_SOURCE 200809L
-
+// A line a step: the modes before and after.
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "../../tests/golden/population.h"
 #include "own.h"
-#include "timing.h"
 
-#define BATCHES 9
-#define BATCH 60
 #define SLIPS 400
 
 // Not static, or the compiler may make a form of it with another name.
@@ -36,36 +27,14 @@ __attribute__((noinline)) tf_status_t sample(run_t *run) {
   return status;
 }
 
-static double time_step(const run_t *before) {
-  run_t run = *before;
-  double least = 1;
-  for (int i = 0; i < BATCHES; i++) {
-    const double begin = timing_wall();
-    for (int j = 0; j < BATCH; j++) {
-      run.state = before->state;
-      run.compensation = before->compensation;
-      sample(&run);
-    }
-    const double time = (timing_wall() - begin) / BATCH;
-    if (time < least) least = time;
-  }
-  return 1e9 * least;
+// The step from a state once more, with a line of its own.
+static void look_at(run_t before, const run_t *after) {
+  const char *const name = tf_mode_name(before.state.mode);
+  sample(&before);
+  printf("%s,%s\n", name, tf_mode_name(after->state.mode));
 }
 
-// A line of one step from a state.
-static void look_at(const run_t *before, const run_t *after, int times) {
-  double ns = 0;
-  if (times) {
-    ns = time_step(before);
-  } else {
-    run_t again = *before;
-    sample(&again);
-  }
-  printf("%s,%s,%.1f\n", tf_mode_name(before->state.mode),
-         tf_mode_name(after->state.mode), ns);
-}
-
-static int follow(run_t *run, long steps, long every, int times) {
+static int follow(run_t *run, long steps, long every) {
   int slips = 0;
   for (long i = 0; i < steps; i++) {
     const run_t before = *run;
@@ -74,7 +43,7 @@ static int follow(run_t *run, long steps, long every, int times) {
     slips += slip;
     if (i % every != 0 && before.state.mode == run->state.mode && !slip)
       continue;
-    look_at(&before, run, times);
+    look_at(before, run);
   }
   return 0;
 }
@@ -89,7 +58,7 @@ static tf_params_t ordinary_params(draw_t *d, tf_real_t dt) {
 
 // As hash_of_steps() of population.h does.
 static int follow_machines(scheme_t scheme, long machines, long steps,
-                           tf_real_t dt, int times) {
+                           tf_real_t dt) {
   draw_t d = population(1);
   for (long n = 0; n < machines; n++) {
     run_t run = {.scheme = scheme};
@@ -107,7 +76,7 @@ static int follow_machines(scheme_t scheme, long machines, long steps,
       run.input.omega0 += run.input.alpha * k->dt;
       const run_t before = run;
       if (run_step(&run) < 0) break;
-      look_at(&before, &run, times);
+      look_at(before, &run);
     }
   }
   return 0;
@@ -116,18 +85,17 @@ static int follow_machines(scheme_t scheme, long machines, long steps,
 int single_main(int argc, char **argv) {
   problem_t problem;
   run_t run;
-  const int times = argc > 1 && strcmp(argv[1], "time") == 0;
-  if (argc == 7 && strcmp(argv[2], scheme_names[COMPENSATED]) != 0 &&
-      strcmp(argv[3], "machines") == 0)
-    return follow_machines(scheme_named(argv[2]), strtol(argv[4], NULL, 10),
-                           strtol(argv[5], NULL, 10),
-                           (tf_real_t)strtod(argv[6], NULL), times);
-  if (argc != 6 || !problem_named(argv[3], &problem)) return 2;
-  const scheme_t scheme = scheme_named(argv[2]);
-  const long steps = strtol(argv[4], NULL, 10);
-  const long every = strtol(argv[5], NULL, 10);
-  if (scheme == SCHEMES || steps < 1 || every < 1 ||
+  if (argc < 5) return 2;
+  const scheme_t scheme = scheme_named(argv[1]);
+  if (argc == 6 && scheme != COMPENSATED && strcmp(argv[2], "machines") == 0)
+    return follow_machines(scheme, strtol(argv[3], NULL, 10),
+                           strtol(argv[4], NULL, 10),
+                           (tf_real_t)strtod(argv[5], NULL));
+  const long steps = strtol(argv[3], NULL, 10);
+  const long every = strtol(argv[4], NULL, 10);
+  if (argc != 5 || scheme == SCHEMES || !problem_named(argv[2], &problem) ||
+      steps < 1 || every < 1 ||
       run_begin(&run, &problem, scheme, steps, 1e-8, 0) != TF_OK)
     return 2;
-  return follow(&run, steps, every, times);
+  return follow(&run, steps, every);
 }

@@ -180,8 +180,9 @@ def atlas():
             return rows.pivot(index="omega", columns="r", values=column) == 1
 
         holds, x, y = grid(name), sorted(set(rows.r)), sorted(set(rows.omega))
-        panel.pcolormesh(x, y, holds, rasterized=True, cmap=colors.ListedColormap(["white", GREEN if letter ==
-                                                 "a" else SKY]))
+        shade = GREEN if letter == "a" else SKY
+        panel.pcolormesh(x, y, holds, rasterized=True,
+                         cmap=colors.ListedColormap(["white", shade]))
         if letter == "g":
             there = rows[rows.kappa_positive == 1]
             some = there[there.r.isin(x[::16]) & there.omega.isin(y[::8])]

@@ -14,8 +14,9 @@ import matplotlib
 from PIL import Image
 
 matplotlib.use("Agg")
-from matplotlib import colors, pyplot  # noqa: E402,F401
+from matplotlib import pyplot  # noqa: E402
 
+colors = matplotlib.colors
 CSS = Path(__file__).resolve().parents[1] / "page/page.css"
 PAGE = dict(re.findall(r"--([a-z-]+): (#\w{6})",
                        CSS.read_text("utf-8").split("@media")[0]))

@@ -35,7 +35,8 @@ def keep(name: str, kept: Path) -> None:
     table.publish(kept / "tables.md")
     for path in kept.iterdir():
         if path.suffix != ".md":
-            print(shutil.copy(path, next(Path("docs").rglob(path.name), "docs")))
+            to = next(Path("docs").rglob(path.name), "docs")
+            print(shutil.copy(path, to))
 
 
 def make(name: str, follows: bool) -> None:

@@ -166,8 +166,8 @@ def picture(trolley, path: Path) -> None:
     for name, low, high in ("sliding", -0.07, 0), ("escaping", 0, 0.13):
         psi = np.linspace(f.psi + low, f.psi + high)
         edge = q.mu * inverse_mass(psi)
-        left.fill_between(np.degrees(psi), -edge, edge, color=REGIONS[name], lw=0,
-                          label=name)
+        left.fill_between(np.degrees(psi), -edge, edge, lw=0, label=name,
+                          color=REGIONS[name])
     start = {**passing(values, place, -time), "dt": 1e-3}
     for off in np.linspace(-0.02, 0.02, 5):
         m = motion(trolley, **{**start, "y": start["y"] + off, "until": 0.17})

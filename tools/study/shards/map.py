@@ -24,8 +24,6 @@ except ImportError as missing:
     sys.exit(f"map.py: {missing}: apt-get install python3-matplotlib "
              "python3-pandas python3-statsmodels python3-tabulate python3-pil")
 
-OTHERS = "others"
-
 
 def grid_of(rows: pd.DataFrame, x: str, y: str, column: str) -> pd.DataFrame:
     """A column over both axes."""
@@ -42,7 +40,7 @@ def words_of(outcome: pd.Series) -> list[str]:
     """Words of an outcome, the most frequent first."""
     words = list(outcome.dropna().value_counts().index)
     return words if len(words) <= len(SERIES) else [
-        *words[:len(SERIES) - 1], OTHERS]
+        *words[:len(SERIES) - 1], "others"]
 
 
 def draw_map(axes, rows: pd.DataFrame, x: str, y: str, outcome: str) -> None:
@@ -58,8 +56,9 @@ def draw_map(axes, rows: pd.DataFrame, x: str, y: str, outcome: str) -> None:
         number = {word: i for i, word in enumerate(words)}
         cells = values.applymap(lambda word: np.nan if word != word else
                                 number.get(word, len(words) - 1))
-        axes.pcolormesh(*place, cells.astype(float), vmin=0,
-                        vmax=len(SERIES) - 1, cmap=colors.ListedColormap(SERIES))
+        axes.pcolormesh(*place, cells.astype(float),
+                        cmap=colors.ListedColormap(SERIES), vmin=0,
+                        vmax=len(SERIES) - 1)
         keys = [({"color": colour}, word)
                 for colour, word in zip(SERIES, words)]
     if refused.to_numpy().any():
