@@ -44,14 +44,14 @@ static tf_design_obstacle_t solve_parameters(const tf_machine_t *k,
                                              const tf_surface_point_t *point,
                                              tf_design_t *out) {
   const tf_real_t r = point->r, arm = r * k->cos_gamma;
-  const tf_real_t minus_s_kappa = (r * r + delassus_quadratic(k, 1).c) / arm;
+  const tf_real_t minus_s_kappa = (r * r + delassus_quadratic(k, PLUS).c) / arm;
   tf_input_t spring_at_rest = *input;
   spring_at_rest.r0 = r;
   const field_point_t x =
-      field_point_at(k, &spring_at_rest, r, point->v, point->w, false);
+      field_point_at(k, &spring_at_rest, r, point->v, point->w, PLUS);
   const tf_real_t h_rate_per_k2 =
       (k->sin_gamma / k->m + k->d * arm / x.J) * (input->r0 - r);
-  out->kappa = point->g < 0 ? minus_s_kappa : -minus_s_kappa;
+  out->kappa = with_sign(sign_of(point->g), -minus_s_kappa);
   if (h_rate_per_k2 == 0) return TF_DESIGN_SPRING;
   out->k2 = x.rates.N / h_rate_per_k2;
   if (!within(out->kappa, TF_REAL_MAX)) return TF_DESIGN_R;

@@ -21,18 +21,17 @@ typedef struct {
   tf_real_t r, v, w, p, z;
   tf_real_t J;            // m (beta^2 + r^2) [kg m^2]
   tf_real_t z_per_lambda; // z' of lambda = 1 N
-  bool minus;             // whether g < 0, so that s = -1
+  sign_t s;               // of g
 } field_point_t;
 
 TF_INLINE field_point_t field_point_at(const tf_machine_t *k,
                                        const tf_input_t *input, tf_real_t r,
-                                       tf_real_t v, tf_real_t w, bool minus) {
-  field_point_t x = {
-      .r = r, .v = v, .w = w, .z = w - input->omega0, .minus = minus};
+                                       tf_real_t v, tf_real_t w, sign_t s) {
+  field_point_t x = {.r = r, .v = v, .w = w, .z = w - input->omega0, .s = s};
   x.p = slider_speed(k, v, x.z);
   x.rates = rates_at(k, input, r, x.p, x.z, input->omega0);
   x.J = inertia_at(k, r);
-  x.z_per_lambda = stick_arm(k, r * k->cos_gamma, minus) / x.J;
+  x.z_per_lambda = stick_arm(k, r * k->cos_gamma, s) / x.J;
   return x;
 }
 

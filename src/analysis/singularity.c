@@ -56,9 +56,9 @@ static int quadratic_roots(tf_real_t a, tf_real_t b, tf_real_t c,
 // The radii of A(r, s) = 0, from A J = r^2 + b r + beta^2 sin^2(gamma). The
 // discriminant is (|b| - 2 beta |sin|)(|b| + 2 beta |sin|), in which no square
 // cancels another.
-static int singular_radii(const tf_machine_t *k, tf_real_t sine, bool minus,
+static int singular_radii(const tf_machine_t *k, tf_real_t sine, sign_t s,
                           tf_real_t r[2]) {
-  const tf_real_t b = delassus_quadratic(k, minus ? TF_R(-1.0) : TF_R(1.0)).b;
+  const tf_real_t b = delassus_quadratic(k, s).b;
   const tf_real_t size = magnitude(b);
   const tf_real_t least = 2 * square_root(k->beta2) * magnitude(sine);
   if (!(size >= least)) return 0; // so size > 0: sine or cosine is not 0
@@ -86,7 +86,7 @@ static void N_by_powers_of_g(const tf_machine_t *k, const tf_input_t *input,
 
 // The two-folds of one r and s.
 static int two_folds_at(const tf_machine_t *k, const tf_input_t *input,
-                        tf_real_t sine, tf_real_t r, bool minus,
+                        tf_real_t sine, tf_real_t r, sign_t s,
                         tf_surface_point_t *out) {
   tf_real_t n[3], g[2];
   N_by_powers_of_g(k, input, sine, r, n);
@@ -96,7 +96,7 @@ static int two_folds_at(const tf_machine_t *k, const tf_input_t *input,
     const tf_real_t z = sine / r * g[i];
     const tf_surface_point_t point =
         surface_point(k, r, z, input->omega0 + z, g[i]);
-    if ((minus ? g[i] < 0 : g[i] > 0) && in_reach(r, point.v, point.w))
+    if (with_sign(s, g[i]) > 0 && in_reach(r, point.v, point.w))
       out[count++] = point;
   }
   return count;
@@ -108,8 +108,8 @@ static tf_absence_t absence_in(const tf_machine_t *k, tf_real_t sine) {
   if (!tf_tyre_is_set_valued(k->contact.tyre.law) || !(k->contact.tyre.mu > 0))
     return TF_ABSENCE_LAW;
   if (!(k->contact.stick_kappa > 0)) return TF_ABSENCE_MOMENT;
-  return singular_radii(k, sine, false, r) > 0 ? TF_ABSENCE_NONE
-                                               : TF_ABSENCE_ARM;
+  return singular_radii(k, sine, PLUS, r) > 0 ? TF_ABSENCE_NONE
+                                              : TF_ABSENCE_ARM;
 }
 
 TF_API tf_status_t tf_two_folds(const tf_machine_t *machine,
@@ -123,11 +123,12 @@ TF_API tf_status_t tf_two_folds(const tf_machine_t *machine,
       within(k->sin_gamma, NO_SINE) ? TF_R(0.0) : k->sin_gamma;
   const tf_absence_t why = absence_in(k, sine);
   int found = 0;
-  for (int s = 0; s < 2 && why == TF_ABSENCE_NONE; s++) {
+  for (int n = 0; n < 2 && why == TF_ABSENCE_NONE; n++) {
+    const sign_t s = n == 0 ? PLUS : MINUS;
     tf_real_t r[2];
-    const int radii = singular_radii(k, sine, s > 0, r);
+    const int radii = singular_radii(k, sine, s, r);
     for (int i = 0; i < radii; i++)
-      found += two_folds_at(k, input, sine, r[i], s > 0, points + found);
+      found += two_folds_at(k, input, sine, r[i], s, points + found);
   }
   *count = found;
   if (absence)
@@ -215,11 +216,11 @@ TF_API tf_status_t tf_normal_form(const tf_machine_t *machine,
       !(point->g > 0 || point->g < 0))
     return TF_BAD_STATE;
   const field_point_t x =
-      field_point_at(k, input, point->r, point->v, point->w, point->g < 0);
-  const tf_real_t A = x.rates.A[x.minus];
+      field_point_at(k, input, point->r, point->v, point->w, sign_of(point->g));
+  const tf_real_t A = x.rates.A[x.s];
   const tf_real_t plus = rate_of_N(k, input, &x, mu);
   const tf_real_t minus = rate_of_N(k, input, &x, -mu);
-  const tf_real_t slope = mu * delassus_rate(k, x.r, x.v, x.minus, x.J);
+  const tf_real_t slope = mu * delassus_rate(k, x.r, x.v, x.s, x.J);
   tf_two_fold_t at = {.point = *point,
                       .residual = magnitude(x.rates.N) + mu * magnitude(A),
                       .time_scale = x.J,

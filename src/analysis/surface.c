@@ -30,7 +30,7 @@ static unsigned region_of(unsigned set) {
 static tf_rate_t rescaled_field(const tf_machine_t *k, const tf_input_t *input,
                                 const field_point_t *x) {
   const tf_rate_t f0 = field_under(k, input, x, 0);
-  const tf_real_t N = x->rates.N, A = x->rates.A[x->minus];
+  const tf_real_t N = x->rates.N, A = x->rates.A[x->s];
   return (tf_rate_t){A * f0.r,
                      A * f0.v + N * (x->rates.Fp + k->d * x->z_per_lambda),
                      A * f0.w + N * x->z_per_lambda};
@@ -40,11 +40,12 @@ static tf_surface_t surface_of(const tf_machine_t *k, const tf_input_t *input,
                                const field_point_t *x, tf_slip_t slip) {
   tf_surface_t out = {.slip = slip};
   consistent_modes_t consistent;
-  surface_modes(k, &x->rates, x->minus, &consistent);
-  const tf_real_t A = x->rates.A[x->minus], lambda = x->rates.N / A;
+  surface_modes(k, &x->rates, x->s, &consistent);
+  const slip_limits_t h_rate = slip_limits(k, &x->rates, x->s);
+  const tf_real_t A = x->rates.A[x->s], lambda = x->rates.N / A;
   out.region = (uint8_t)region_of(consistent.solutions.set);
-  out.lie_plus = consistent.solutions.h_limit[0];
-  out.lie_minus = consistent.solutions.h_limit[1];
+  out.lie_plus = h_rate.plus;
+  out.lie_minus = h_rate.minus;
   out.delassus = A;
   out.lambda_is_given = within(lambda, TF_REAL_MAX);
   out.lambda = out.lambda_is_given ? lambda : 0;
@@ -52,7 +53,7 @@ static tf_surface_t surface_of(const tf_machine_t *k, const tf_input_t *input,
   out.minus = field_under(k, input, x, -k->contact.tyre.mu);
   out.scaled = rescaled_field(k, input, x);
   if (out.region <= TF_REGION_ESCAPING)
-    out.stick = field_under(k, input, x, consistent.lambda[x->minus]);
+    out.stick = field_under(k, input, x, consistent.lambda[x->s]);
   return out;
 }
 
@@ -70,7 +71,8 @@ TF_API tf_status_t tf_surface_at(const tf_machine_t *machine,
     *out = (tf_surface_t){.slip = slip, .region = TF_REGION_CODIM2};
     return TF_OK;
   }
-  const field_point_t x = field_point_at(machine, input, r, v, w, slip.g < 0);
+  const field_point_t x =
+      field_point_at(machine, input, r, v, w, sign_of(slip.g));
   const tf_surface_t at = surface_of(machine, input, &x, slip);
   if (!within(size_of_rate(&at.plus) + size_of_rate(&at.minus) +
                   size_of_rate(&at.scaled) + magnitude(at.lie_plus) +

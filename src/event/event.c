@@ -23,7 +23,7 @@ TF_INLINE tf_real_t combined_term(const taylor_t *motion, combination_t c,
 // |h|, by its sign in the segment. (h), (g) are linear in p and q.
 TF_INLINE combination_t magnitude_of_h(const taylor_t *motion,
                                        const segment_t *segment) {
-  const tf_real_t sign = (tf_real_t)segment->sign_h;
+  const tf_real_t sign = unit(segment->sign_h);
   return (combination_t){slip_from_pq(motion->machine, sign, 0).h,
                          slip_from_pq(motion->machine, 0, sign).h,
                          segment->h_zero_order};
@@ -32,17 +32,17 @@ TF_INLINE combination_t magnitude_of_h(const taylor_t *motion,
 // |g|, likewise.
 TF_INLINE combination_t magnitude_of_g(const taylor_t *motion,
                                        const segment_t *segment) {
-  const tf_real_t sign = (tf_real_t)segment->sign_g;
+  const tf_real_t sign = unit(segment->sign_g);
   return (combination_t){slip_from_pq(motion->machine, sign, 0).g,
                          slip_from_pq(motion->machine, 0, sign).g,
                          segment->g_starts_at_zero ? 1 : 0};
 }
 
 // bound - sign * series: how far the series is from the bound.
-TF_INLINE void margin_of(const series_t *series, int order, tf_real_t sign,
+TF_INLINE void margin_of(const series_t *series, int order, sign_t sign,
                          tf_real_t bound, series_t *out) {
-  for (int n = 1; n <= order; n++) out->c[n] = -sign * series->c[n];
-  out->c[0] = bound - sign * series->c[0];
+  for (int n = 1; n <= order; n++) out->c[n] = with_sign(sign, -series->c[n]);
+  out->c[0] = bound - with_sign(sign, series->c[0]);
 }
 
 // m (beta^2 + r^2) |A|, which is a quadratic in r; over t where A starts at 0.
@@ -52,7 +52,7 @@ TF_INLINE void magnitude_of_A(const taylor_t *motion, delassus_quadratic_t at,
   const int order = motion->order;
   tf_real_t first = square_term(r, zeros) + at.b * r->c[zeros];
   if (zeros == 0) first += at.c;
-  const tf_real_t sign = first < 0 ? TF_R(-1.0) : TF_R(1.0);
+  const tf_real_t sign = unit(sign_of(first));
   out->c[0] = sign * first;
   for (int n = 1; n <= order; n++)
     out->c[n] =
@@ -128,7 +128,7 @@ TF_INLINE bool delassus_stays(const taylor_t *motion, delassus_quadratic_t at,
 TF_INLINE bool delassus_vanishes(const taylor_t *motion,
                                  const segment_t *segment, tf_real_t *time) {
   const delassus_quadratic_t at =
-      delassus_quadratic(motion->machine, (tf_real_t)segment->sign_g);
+      delassus_quadratic(motion->machine, segment->sign_g);
   if (!segment->A_starts_at_zero && delassus_stays(motion, at, *time))
     return false;
   series_t A;
@@ -162,8 +162,8 @@ TF_INLINE bool is_released(const taylor_t *motion, tf_real_t *time) {
   if (magnitude(lambda->c[0]) + others < mu && magnitude(at_end) + others < mu)
     return false;
   series_t below, above;
-  margin_of(lambda, order, 1, mu, &below);
-  margin_of(lambda, order, -1, mu, &above);
+  margin_of(lambda, order, PLUS, mu, &below);
+  margin_of(lambda, order, MINUS, mu, &above);
   const bool from_below = vanishes_before(&below, order, time);
   return vanishes_before(&above, order, time) || from_below;
 }

@@ -82,8 +82,7 @@ static tf_real_t time_of_near_two_fold(const trajectory_t *path, span_t span) {
   if (path->segment.contact != CONTACT_STICK || k->contact.stick_kappa == 0 ||
       !(span.length < path->remaining))
     return 0;
-  const delassus_quadratic_t at =
-      delassus_quadratic(k, (tf_real_t)path->segment.sign_g);
+  const delassus_quadratic_t at = delassus_quadratic(k, path->segment.sign_g);
   const tf_real_t A = delassus_quadratic_at(at, motion->r.c[0]);
   const tf_real_t rate =
       delassus_quadratic_rate(at, motion->r.c[0], motion->r.c[1]);
@@ -224,18 +223,18 @@ static tf_real_t residual_at_end(const trajectory_t *path, tf_slip_t slip) {
   const tf_machine_t *k = path->motion.machine;
   const outcome_t stick = {.mode = path->mode};
   if (!is_slip(path->mode)) return mode_residual(k, &stick, path->force, slip);
-  return slip_law_residual(
-      &k->contact.tyre, path->mode == TF_SLIP_PLUS ? 1 : -1, path->force, slip);
+  return slip_law_residual(&k->contact.tyre, sign_in(path->mode), path->force,
+                           slip);
 }
 
 // The name of the mode at the end. Where no event decides, it goes by the signs
 // there: of h without contact, of g in a stick without a moment.
 static unsigned mode_at_end(const trajectory_t *path, tf_slip_t slip) {
   if (path->segment.contact == CONTACT_NONE && slip.h != 0)
-    return slip.h < 0 ? TF_SLIP_MINUS : TF_SLIP_PLUS;
+    return slip_with(sign_of(slip.h));
   if (path->segment.contact == CONTACT_STICK && slip.g != 0 &&
       path->motion.machine->contact.stick_kappa == 0)
-    return slip.g < 0 ? TF_STICK_MINUS : TF_STICK_PLUS;
+    return stick_with(sign_of(slip.g));
   return path->mode;
 }
 
@@ -255,8 +254,8 @@ static tf_status_t commit_located(trajectory_t *path, const tf_input_t *input,
       .mode = path->mode,
       .set = path->set | TF_MODE_BIT(path->mode),
       .status = TF_OK,
-      .delassus = contact ? delassus_at(k, end.r * k->cos_gamma, slip.g < 0,
-                                        inertia_at(k, end.r))
+      .delassus = contact ? delassus_at(k, end.r * k->cos_gamma,
+                                        sign_of(slip.g), inertia_at(k, end.r))
                           : 0};
   if (k->with_angle) state->phi += path->angle;
   const bool stays = state->r == end.r;
@@ -276,7 +275,7 @@ static void name_stick(trajectory_t *path) {
   const unsigned sticks = path->set & STICKS;
   if (path->motion.machine->contact.stick_kappa > 0 || is_slip(path->mode))
     return;
-  path->mode = trajectory_slip(path).g < 0 ? TF_STICK_MINUS : TF_STICK_PLUS;
+  path->mode = stick_with(sign_of(trajectory_slip(path).g));
   path->set = (path->set & ~sticks) | TF_MODE_BIT(path->mode);
 }
 

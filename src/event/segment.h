@@ -18,7 +18,7 @@ typedef enum {
 
 typedef struct {
   contact_t contact;
-  int sign_h, sign_g;    // inside the segment; at its start they may be 0
+  sign_t sign_h, sign_g; // inside the segment; at its start h, g may be 0
   tf_real_t T;           // cot(psi) at the start, for CONTACT_CODIM2_SLIP
   int h_zero_order;      // order of the zero that h has at the start
   bool g_starts_at_zero; // whether g is 0 at the start

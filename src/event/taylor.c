@@ -75,15 +75,14 @@ TF_INLINE tf_real_t T_term(const slip_angle_t *angle, tf_real_t a, int n) {
 TF_INLINE friction_t tyre_by_T(const taylor_t *motion,
                                const segment_t *segment) {
   const tf_tyre_t *tyre = &motion->machine->contact.tyre;
-  return friction_of(motion, slip_F1(tyre, (tf_real_t)segment->sign_g),
-                     slip_M1(tyre, 1));
+  return friction_of(motion, slip_F1(tyre, segment->sign_g),
+                     slip_M1(tyre, PLUS));
 }
 
 // The terms 0 of F and M, which have more than T, and terms 1 of the motion.
 static void begin_slip(taylor_t *motion, const segment_t *segment,
                        const friction_t *by_T, tf_real_t T) {
-  const tf_real_t F0 =
-      slip_F0(&motion->machine->contact.tyre, (tf_real_t)segment->sign_h);
+  const tf_real_t F0 = slip_F0(&motion->machine->contact.tyre, segment->sign_h);
   const friction_t friction =
       friction_of(motion, F0 + by_T->F * T, by_T->M * T);
   const next_terms_t next = next_terms(motion, 0);
@@ -141,16 +140,21 @@ TF_INLINE bool extend_slip(taylor_t *motion, sizes_t *sizes,
   return is_long_enough(motion, sizes, n + 1);
 }
 
+// x with the sign of h g.
+TF_INLINE tf_real_t with_signs_of(const segment_t *segment, tf_real_t x) {
+  return with_sign(segment->sign_h, with_sign(segment->sign_g, x));
+}
+
 // (15) away from h = g = 0.
 static void taylor_slip(taylor_t *motion, const segment_t *segment) {
   const tf_tyre_t *tyre = &motion->machine->contact.tyre;
   const friction_t by_T = tyre_by_T(motion, segment);
   const tf_real_t p = motion->p.c[0], q = motion->q.c[0];
   const tf_slip_t slip = slip_from_pq(motion->machine, p, q);
-  const tf_real_t H = (tf_real_t)segment->sign_h * slip.h;
-  const tf_real_t G = (tf_real_t)segment->sign_g * slip.g;
-  const tf_real_t T = (tf_real_t)(segment->sign_h * segment->sign_g) *
-                      cot_psi(tyre, G > 0 ? G : 0, H > 0 ? H : 0);
+  const tf_real_t H = with_sign(segment->sign_h, slip.h);
+  const tf_real_t G = with_sign(segment->sign_g, slip.g);
+  const tf_real_t T =
+      with_signs_of(segment, cot_psi(tyre, G > 0 ? G : 0, H > 0 ? H : 0));
   // Term by term: zeros would cost more than the rest, and none is read before
   // it is set, which cppcheck does not see.
   slip_angle_t angle;
@@ -189,7 +193,7 @@ static void taylor_codim2_slip(taylor_t *motion, const segment_t *segment) {
   const tf_tyre_t *tyre = &motion->machine->contact.tyre;
   const friction_t by_T = tyre_by_T(motion, segment);
   slip_angle_t angle = {.a = tyre->T_series[0]};
-  angle.T.c[0] = (tf_real_t)(segment->sign_h * segment->sign_g) * segment->T;
+  angle.T.c[0] = with_signs_of(segment, segment->T);
   begin_slip(motion, segment, &by_T, angle.T.c[0]);
   angle.R2.c[0] =
       motion->p.c[1] * motion->p.c[1] + motion->q.c[1] * motion->q.c[1];
@@ -221,8 +225,7 @@ static void taylor_codim2_slip(taylor_t *motion, const segment_t *segment) {
 // Stick: F = lambda, M = s kappa lambda.
 TF_INLINE friction_t friction_by_lambda(const taylor_t *motion,
                                         const segment_t *segment) {
-  return friction_of(motion, 1,
-                     signed_kappa(motion->machine, segment->sign_g < 0));
+  return friction_of(motion, 1, signed_kappa(motion->machine, segment->sign_g));
 }
 
 // Term n + 1 of h without friction.
@@ -246,11 +249,10 @@ TF_INLINE bool extend_stick(taylor_t *motion, sizes_t *sizes,
 
 static bool taylor_stick(taylor_t *motion, const segment_t *segment) {
   const tf_machine_t *k = motion->machine;
-  const bool minus = segment->sign_g < 0;
   const friction_t by_lambda = friction_by_lambda(motion, segment);
   const tf_real_t arm = motion->r.c[0] * k->cos_gamma;
-  const tf_real_t A =
-      delassus_from(k, arm * stick_arm(k, arm, minus) * motion->inverse_J);
+  const tf_real_t A = delassus_from(
+      k, arm * stick_arm(k, arm, segment->sign_g) * motion->inverse_J);
   if (A == 0) return false;
   const tf_real_t inverse_A = 1 / A;
   sizes_t sizes;
@@ -319,8 +321,9 @@ static bool close_recurrence(taylor_t *motion, const segment_t *segment) {
       return true;
     case CONTACT_SLIP:
       if (motion->machine->contact.tyre.law == TF_TYRE_COULOMB)
-        taylor_constant_force(motion, (tf_real_t)segment->sign_h *
-                                          motion->machine->contact.tyre.mu);
+        taylor_constant_force(
+            motion,
+            with_sign(segment->sign_h, motion->machine->contact.tyre.mu));
       else
         taylor_slip(motion, segment);
       return true;

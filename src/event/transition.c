@@ -34,16 +34,16 @@ static unsigned selected_mode(trajectory_t *path,
 // vanishes with r, at gamma = 0, an impulse that sets h to 0 would stop the
 // disc.
 static bool leave_h_zero(trajectory_t *path) {
-  const bool minus = trajectory_slip(path).g < 0;
+  const sign_t sign_g = sign_of(trajectory_slip(path).g);
   const rates_t rates = tf_trajectory_rates(path);
   consistent_modes_t consistent;
-  surface_modes(path->motion.machine, &rates, minus, &consistent);
+  surface_modes(path->motion.machine, &rates, sign_g, &consistent);
   const unsigned mode = selected_mode(path, &consistent.solutions);
   if (mode == TF_NO_MODE) return false;
   if (!is_slip(mode)) tf_project(path);
   enter_mode(path, mode, CONTACT_SLIP,
-             (segment_t){.sign_h = mode == TF_SLIP_MINUS ? -1 : 1,
-                         .sign_g = minus ? -1 : 1,
+             (segment_t){.sign_h = mode == TF_SLIP_MINUS ? MINUS : PLUS,
+                         .sign_g = sign_g,
                          .h_zero_order = 1});
   return true;
 }
@@ -59,8 +59,8 @@ static bool may_have_stuck(const trajectory_t *path,
   const tf_contact_t *contact = &path->motion.machine->contact;
   tf_real_t T;
   bool sticks = false;
-  for (int s = 0; s < 2; s++) {
-    const stick_t stick = stick_at(field, s);
+  for (int n = 0; n < 2; n++) {
+    const stick_t stick = stick_at(field, n == 0 ? PLUS : MINUS);
     sticks |= stick.attracts && stick.rate < 0 && within(stick.x, 1);
   }
   return sticks &&
@@ -94,12 +94,11 @@ static bool leave_codim2(trajectory_t *path, bool arrives) {
   if (mode == TF_NO_MODE) return false;
   segment_t segment = {.h_zero_order = 1, .g_starts_at_zero = true};
   if (is_slip(mode)) {
-    segment.sign_h = mode == TF_SLIP_PLUS ? 1 : -1;
+    segment.sign_h = sign_in(mode);
     segment.sign_g = consistent.sign_g[mode];
     segment.T = consistent.T[mode];
   } else {
-    segment.sign_h = 1;
-    segment.sign_g = mode == TF_STICK_MINUS ? -1 : 1;
+    segment.sign_g = sign_in(mode);
   }
   enter_mode(path, mode, CONTACT_CODIM2_SLIP, segment);
   return true;
@@ -110,55 +109,51 @@ static bool leave_codim2(trajectory_t *path, bool arrives) {
 // side. Placed at h = g = 0 in every step, it would never get away.
 static bool keep_leaving(trajectory_t *path) {
   const tf_machine_t *k = path->motion.machine;
-  const bool minus = path->mode == TF_STICK_MINUS;
-  if (!minus && path->mode != TF_STICK_PLUS) return false;
+  const sign_t sign_g = sign_in(path->mode);
+  if (!is_stick(path->mode)) return false;
   const rates_t rates = tf_trajectory_rates(path);
   consistent_modes_t consistent;
-  surface_modes(k, &rates, minus, &consistent);
+  surface_modes(k, &rates, sign_g, &consistent);
   const tf_contact_modes_t *solutions = &consistent.solutions;
   const tf_real_t g_rate =
-      g_rate_in_stick(k, &rates, minus, consistent.lambda[minus]);
-  if (!has(solutions->set, path->mode) || !(minus ? g_rate < 0 : g_rate > 0) ||
+      g_rate_in_stick(k, &rates, sign_g, consistent.lambda[sign_g]);
+  if (!has(solutions->set, path->mode) || !(with_sign(sign_g, g_rate) > 0) ||
       tf_contact_choose(&k->contact, solutions, path->mode, path->state->tick,
                         path->state->seed) != path->mode)
     return false;
   tf_project(path);
   keep_largest_set(path, solutions->set);
-  enter_mode(path, path->mode, CONTACT_SLIP,
-             (segment_t){.sign_h = 1,
-                         .sign_g = minus ? -1 : 1,
-                         .h_zero_order = 1,
-                         .g_starts_at_zero = true});
+  enter_mode(
+      path, path->mode, CONTACT_SLIP,
+      (segment_t){
+          .sign_g = sign_g, .h_zero_order = 1, .g_starts_at_zero = true});
   return true;
 }
 
 // A stick that an attracting surface keeps, and a rule nothing to decide about:
 // most are. At g = 0 this does not apply.
-static bool keep_stick(trajectory_t *path, bool minus) {
+static bool keep_stick(trajectory_t *path, sign_t sign_g) {
   const tf_machine_t *k = path->motion.machine;
   const rates_t rates = rates_at(k, path->motion.input, path->now.r,
                                  path->now.p, path->now.z, path->omega);
-  if (!is_sliding(slip_limits(k, &rates, minus))) return false;
-  path->segment = (segment_t){.contact = CONTACT_STICK,
-                              .sign_h = 1,
-                              .sign_g = minus ? -1 : 1,
-                              .h_zero_order = 1};
+  if (!is_sliding(slip_limits(k, &rates, sign_g))) return false;
+  path->segment = (segment_t){
+      .contact = CONTACT_STICK, .sign_g = sign_g, .h_zero_order = 1};
   keep_largest_set(path, TF_MODE_BIT(path->mode));
   return true;
 }
 
 static void begin_without_contact(trajectory_t *path, tf_real_t h) {
-  path->mode = h < 0 ? TF_SLIP_MINUS : h > 0 ? TF_SLIP_PLUS : path->mode & 1u;
-  path->segment =
-      (segment_t){.contact = CONTACT_NONE, .sign_h = 1, .sign_g = 1};
+  path->mode = slip_of_sign(h, path->mode);
+  path->segment = (segment_t){.contact = CONTACT_NONE};
   keep_largest_set(path, TF_MODE_BIT(path->mode));
 }
 
 static void begin_in_slip(trajectory_t *path, tf_slip_t slip) {
-  path->mode = slip.h > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS;
-  path->segment = (segment_t){.contact = CONTACT_SLIP,
-                              .sign_h = slip.h > 0 ? 1 : -1,
-                              .sign_g = slip.g < 0 ? -1 : 1};
+  const sign_t sign_h = sign_of(slip.h);
+  path->mode = slip_with(sign_h);
+  path->segment = (segment_t){
+      .contact = CONTACT_SLIP, .sign_h = sign_h, .sign_g = sign_of(slip.g)};
   keep_largest_set(path, TF_MODE_BIT(path->mode));
 }
 
@@ -187,19 +182,16 @@ TF_API bool tf_first_segment(trajectory_t *path) {
   // Where the sign of h or g agrees with the mode it is taken as it is, even
   // below the rounding: otherwise a motion that leaves h = 0 or g = 0 slowly
   // would be put back there in every step.
-  const bool slips = path->mode == TF_SLIP_PLUS    ? slip.h > 0
-                     : path->mode == TF_SLIP_MINUS ? slip.h < 0
-                                                   : !within(slip.h, rounding);
-  const bool rolls = path->mode == TF_STICK_PLUS    ? slip.g > 0
-                     : path->mode == TF_STICK_MINUS ? slip.g < 0
-                                                    : false;
+  const sign_t sign = sign_in(path->mode);
+  const bool slips = is_slip(path->mode) && with_sign(sign, slip.h) > 0;
+  const bool rolls = is_stick(path->mode) && with_sign(sign, slip.g) > 0;
   if (slips || !within(slip.h, rounding)) {
     begin_in_slip(path, slip);
     return true;
   }
   if (k->contact.stick_kappa > 0 && !rolls && within(slip.g, rounding))
     return keep_leaving(path) || leave_codim2(path, false);
-  return (rolls && keep_stick(path, slip.g < 0)) || leave_h_zero(path);
+  return (rolls && keep_stick(path, sign)) || leave_h_zero(path);
 }
 
 // Without an event the same contact goes on, now away from where it began.
@@ -215,7 +207,7 @@ static bool continue_segment(segment_t *segment) {
 // Slip at g = 0: the angle and with it M change their signs.
 static bool pass_g_zero(segment_t *segment) {
   segment->contact = CONTACT_SLIP;
-  segment->sign_g = -segment->sign_g;
+  segment->sign_g = opposite(segment->sign_g);
   segment->h_zero_order = 0;
   segment->g_starts_at_zero = true;
   return true;
@@ -227,12 +219,13 @@ static bool pass_g_zero(segment_t *segment) {
 static bool release_stick(trajectory_t *path) {
   const segment_t *segment = &path->segment;
   const bool up = path->force.F > 0;
-  const bool attracting = tf_trajectory_rates(path).A[segment->sign_g < 0] > 0;
-  const unsigned mode = up == attracting ? TF_SLIP_PLUS : TF_SLIP_MINUS;
+  const bool attracting = tf_trajectory_rates(path).A[segment->sign_g] > 0;
+  const sign_t sign_h = up == attracting ? PLUS : MINUS;
+  const unsigned mode = slip_with(sign_h);
   tf_project(path);
   keep_largest_set(path, TF_MODE_BIT(mode));
   enter_mode(path, mode, CONTACT_SLIP,
-             (segment_t){.sign_h = mode == TF_SLIP_PLUS ? 1 : -1,
+             (segment_t){.sign_h = sign_h,
                          .sign_g = segment->sign_g,
                          .h_zero_order = attracting ? 2 : 1});
   return true;

@@ -10,47 +10,47 @@
 static const search_t exits = {true, false, 0};
 
 TF_API bool tf_codim2_attractor(const tf_contact_t *contact,
-                                const codim2_field_t *field, int sign_g,
-                                int sign_h, tf_real_t *T) {
+                                const codim2_field_t *field, sign_t sign_g,
+                                sign_t sign_h, tf_real_t *T) {
   const quadrant_t q = tf_quadrant_of(&contact->tyre, field, sign_g, sign_h);
   const search_t last = {false, false, TF_REAL_MAX};
   limit_direction_t to = no_direction;
   tf_search_quadrant(&contact->tyre, &q, &last, &to);
-  if (to.sign_g) *T = to.T;
-  return to.sign_g != 0;
+  if (to.exists) *T = to.T;
+  return to.exists;
 }
 
 // The best exit into the side h > 0 or h < 0, from both of its quadrants.
 static void add_exit(const tf_contact_t *contact, const codim2_field_t *field,
-                     int sign_h, consistent_modes_t *out) {
-  const int slip = sign_h > 0 ? 0 : 1;
+                     sign_t sign_h, consistent_modes_t *out) {
+  static const sign_t signs[2] = {MINUS, PLUS};
   limit_direction_t best = no_direction;
   for (int n = 0; n < 2; n++) {
     const quadrant_t q =
-        tf_quadrant_of(&contact->tyre, field, n ? 1 : -1, sign_h);
+        tf_quadrant_of(&contact->tyre, field, signs[n], sign_h);
     if (tf_may_leave(&q, contact->tyre.T_anchor[TF_TYRE_ANCHORS - 1]))
       tf_search_quadrant(&contact->tyre, &q, &exits, &best);
   }
-  if (!best.sign_g) return;
-  const unsigned bit = TF_MODE_BIT(TF_SLIP_PLUS + slip);
-  out->T[slip] = best.T;
-  out->sign_g[slip] = best.sign_g;
+  if (!best.exists) return;
+  const unsigned bit = TF_MODE_BIT(slip_with(sign_h));
+  out->T[sign_h] = best.T;
+  out->sign_g[sign_h] = best.sign_g;
   out->solutions.set |= (uint8_t)bit;
   if (best.is_attractor) out->solutions.attracting |= (uint8_t)bit;
-  out->solutions.h_limit[slip] = (tf_real_t)sign_h * best.speed;
+  out->solutions.h_limit[sign_h] = with_sign(sign_h, best.speed);
 }
 
 // The stick with the sign s of g, if the law has the force that keeps h at 0
 // and g gets that sign under it. Returns how fast g grows, 0 where it does not.
 static tf_real_t add_stick(const tf_contact_t *contact,
-                           const codim2_field_t *field, int s,
+                           const codim2_field_t *field, sign_t s,
                            consistent_modes_t *out) {
   tf_contact_modes_t *solutions = &out->solutions;
   const stick_t stick = stick_at(field, s);
-  if (stick.attracts)
-    solutions->attracting |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
+  const uint8_t bit = (uint8_t)TF_MODE_BIT(stick_with(s));
+  if (stick.attracts) solutions->attracting |= bit;
   if (!within(stick.x, 1) || !(stick.rate > 0)) return 0;
-  solutions->set |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
+  solutions->set |= bit;
   out->lambda[s] = stick.x * contact->tyre.mu;
   return stick.rate;
 }
@@ -59,10 +59,10 @@ TF_API void tf_codim2_modes(const tf_contact_t *contact,
                             const codim2_field_t *field,
                             consistent_modes_t *out) {
   *out = (consistent_modes_t){.solutions = {.set = 0}};
-  add_exit(contact, field, 1, out);
-  add_exit(contact, field, -1, out);
-  const tf_real_t plus = add_stick(contact, field, 0, out);
-  const tf_real_t minus = add_stick(contact, field, 1, out);
+  add_exit(contact, field, PLUS, out);
+  add_exit(contact, field, MINUS, out);
+  const tf_real_t plus = add_stick(contact, field, PLUS, out);
+  const tf_real_t minus = add_stick(contact, field, MINUS, out);
   out->solutions.near_stick = minus > plus ? TF_STICK_MINUS : TF_STICK_PLUS;
   if (rests_under(contact->rest, field->pin.x, field->pin.y))
     out->solutions.set |= (uint8_t)TF_MODE_BIT(TF_PINNED);
@@ -71,13 +71,11 @@ TF_API void tf_codim2_modes(const tf_contact_t *contact,
 TF_API multipliers_t tf_codim2_multipliers(const tf_contact_t *contact,
                                            const consistent_modes_t *modes,
                                            unsigned mode) {
-  if (!is_slip(mode)) {
-    const tf_real_t x = modes->lambda[mode == TF_STICK_MINUS] * contact->inv_mu;
-    return stick_multipliers(x, mode == TF_STICK_MINUS);
-  }
-  const tf_real_t side = mode == TF_SLIP_PLUS ? TF_R(1.0) : TF_R(-1.0);
-  return signed_multipliers(multipliers_at(&contact->tyre, modes->T[mode]),
-                            side, (tf_real_t)modes->sign_g[mode]);
+  const sign_t s = sign_in(mode);
+  if (!is_slip(mode))
+    return stick_multipliers(modes->lambda[s] * contact->inv_mu, s);
+  return signed_multipliers(multipliers_at(&contact->tyre, modes->T[s]), s,
+                            modes->sign_g[s]);
 }
 
 TF_API unsigned tf_leave_codim2(const tf_contact_t *contact,

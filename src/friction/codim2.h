@@ -22,19 +22,18 @@ typedef struct {
   tf_contact_modes_t solutions;
   tf_real_t lambda[2]; // of stick+ and stick-, where they are in the set
   tf_real_t T[2];      // cot(psi) along which slip+, slip- leave h = g = 0
-  int sign_g[2];       // and the sign of g there
+  sign_t sign_g[2];    // and the sign of g there
 } consistent_modes_t;
 
-// The stick with one sign of g (s: 0 for +, 1 for -) at h = g = 0: the
-// multiplier that keeps h at 0, how fast |g| grows under it, and whether its
-// Delassus scalar is positive.
+// The stick with one sign of g at h = g = 0: the multiplier that keeps h at 0,
+// how fast |g| grows under it, and whether its Delassus scalar is positive.
 typedef struct {
   tf_real_t x, rate;
   bool attracts;
 } stick_t;
 
-TF_INLINE stick_t stick_at(const codim2_field_t *field, int s) {
-  const tf_real_t sign = s ? TF_R(-1.0) : TF_R(1.0);
+TF_INLINE stick_t stick_at(const codim2_field_t *field, sign_t s) {
+  const tf_real_t sign = unit(s);
   const affine_t h = field->h, g = field->g;
   const tf_real_t slope = h.cx + sign * h.cy, x = -h.c0 / slope;
   return (stick_t){x, sign * (g.c0 + x * (g.cx + sign * g.cy)), slope < 0};
@@ -55,8 +54,8 @@ TF_INLINE multipliers_t balancing_multipliers(affine_t h, affine_t g) {
 // there is none.
 #define tf_codim2_attractor TF_LINK(tf_codim2_attractor)
 TF_API bool tf_codim2_attractor(const tf_contact_t *contact,
-                                const codim2_field_t *field, int sign_g,
-                                int sign_h, tf_real_t *T);
+                                const codim2_field_t *field, sign_t sign_g,
+                                sign_t sign_h, tf_real_t *T);
 
 // Where a slip near h = g = 0 goes within a step, in a field over that step.
 typedef struct {
@@ -75,7 +74,7 @@ typedef struct {
 #define tf_codim2_course TF_LINK(tf_codim2_course)
 TF_API codim2_course_t tf_codim2_course(const tf_contact_t *contact,
                                         const codim2_field_t *field,
-                                        tf_slip_t slip, int sign_h);
+                                        tf_slip_t slip, sign_t sign_h);
 
 // The consistent modes at h = g = 0 under a law with a moment. Of the slips on
 // one side of h = 0 it is the one that attracts, then the one that grows

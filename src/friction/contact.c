@@ -63,16 +63,9 @@ TF_API tf_status_t tf_contact_modes(const tf_contact_t *contact,
 // In slip under the force at h -> 0; nobody asks for those of a pin.
 static multipliers_t multipliers_of(const tf_contact_modes_t *modes,
                                     unsigned mode) {
-  switch (mode) {
-    case TF_SLIP_PLUS:
-      return limit_multipliers(1, modes->tau[0]);
-    case TF_SLIP_MINUS:
-      return limit_multipliers(-1, modes->tau[1]);
-    case TF_STICK_PLUS:
-      return stick_multipliers(modes->x[0], false);
-    default:
-      return stick_multipliers(modes->x[1], true);
-  }
+  const sign_t s = sign_in(mode);
+  return is_slip(mode) ? limit_multipliers(s, modes->tau[s])
+                       : stick_multipliers(modes->x[s], s);
 }
 
 TF_API tf_status_t tf_contact_force(const tf_contact_t *contact,
@@ -91,9 +84,9 @@ TF_API tf_status_t tf_contact_force(const tf_contact_t *contact,
         contact, slip == TF_PINNED ? pin_of(&in) : multipliers_of(modes, mode));
     return TF_OK;
   }
-  const tf_real_t side = slip == TF_SLIP_PLUS ? TF_R(1.0) : TF_R(-1.0);
+  const sign_t side = sign_in(slip);
   const multipliers_t m = slip_multipliers(&contact->tyre, side, at, true);
-  const bool stays = none || side * form_value(&in.h, m.x, m.y) > 0;
+  const bool stays = none || with_sign(side, form_value(&in.h, m.x, m.y)) > 0;
   *force = force_under(contact, stays ? m : multipliers_of(modes, mode));
   return none ? TF_DEGRADED : TF_OK;
 }

@@ -24,12 +24,7 @@ static void add_force(course_point_t *at, multipliers_t force, tf_real_t time) {
 
 static multipliers_t force_in(const tf_tyre_t *tyre, const quadrant_t *q,
                               tf_real_t T) {
-  return signed_multipliers(multipliers_at(tyre, T), (tf_real_t)q->sign_h,
-                            (tf_real_t)q->sign_g);
-}
-
-static unsigned slip_mode(const quadrant_t *q) {
-  return q->sign_h > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS;
+  return signed_multipliers(multipliers_at(tyre, T), q->sign_h, q->sign_g);
 }
 
 static codim2_course_t course_to(const course_point_t *at, unsigned mode,
@@ -59,20 +54,18 @@ static codim2_course_t along_direction(course_point_t *at, unsigned mode,
 static codim2_course_t along_limit(const tf_tyre_t *tyre, const quadrant_t *q,
                                    const limit_direction_t *to,
                                    course_point_t *at) {
-  const tf_slip_t direction = {(tf_real_t)q->sign_h * to->C,
-                               (tf_real_t)q->sign_g * to->S};
-  return along_direction(at, slip_mode(q), direction,
+  const tf_slip_t direction = {with_sign(q->sign_h, to->C),
+                               with_sign(q->sign_g, to->S)};
+  return along_direction(at, slip_with(q->sign_h), direction,
                          at->H * to->C + at->G * to->S, to->speed,
                          force_in(tyre, q, to->T));
 }
 
-static codim2_course_t along_stick(const codim2_field_t *field, int sign_g,
+static codim2_course_t along_stick(const codim2_field_t *field, sign_t sign_g,
                                    course_point_t *at) {
-  const tf_real_t s_g = (tf_real_t)sign_g;
-  const stick_t stick = stick_at(field, sign_g < 0);
-  return along_direction(at, sign_g > 0 ? TF_STICK_PLUS : TF_STICK_MINUS,
-                         (tf_slip_t){0, s_g}, at->G, stick.rate,
-                         (multipliers_t){stick.x, s_g * stick.x});
+  const stick_t stick = stick_at(field, sign_g);
+  return along_direction(at, stick_with(sign_g), (tf_slip_t){0, unit(sign_g)},
+                         at->G, stick.rate, stick_multipliers(stick.x, sign_g));
 }
 
 static bool has_come_to_codim2(const course_point_t *at) {
@@ -128,7 +121,7 @@ static bool cross_quadrant(const tf_tyre_t *tyre, const quadrant_t *q,
     const int n = upwards ? i : TF_TYRE_ANCHORS - 1 - i;
     const tf_real_t T_border = tyre->T_anchor[n];
     if (upwards ? T_border <= T : T_border >= T) continue;
-    if (to->sign_g && (upwards ? T_border >= to->T : T_border <= to->T)) {
+    if (to->exists && (upwards ? T_border >= to->T : T_border <= to->T)) {
       const tf_real_t size = square_root(at->H * at->H + at->G * at->G);
       if (at->H * to->C + at->G * to->S >= ALIGNED * size) return true;
       const tf_real_t C = to->C + at->H / size, S = to->S + at->G / size;
@@ -143,13 +136,13 @@ static bool cross_quadrant(const tf_tyre_t *tyre, const quadrant_t *q,
 
 TF_API codim2_course_t tf_codim2_course(const tf_contact_t *contact,
                                         const codim2_field_t *field,
-                                        tf_slip_t slip, int sign_h) {
+                                        tf_slip_t slip, sign_t sign_h) {
   const tf_tyre_t *tyre = &contact->tyre;
   const direction_t steepest = {0, 1, tyre->T_anchor[TF_TYRE_ANCHORS - 1]};
   const direction_t flattest = {1, 0, 0};
-  const tf_real_t H = (tf_real_t)sign_h * slip.h;
+  const tf_real_t H = with_sign(sign_h, slip.h);
   course_point_t now = {H > 0 ? H : 0, magnitude(slip.g), 0, {0, 0}};
-  int sign_g = slip.g < 0 ? -1 : 1;
+  sign_t sign_g = sign_of(slip.g);
   direction_t at = {now.H, now.G, tf_cot_psi(tyre, now.G, now.H)};
   quadrant_t q = tf_quadrant_of(tyre, field, sign_g, sign_h);
   bool upwards = angular_rate(&q, at) > 0;
@@ -158,15 +151,15 @@ TF_API codim2_course_t tf_codim2_course(const tf_contact_t *contact,
     limit_direction_t to = no_direction;
     tf_search_quadrant(tyre, &q, &next, &to);
     if (!cross_quadrant(tyre, &q, &to, upwards, at.T, &now)) {
-      const tf_slip_t end = {(tf_real_t)sign_h * now.H,
-                             (tf_real_t)sign_g * now.G};
-      return course_to(&now, slip_mode(&q), end, false);
+      const tf_slip_t end = {with_sign(sign_h, now.H),
+                             with_sign(sign_g, now.G)};
+      return course_to(&now, slip_with(sign_h), end, false);
     }
-    if (to.sign_g) return along_limit(tyre, &q, &to, &now);
+    if (to.exists) return along_limit(tyre, &q, &to, &now);
     if (upwards)
-      sign_h = -sign_h;
+      sign_h = opposite(sign_h);
     else
-      sign_g = -sign_g;
+      sign_g = opposite(sign_g);
     at = upwards ? steepest : flattest;
     q = tf_quadrant_of(tyre, field, sign_g, sign_h);
     if (upwards && angular_rate(&q, at) > 0)

@@ -8,9 +8,9 @@ TF_API void tf_enumerate(const inclusion_t *in, unsigned signs,
     enumerate(in, BOTH_SIGNS, out);
     return;
   }
-  const int minus = signs == MINUS_SIGN;
-  out->near_stick = (uint8_t)(TF_STICK_PLUS + minus);
-  enumerate_one_sign(in, minus, out);
+  const sign_t s = signs == MINUS_SIGN ? MINUS : PLUS;
+  out->near_stick = (uint8_t)stick_with(s);
+  enumerate_one_sign(in, s, out);
 }
 
 // One step of Newton's method on (8).

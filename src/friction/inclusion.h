@@ -48,15 +48,14 @@ TF_INLINE bool may_vanish(const tf_form_t *f, tf_real_t now) {
 }
 
 // A form of x and y along y = s x, which stick is held to: c0 + c1 x + c2 x^2,
-// and its values at the ends of x, 1 (upper) and -1 (lower). s: 0 for s = +1, 1
-// for s = -1.
+// and its values at the ends of x, 1 (upper) and -1 (lower).
 typedef struct {
   tf_real_t c0, c1, c2, at_upper, at_lower;
 } quadratic_t;
 
-TF_INLINE quadratic_t along(const tf_form_t *f, int s) {
-  quadratic_t on = {f->c0, s ? f->cx - f->cy : f->cx + f->cy, 0, 0, 0};
-  on.c2 = s ? f->cxx + f->cyy - f->cxy : f->cxx + f->cyy + f->cxy;
+TF_INLINE quadratic_t along(const tf_form_t *f, sign_t s) {
+  quadratic_t on = {f->c0, f->cx + with_sign(s, f->cy), 0, 0, 0};
+  on.c2 = f->cxx + f->cyy + with_sign(s, f->cxy);
   on.at_upper = f->c0 + on.c2 + on.c1;
   on.at_lower = f->c0 + on.c2 - on.c1;
   return on;
@@ -154,27 +153,26 @@ TF_INLINE bool has_two_roots(const quadratic_t *h, bool above) {
 // Whether a stick under y = s x ends with the sign of g that s stands for.
 // Without a moment both s are one law: then the sign of g decides which stick
 // it is called, and g = 0 counts as g > 0.
-TF_INLINE bool has_sign_of_g(tf_real_t g_end, int s, bool has_moment) {
-  return s ? g_end < 0 : g_end > 0 || (g_end == 0 && !has_moment);
+TF_INLINE bool has_sign_of_g(tf_real_t g_end, sign_t s, bool has_moment) {
+  return s == MINUS ? g_end < 0 : g_end > 0 || (g_end == 0 && !has_moment);
 }
 
 // The stick of one s, if there is one.
-TF_INLINE void solve_stick(const quadratic_t *h, const quadratic_t *g, int s,
+TF_INLINE void solve_stick(const quadratic_t *h, const quadratic_t *g, sign_t s,
                            bool has_moment, tf_contact_modes_t *out) {
   const bool above = slip_plus_solves(h), one = above != slip_minus_solves(h);
   const bool two = one && has_two_roots(h, above);
-  if (stick_attracts(h))
-    out->attracting |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
+  if (stick_attracts(h)) out->attracting |= (uint8_t)TF_MODE_BIT(stick_with(s));
   if (one && !two) return; // one slip, no stick
   tf_real_t x = root_within(h->c0, h->c1, h->c2);
   tf_real_t g_end = quadratic_at(g, x);
-  if (two && (s ? g_end > 0 : g_end < 0)) { // g = 0 belongs to the pinned wheel
+  if (two && with_sign(s, g_end) < 0) { // g = 0 belongs to the pinned wheel
     x = -h->c1 / h->c2 - x;
     g_end = quadratic_at(g, x);
   }
   out->x[s] = x;
   if (has_sign_of_g(g_end, s, has_moment))
-    out->set |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
+    out->set |= (uint8_t)TF_MODE_BIT(stick_with(s));
 }
 
 // g(s) in a slip at h -> 0: the quadratic through g_plus at 1 and g_minus at -1
@@ -222,9 +220,8 @@ TF_INLINE bool bends(tf_real_t plus, tf_real_t minus, tf_real_t bend) {
 
 // A share at which g vanishes and the slip solves, or `none`. Its arguments are
 // in registers, as those of all that a step calls.
-TF_RARE tf_real_t share_at_g_zero(tf_real_t side, slip_ends_t at,
-                                  tf_real_t h_bend, tf_real_t g_bend,
-                                  tf_real_t none) {
+TF_RARE tf_real_t share_at_g_zero(sign_t side, slip_ends_t at, tf_real_t h_bend,
+                                  tf_real_t g_bend, tf_real_t none) {
   const tf_real_t c1 = (at.g_plus - at.g_minus) / 2;
   const tf_real_t c0 = (at.g_plus + at.g_minus) / 2 - g_bend;
   const tf_real_t discriminant = c1 * c1 - 4 * c0 * g_bend;
@@ -233,65 +230,66 @@ TF_RARE tf_real_t share_at_g_zero(tf_real_t side, slip_ends_t at,
   const tf_real_t roots[2] = {-twice / (2 * g_bend), -2 * c0 / twice};
   for (int i = 0; i < 2 && discriminant >= 0; i++)
     if (within(roots[i], 1) &&
-        side * slip_end_at(roots[i], at.h_plus, at.h_minus, h_bend) > 0)
+        with_sign(side, slip_end_at(roots[i], at.h_plus, at.h_minus, h_bend)) >
+            0)
       return roots[i];
   return none;
 }
 
 // The slip at h -> 0 on one side, whatever its share of the moment.
-TF_INLINE void solve_slip(const inclusion_t *in, int slip, tf_real_t side,
-                          slip_ends_t at, tf_contact_modes_t *out) {
+TF_INLINE void solve_slip(const inclusion_t *in, sign_t side, slip_ends_t at,
+                          tf_contact_modes_t *out) {
+  const uint8_t bit = (uint8_t)TF_MODE_BIT(slip_with(side));
+  const bool with_plus = with_sign(side, at.h_plus) > 0;
   if (!in->has_moment) { // both s are one law
-    out->tau[slip] = 1;
-    out->h_limit[slip] = at.h_plus;
-    if (side * at.h_plus > 0)
-      out->set |= (uint8_t)TF_MODE_BIT(TF_SLIP_PLUS + slip);
+    out->tau[side] = 1;
+    out->h_limit[side] = at.h_plus;
+    if (with_plus) out->set |= bit;
     return;
   }
   const tf_real_t h_bend = in->h.cyy, g_bend = in->g.cyy;
-  tf_real_t tau =
-      moment_share(at.g_plus, at.g_minus, g_bend, side * at.h_plus > 0,
-                   side * at.h_minus > 0, in->g_now >= 0);
+  tf_real_t tau = moment_share(at.g_plus, at.g_minus, g_bend, with_plus,
+                               with_sign(side, at.h_minus) > 0, in->g_now >= 0);
   tf_real_t h_end = slip_end_at(tau, at.h_plus, at.h_minus, h_bend);
-  if (!(side * h_end > 0) && (bends(at.g_plus, at.g_minus, g_bend) ||
-                              bends(at.h_plus, at.h_minus, h_bend))) {
+  if (!(with_sign(side, h_end) > 0) && (bends(at.g_plus, at.g_minus, g_bend) ||
+                                        bends(at.h_plus, at.h_minus, h_bend))) {
     tau = share_at_g_zero(side, at, h_bend, g_bend, tau);
     h_end = slip_end_at(tau, at.h_plus, at.h_minus, h_bend);
   }
-  out->tau[slip] = tau;
-  out->h_limit[slip] = h_end;
-  if (side * h_end > 0) out->set |= (uint8_t)TF_MODE_BIT(TF_SLIP_PLUS + slip);
+  out->tau[side] = tau;
+  out->h_limit[side] = h_end;
+  if (with_sign(side, h_end) > 0) out->set |= bit;
 }
 
 // Every g+ has the sign of one s.
-TF_INLINE void enumerate_one_sign(const inclusion_t *in, int s,
+TF_INLINE void enumerate_one_sign(const inclusion_t *in, sign_t s,
                                   tf_contact_modes_t *out) {
   const quadratic_t h = along(&in->h, s);
   const bool plus = slip_plus_solves(&h), minus = slip_minus_solves(&h);
   out->set = (uint8_t)(plus << TF_SLIP_PLUS | minus << TF_SLIP_MINUS);
   out->attracting =
-      (uint8_t)(stick_attracts(&h) ? TF_MODE_BIT(TF_STICK_PLUS + s) : 0);
-  out->tau[0] = out->tau[1] = s ? TF_R(-1.0) : TF_R(1.0);
+      (uint8_t)(stick_attracts(&h) ? TF_MODE_BIT(stick_with(s)) : 0);
+  out->tau[0] = out->tau[1] = unit(s);
   out->h_limit[0] = h.at_upper;
   out->h_limit[1] = h.at_lower;
   if (plus != minus && !has_two_roots(&h, plus)) return;
   out->x[s] = root_within(h.c0, h.c1, h.c2);
-  out->set |= (uint8_t)TF_MODE_BIT(TF_STICK_PLUS + s);
+  out->set |= (uint8_t)TF_MODE_BIT(stick_with(s));
 }
 
 // g+ may have either sign: codimension two is within reach of this step.
 TF_INLINE void enumerate_both_signs(const inclusion_t *in,
                                     tf_contact_modes_t *out) {
-  const quadratic_t h0 = along(&in->h, 0), h1 = along(&in->h, 1);
-  const quadratic_t g0 = along(&in->g, 0), g1 = along(&in->g, 1);
+  const quadratic_t h0 = along(&in->h, PLUS), h1 = along(&in->h, MINUS);
+  const quadratic_t g0 = along(&in->g, PLUS), g1 = along(&in->g, MINUS);
   out->set = 0;
   out->attracting = 0;
-  solve_stick(&h0, &g0, 0, in->has_moment, out);
-  solve_stick(&h1, &g1, 1, in->has_moment, out);
+  solve_stick(&h0, &g0, PLUS, in->has_moment, out);
+  solve_stick(&h1, &g1, MINUS, in->has_moment, out);
   const slip_ends_t up = {h0.at_upper, h1.at_upper, g0.at_upper, g1.at_upper};
   const slip_ends_t down = {h0.at_lower, h1.at_lower, g0.at_lower, g1.at_lower};
-  solve_slip(in, 0, 1, up, out);
-  solve_slip(in, 1, -1, down, out);
+  solve_slip(in, PLUS, up, out);
+  solve_slip(in, MINUS, down, out);
   // Without a moment a pinned wheel is a stick with g+ = 0: not a sixth mode.
   if (in->has_moment && rests_under(in->rest, in->pin_x, in->pin_y))
     out->set |= (uint8_t)TF_MODE_BIT(TF_PINNED);
@@ -305,9 +303,9 @@ TF_INLINE void enumerate(const inclusion_t *in, unsigned signs,
   if (signs == BOTH_SIGNS)
     enumerate_both_signs(in, out);
   else if (signs == PLUS_SIGN)
-    enumerate_one_sign(in, 0, out);
+    enumerate_one_sign(in, PLUS, out);
   else
-    enumerate_one_sign(in, 1, out);
+    enumerate_one_sign(in, MINUS, out);
 }
 
 // The same as a function, for who need be small rather than fast.
@@ -330,25 +328,25 @@ TF_INLINE bool slip_reaches_codim2(const tf_form_t *h, const tf_form_t *g,
 
 TF_INLINE bool stick_reaches_codim2(unsigned mode, unsigned signs,
                                     unsigned set) {
-  const unsigned own = mode == TF_STICK_PLUS ? PLUS_SIGN : MINUS_SIGN;
+  const unsigned own = sign_in(mode) == PLUS ? PLUS_SIGN : MINUS_SIGN;
   return signs != own && !has(set, mode);
 }
 
 // The multipliers of a stick, of a slip at the slip `at`, and of one at h -> 0.
-TF_INLINE multipliers_t stick_multipliers(tf_real_t x, bool minus) {
-  return (multipliers_t){x, minus ? -x : x};
+TF_INLINE multipliers_t stick_multipliers(tf_real_t x, sign_t s) {
+  return (multipliers_t){x, with_sign(s, x)};
 }
 
 // rare: where it need be small rather than fast.
-TF_INLINE multipliers_t slip_multipliers(const tf_tyre_t *tyre, tf_real_t side,
+TF_INLINE multipliers_t slip_multipliers(const tf_tyre_t *tyre, sign_t side,
                                          tf_slip_t at, bool rare) {
-  if (tyre->law == TF_TYRE_COULOMB) return (multipliers_t){side, 0};
-  return rare ? tf_jump_multipliers(tyre, side, at.h, at.g)
-              : jump_multipliers(tyre, side, at.h, at.g);
+  if (tyre->law == TF_TYRE_COULOMB) return (multipliers_t){unit(side), 0};
+  return rare ? tf_jump_multipliers(tyre, side, at)
+              : jump_multipliers(tyre, side, at);
 }
 
-TF_INLINE multipliers_t limit_multipliers(tf_real_t side, tf_real_t tau) {
-  return (multipliers_t){side, tau * side};
+TF_INLINE multipliers_t limit_multipliers(sign_t side, tf_real_t tau) {
+  return (multipliers_t){unit(side), with_sign(side, tau)};
 }
 
 // The force under multipliers.

@@ -9,9 +9,9 @@
 
 // By (force), (moment) in multipliers.
 TF_API quadrant_t tf_quadrant_of(const tf_tyre_t *tyre,
-                                 const codim2_field_t *field, int sign_g,
-                                 int sign_h) {
-  const tf_real_t s_g = (tf_real_t)sign_g, s_h = (tf_real_t)sign_h;
+                                 const codim2_field_t *field, sign_t sign_g,
+                                 sign_t sign_h) {
+  const tf_real_t s_g = unit(sign_g), s_h = unit(sign_h);
   const multipliers_t at0 = multipliers_at(tyre, 0);
   const tf_real_t x0 = s_h * at0.x, x1 = -s_h * tyre->inv_18_kappa;
   const tf_real_t y1 = s_h * s_g * tyre->inv_6_kappa;
@@ -171,7 +171,8 @@ static limit_direction_t limit_direction_in(const tf_tyre_t *tyre,
   const direction_t at = direction_in(anchor, zero.x, T);
   const tf_real_t length = square_root(at.C * at.C + at.S * at.S);
   return (limit_direction_t){
-      T, at.C / length, at.S / length, radial_rate(q, at), in.falls, q->sign_g};
+      T,        at.C / length, at.S / length, radial_rate(q, at),
+      in.falls, true,          q->sign_g};
 }
 
 // Of two exits the one to which its neighbours turn, then the faster one. Of
@@ -215,7 +216,7 @@ static bool may_be_in(const search_t *search, const quadrant_t *q,
 static bool may_be_better(const search_t *search, bool attracts,
                           const limit_direction_t *best) {
   if (search->leaves) return attracts || !best->is_attractor;
-  return search->upwards ? attracts & (best->sign_g == 0) : attracts;
+  return search->upwards ? attracts && !best->exists : attracts;
 }
 
 // Whether the angular rate surely has this sign where T has a value in a cell:
@@ -298,6 +299,6 @@ TF_API void tf_search_quadrant(const tf_tyre_t *tyre, const quadrant_t *q,
     const cell_part_t span = cell_part(tyre, anchor, u_border);
     if (may_be_in(search, q, &span))
       search_cell(tyre, q, &separators, &span, search, best);
-    if (!search->leaves && best->sign_g) break;
+    if (!search->leaves && best->exists) break;
   }
 }

@@ -20,13 +20,13 @@ typedef struct {
 // sign_h h' = h0 + h1 T, which are affine in T = cot(psi).
 typedef struct {
   tf_real_t g0, g1, h0, h1;
-  int sign_g, sign_h;
+  sign_t sign_g, sign_h;
 } quadrant_t;
 
 #define tf_quadrant_of TF_LINK(tf_quadrant_of)
 TF_API quadrant_t tf_quadrant_of(const tf_tyre_t *tyre,
-                                 const codim2_field_t *field, int sign_g,
-                                 int sign_h);
+                                 const codim2_field_t *field, sign_t sign_g,
+                                 sign_t sign_h);
 
 // Whether somewhere in a quadrant h and g both grow in magnitude: only there
 // can a slip leave along a limit direction.
@@ -50,10 +50,11 @@ typedef struct {
   tf_real_t C, S;    // cosine and sine of its angle from the h axis
   tf_real_t speed;   // outwards [m/s^2]
   bool is_attractor; // its neighbours turn to it as time runs on
-  int sign_g;        // of its quadrant; 0: no direction
+  bool exists;
+  sign_t sign_g; // of its quadrant
 } limit_direction_t;
 
-static const limit_direction_t no_direction = {0, 0, 0, 0, false, 0};
+static const limit_direction_t no_direction = {0, 0, 0, 0, false, false, PLUS};
 
 // Which of the limit directions of a quadrant is asked for: the best exit, or
 // the first one that a slip turns to from T towards larger or smaller ones.

@@ -5,16 +5,16 @@ TF_API tf_real_t tf_cot_psi(const tf_tyre_t *tyre, tf_real_t G, tf_real_t H) {
   return cot_psi(tyre, G, H);
 }
 
-TF_API multipliers_t tf_jump_multipliers(const tf_tyre_t *tyre, tf_real_t side,
-                                         tf_real_t h, tf_real_t g) {
-  const tf_real_t H = side * h;
-  return multipliers_beside(tyre, side, g,
-                            tf_cot_psi(tyre, magnitude(g), H > 0 ? H : 0));
+TF_API multipliers_t tf_jump_multipliers(const tf_tyre_t *tyre, sign_t side,
+                                         tf_slip_t at) {
+  const tf_real_t H = unit(side) * at.h;
+  const tf_real_t T = tf_cot_psi(tyre, magnitude(at.g), H > 0 ? H : 0);
+  return signed_multipliers(multipliers_at(tyre, T), side, sign_of(at.g));
 }
 
-static tf_force_t jump_force(const tf_tyre_t *tyre, tf_real_t side, tf_real_t h,
+static tf_force_t jump_force(const tf_tyre_t *tyre, sign_t side, tf_real_t h,
                              tf_real_t g) {
-  const multipliers_t m = jump_multipliers(tyre, side, h, g);
+  const multipliers_t m = jump_multipliers(tyre, side, (tf_slip_t){h, g});
   return (tf_force_t){tyre->mu * m.x, tyre->kappa * tyre->mu * m.y};
 }
 
@@ -23,7 +23,7 @@ static tf_force_t smooth_force(const tf_tyre_t *tyre, tf_real_t h,
                                tf_real_t g) {
   const tf_real_t epsilon = tyre->epsilon;
   const tf_real_t share = h / square_root(h * h + epsilon * epsilon);
-  const tf_force_t f = jump_force(tyre, h < 0 ? TF_R(-1.0) : 1, h, g);
+  const tf_force_t f = jump_force(tyre, sign_of(h), h, g);
   return (tf_force_t){magnitude(share) * f.F, magnitude(share) * f.M};
 }
 
@@ -79,7 +79,7 @@ TF_API tf_force_t tf_tyre_force(const tf_tyre_t *tyre, tf_real_t side,
                                 tf_real_t h, tf_real_t g) {
   switch (tyre->law) {
     case TF_TYRE_JUMP:
-      return jump_force(tyre, side, h, g);
+      return jump_force(tyre, sign_of(side), h, g);
     case TF_TYRE_COULOMB:
       return (tf_force_t){side * tyre->mu, 0};
     case TF_TYRE_TWO_PIECE:

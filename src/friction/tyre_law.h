@@ -4,7 +4,8 @@
 #define TF_TYRE_LAW_H
 
 #include "../num/kernel.h"
-#include "twofold/tyre.h"
+#include "mode_set.h"
+#include "twofold/contact.h"
 
 // cos(k pi/16); sin(k pi/16) is the same table read backwards.
 static const tf_real_t anchor_cos[TF_TYRE_ANCHORS] = {
@@ -92,16 +93,16 @@ TF_API tf_real_t tf_cot_psi(const tf_tyre_t *tyre, tf_real_t G, tf_real_t H);
 #define MAX_SLIP_FORCE(mu) ((mu)*4 / 3)
 #define MOMENT_BY_FORCE TF_R(3.0) // -d(|M|/kappa)/d|F|
 
-TF_INLINE tf_real_t slip_F0(const tf_tyre_t *tyre, tf_real_t sign) {
-  return MAX_SLIP_FORCE(sign * tyre->mu);
+TF_INLINE tf_real_t slip_F0(const tf_tyre_t *tyre, sign_t sign) {
+  return with_sign(sign, MAX_SLIP_FORCE(tyre->mu));
 }
 
-TF_INLINE tf_real_t slip_F1(const tf_tyre_t *tyre, tf_real_t sign) {
-  return -sign * tyre->mu * tyre->inv_18_kappa;
+TF_INLINE tf_real_t slip_F1(const tf_tyre_t *tyre, sign_t sign) {
+  return with_sign(sign, -tyre->mu * tyre->inv_18_kappa);
 }
 
-TF_INLINE tf_real_t slip_M1(const tf_tyre_t *tyre, tf_real_t sign) {
-  return sign * tyre->mu / 6;
+TF_INLINE tf_real_t slip_M1(const tf_tyre_t *tyre, sign_t sign) {
+  return with_sign(sign, tyre->mu / 6);
 }
 
 // The same in units of mu and kappa mu, for positive signs.
@@ -122,30 +123,22 @@ TF_INLINE bool force_turns(multipliers_t first, multipliers_t then) {
 }
 
 // With the signs of h and g.
-TF_INLINE multipliers_t signed_multipliers(multipliers_t m, tf_real_t sign_h,
-                                           tf_real_t sign_g) {
-  return (multipliers_t){sign_h * m.x, sign_h * sign_g * m.y};
+TF_INLINE multipliers_t signed_multipliers(multipliers_t m, sign_t sign_h,
+                                           sign_t sign_g) {
+  const tf_real_t side = unit(sign_h);
+  return (multipliers_t){side * m.x, with_sign(sign_g, side * m.y)};
 }
 
-// On one side of h = 0, by the sign of g.
-TF_INLINE multipliers_t multipliers_beside(const tf_tyre_t *tyre,
-                                           tf_real_t side, tf_real_t g,
-                                           tf_real_t T) {
-  multipliers_t m = signed_multipliers(multipliers_at(tyre, T), side, 1);
-  if (g < 0) m.y = -m.y; // a change of the sign, not a product
-  return m;
-}
-
-TF_INLINE multipliers_t jump_multipliers(const tf_tyre_t *tyre, tf_real_t side,
-                                         tf_real_t h, tf_real_t g) {
-  const tf_real_t H = side * h;
-  return multipliers_beside(tyre, side, g,
-                            cot_psi(tyre, magnitude(g), H > 0 ? H : 0));
+TF_INLINE multipliers_t jump_multipliers(const tf_tyre_t *tyre, sign_t side,
+                                         tf_slip_t at) {
+  const tf_real_t H = unit(side) * at.h;
+  const tf_real_t T = cot_psi(tyre, magnitude(at.g), H > 0 ? H : 0);
+  return signed_multipliers(multipliers_at(tyre, T), side, sign_of(at.g));
 }
 
 // The same as a function, for who need be small rather than fast.
 #define tf_jump_multipliers TF_LINK(tf_jump_multipliers)
-TF_API multipliers_t tf_jump_multipliers(const tf_tyre_t *tyre, tf_real_t side,
-                                         tf_real_t h, tf_real_t g);
+TF_API multipliers_t tf_jump_multipliers(const tf_tyre_t *tyre, sign_t side,
+                                         tf_slip_t at);
 
 #endif

@@ -20,9 +20,9 @@ TF_INLINE void place_at_codim2(const rates_t *now, tf_real_t *r, tf_real_t *z) {
 TF_API codim2_field_t tf_codim2_field_of(const tf_machine_t *k,
                                          const rates_t *rates);
 
-// g' in stick with the sign of g of s, under lambda.
+// g' in the stick with one sign of g, under lambda.
 TF_INLINE tf_real_t g_rate_in_stick(const tf_machine_t *k, const rates_t *a,
-                                    int s, tf_real_t lambda) {
+                                    sign_t s, tf_real_t lambda) {
   const tf_real_t moment = signed_kappa(k, s) * lambda;
   return slip_from_pq(k, a->dp + lambda * a->Fp,
                       a->dq + lambda * a->Fq + moment * a->Mq)
@@ -30,13 +30,12 @@ TF_INLINE tf_real_t g_rate_in_stick(const tf_machine_t *k, const rates_t *a,
 }
 
 // The regions of h = 0 at g != 0: both slips lead to it (stick alone is
-// consistent), both lead away (all three are), or one crosses it. s: 0 where
-// g > 0, 1 where g < 0.
-TF_INLINE void surface_modes(const tf_machine_t *k, const rates_t *a, int s,
+// consistent), both lead away (all three are), or one crosses it.
+TF_INLINE void surface_modes(const tf_machine_t *k, const rates_t *a, sign_t s,
                              consistent_modes_t *out) {
   const slip_limits_t h_rate = slip_limits(k, a, s);
   const bool plus = h_rate.plus > 0, minus = h_rate.minus < 0;
-  const unsigned stick = TF_STICK_PLUS + (unsigned)s;
+  const unsigned stick = stick_with(s);
   tf_contact_modes_t *solutions = &out->solutions;
   *out = (consistent_modes_t){.lambda = {0, 0}};
   solutions->set = (uint8_t)(plus << TF_SLIP_PLUS | minus << TF_SLIP_MINUS);

@@ -11,6 +11,7 @@
 #ifndef TF_MECHANICS_H
 #define TF_MECHANICS_H
 
+#include "../friction/mode_set.h"
 #include "../num/pair.h"
 #include "kinematics.h"
 
@@ -143,16 +144,15 @@ TF_INLINE tf_real_t spin_rate_under(tf_real_t arm, tf_force_t f, tf_real_t J) {
   return (f.F * arm + f.M) / J;
 }
 
-// s kappa, by the sign of g; `minus` where g < 0.
-TF_INLINE tf_real_t signed_kappa(const tf_machine_t *k, bool minus) {
-  return minus ? -k->contact.stick_kappa : k->contact.stick_kappa;
+// s kappa, by the sign of g.
+TF_INLINE tf_real_t signed_kappa(const tf_machine_t *k, sign_t s) {
+  return with_sign(s, k->contact.stick_kappa);
 }
 
 // The arm of lambda about the axis, r cos(gamma) + s kappa [m]: lambda acts on
 // z' by this arm over J.
-TF_INLINE tf_real_t stick_arm(const tf_machine_t *k, tf_real_t arm,
-                              bool minus) {
-  return arm + signed_kappa(k, minus);
+TF_INLINE tf_real_t stick_arm(const tf_machine_t *k, tf_real_t arm, sign_t s) {
+  return arm + signed_kappa(k, s);
 }
 
 // The Delassus scalar of stick, h' = N - A lambda,
@@ -164,9 +164,9 @@ TF_INLINE tf_real_t delassus_from(const tf_machine_t *k, tf_real_t rotation) {
 }
 
 // A at arm = r cos(gamma).
-TF_INLINE tf_real_t delassus_at(const tf_machine_t *k, tf_real_t arm,
-                                bool minus, tf_real_t J) {
-  return delassus_from(k, arm * stick_arm(k, arm, minus) / J);
+TF_INLINE tf_real_t delassus_at(const tf_machine_t *k, tf_real_t arm, sign_t s,
+                                tf_real_t J) {
+  return delassus_from(k, arm * stick_arm(k, arm, s) / J);
 }
 
 // A J, which vanishes with A and takes no division: r^2 + b r + c.
@@ -175,8 +175,8 @@ typedef struct {
 } delassus_quadratic_t;
 
 TF_INLINE delassus_quadratic_t delassus_quadratic(const tf_machine_t *k,
-                                                  tf_real_t sign_g) {
-  return (delassus_quadratic_t){sign_g * k->contact.stick_kappa * k->cos_gamma,
+                                                  sign_t s) {
+  return (delassus_quadratic_t){signed_kappa(k, s) * k->cos_gamma,
                                 k->beta2 * k->sin_gamma * k->sin_gamma};
 }
 
@@ -193,8 +193,8 @@ TF_INLINE tf_real_t delassus_quadratic_rate(delassus_quadratic_t at,
 
 // dA/dt under dr: A depends on r alone.
 TF_INLINE tf_real_t delassus_rate(const tf_machine_t *k, tf_real_t r,
-                                  tf_real_t dr, bool minus, tf_real_t J) {
-  const tf_real_t arm = r * k->cos_gamma, of_lambda = stick_arm(k, arm, minus);
+                                  tf_real_t dr, sign_t s, tf_real_t J) {
+  const tf_real_t arm = r * k->cos_gamma, of_lambda = stick_arm(k, arm, s);
   const tf_real_t darm = dr * k->cos_gamma, dJ = 2 * k->m * r * dr;
   return (darm * (of_lambda + arm) - arm * (of_lambda / J) * dJ) / J;
 }

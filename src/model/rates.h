@@ -13,7 +13,7 @@ typedef struct {
   tf_real_t Fp, Fq;   // of F = 1 N
   tf_real_t Mq;       // of M = 1 N m
   tf_real_t N;        // h' without friction [m/s^2]
-  tf_real_t A[2];     // Delassus scalar for s = +1, -1 [1/kg]
+  tf_real_t A[2];     // Delassus scalar, by the sign of g [1/kg]
   tf_real_t vz, rz;   // bounds of the two parts of q', v z and r z' [m/s^2]
   tf_force_t pinning; // holds the wheel at rest; TF_REAL_MAX where none
 } rates_t;
@@ -36,7 +36,8 @@ TF_INLINE rates_t rates_at(const tf_machine_t *k, const tf_input_t *input,
   a.Fq = r * arm / J;
   a.Mq = r / J;
   a.N = slip_from_pq(k, a.dp, a.dq).h;
-  for (int s = 0; s < 2; s++) a.A[s] = delassus_at(k, arm, s, J);
+  a.A[PLUS] = delassus_at(k, arm, PLUS, J);
+  a.A[MINUS] = delassus_at(k, arm, MINUS, J);
   a.vz = magnitude(v * z);
   a.rz = magnitude(r) *
          (magnitude(z_rate) +
@@ -49,14 +50,13 @@ TF_INLINE rates_t rates_at(const tf_machine_t *k, const tf_input_t *input,
   return a;
 }
 
-// (slidCond): h' next to h = 0 in slip+ and in slip-. s: 0 for g > 0, 1 for
-// g < 0.
+// (slidCond): h' next to h = 0 in slip+ and in slip-, by the sign of g.
 typedef struct {
   tf_real_t plus, minus;
 } slip_limits_t;
 
 TF_INLINE slip_limits_t slip_limits(const tf_machine_t *k, const rates_t *a,
-                                    int s) {
+                                    sign_t s) {
   const tf_real_t Amu = a->A[s] * k->contact.tyre.mu;
   return (slip_limits_t){a->N - Amu, a->N + Amu};
 }
@@ -67,10 +67,10 @@ TF_INLINE bool is_sliding(slip_limits_t h_rate) {
   return (h_rate.plus < 0) & (h_rate.minus > 0);
 }
 
-// The multiplier that keeps h at 0, as far as the law of stick has it. s: 0 for
-// g > 0, 1 for g < 0; A(s) is not 0.
+// The multiplier that keeps h at 0, as far as the law of stick has it, by the
+// sign of g; its A is not 0.
 TF_INLINE tf_real_t stick_lambda(const tf_machine_t *k, const rates_t *a,
-                                 int s) {
+                                 sign_t s) {
   return clip(a->N / a->A[s], -k->contact.tyre.mu, k->contact.tyre.mu);
 }
 

@@ -118,13 +118,14 @@ static parabola_t beyond_border(const rest_motion_t *rest, rest_rounding_t off,
   const rest_bounds_t at = rest_bounds(k->contact.rest);
   const tf_real_t mu = k->contact.tyre.mu, kappa = k->contact.stick_kappa;
   const bool pulls = is_positive(combined(rest, TF_R(-1.0), 0, 0), t);
-  const tf_real_t sign_F = pulls ? TF_R(-1.0) : TF_R(1.0);
+  const sign_t sign_F = pulls ? MINUS : PLUS;
   const tf_real_t most_F = at.x0 * mu + off.F + at.x1 / kappa * off.M;
   const tf_real_t most_M = at.y0 * kappa * mu + off.M + at.y1 * kappa * off.F;
-  const tf_real_t sign = i % 2 == 0 ? TF_R(-1.0) : TF_R(1.0);
-  const tf_real_t other = i < 2 ? TF_R(-1.0) : TF_R(1.0);
-  return i < 4 ? combined(rest, sign, other * at.x1 / kappa, -most_F)
-               : combined(rest, -sign_F * kappa * at.y1, sign, -most_M);
+  const tf_real_t sign = unit(i % 2 == 0 ? MINUS : PLUS);
+  const sign_t other = i < 2 ? MINUS : PLUS;
+  return i < 4
+             ? combined(rest, sign, with_sign(other, at.x1 / kappa), -most_F)
+             : combined(rest, with_sign(sign_F, -kappa * at.y1), sign, -most_M);
 }
 
 static bool leaves_the_law(const rest_motion_t *rest, rest_rounding_t off,
@@ -144,17 +145,16 @@ static bool leaves_the_law(const rest_motion_t *rest, rest_rounding_t off,
 #define STICK_BORDERS 3
 
 static bool stick_borders(const rest_motion_t *rest, rest_rounding_t off,
-                          bool minus, parabola_t above[STICK_BORDERS]) {
+                          sign_t s, parabola_t above[STICK_BORDERS]) {
   const tf_machine_t *k = rest->machine;
   const tf_real_t rotation = rest->arm * rest->inverse_J;
-  const tf_real_t A =
-      delassus_from(k, rotation * stick_arm(k, rest->arm, minus));
+  const tf_real_t A = delassus_from(k, rotation * stick_arm(k, rest->arm, s));
   if (!(A > 0)) return false;
   const tf_real_t A0 = delassus_from(k, rotation * rest->arm);
-  const tf_real_t of_M = (minus ? TF_R(1.0) : TF_R(-1.0)) * rest->r *
-                         k->sin_gamma * rest->inverse_m * rest->inverse_J / A;
+  const tf_real_t of_M = with_sign(s, -rest->r) * k->sin_gamma *
+                         rest->inverse_m * rest->inverse_J / A;
   const tf_real_t most = A * k->contact.tyre.mu - off.rates;
-  above[0] = combined(rest, -signed_kappa(k, minus) * of_M, of_M, -off.rates);
+  above[0] = combined(rest, -signed_kappa(k, s) * of_M, of_M, -off.rates);
   above[1] = combined(rest, -A0, -rotation, most);
   above[2] = combined(rest, A0, rotation, most);
   return true;
@@ -167,9 +167,9 @@ static bool all_positive(const parabola_t above[STICK_BORDERS], tf_real_t t) {
 
 // The stick with one sign of g becomes consistent.
 static bool stick_begins(const rest_motion_t *rest, rest_rounding_t off,
-                         bool minus, tf_real_t *time) {
+                         sign_t s, tf_real_t *time) {
   parabola_t above[STICK_BORDERS];
-  if (!stick_borders(rest, off, minus, above)) return false;
+  if (!stick_borders(rest, off, s, above)) return false;
   bool begins = false;
   for (int i = 0; i < STICK_BORDERS; i++) {
     const tf_real_t t = time_of_rise(above[i]);
@@ -214,8 +214,8 @@ TF_API bool tf_rest_ends(const rest_motion_t *rest, tf_real_t *time) {
   bool ends = leaves_the_law(rest, off, time);
   // RANDOM waits for its draw, which belongs to a step.
   if (rule != TF_RULE_RANDOM) {
-    ends |= stick_begins(rest, off, false, time);
-    ends |= stick_begins(rest, off, true, time);
+    ends |= stick_begins(rest, off, PLUS, time);
+    ends |= stick_begins(rest, off, MINUS, time);
   }
   if (rule == TF_RULE_SLIP_PLUS) ends |= exit_begins(rest, TF_SLIP_PLUS, time);
   if (rule == TF_RULE_SLIP_MINUS)
@@ -225,11 +225,11 @@ TF_API bool tf_rest_ends(const rest_motion_t *rest, tf_real_t *time) {
 
 // Whether the stick is consistent within a time, but not at its end.
 static bool stick_passes(const rest_motion_t *rest, rest_rounding_t off,
-                         bool minus, tf_real_t time) {
+                         sign_t s, tf_real_t time) {
   parabola_t above[STICK_BORDERS];
-  if (!stick_borders(rest, off, minus, above) || all_positive(above, time))
+  if (!stick_borders(rest, off, s, above) || all_positive(above, time))
     return false;
-  return all_positive(above, 0) || stick_begins(rest, off, minus, &time);
+  return all_positive(above, 0) || stick_begins(rest, off, s, &time);
 }
 
 static bool is_beyond_law(const rest_motion_t *rest, rest_rounding_t off,
@@ -250,6 +250,6 @@ TF_API bool tf_rest_is_interrupted(const rest_motion_t *rest, tf_real_t time) {
   const rest_rounding_t off = rounding_at_rest(rest, time);
   return law_is_left_for_a_while(rest, off, time) ||
          (rest->machine->contact.rule != TF_RULE_RANDOM &&
-          (stick_passes(rest, off, false, time) ||
-           stick_passes(rest, off, true, time)));
+          (stick_passes(rest, off, PLUS, time) ||
+           stick_passes(rest, off, MINUS, time)));
 }

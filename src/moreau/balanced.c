@@ -141,7 +141,7 @@ TF_API balanced_end_t tf_balanced_end(const tf_machine_t *k,
       slip_speeds(k, end.at.r, end.at.v, end.at.w - input->omega0);
   end.mode = slip_of_sign(slip.h, state->mode);
   if (tf_tyre_is_set_valued(k->contact.tyre.law))
-    end.delassus = delassus_at(k, end.at.r * k->cos_gamma, slip.g < 0,
+    end.delassus = delassus_at(k, end.at.r * k->cos_gamma, sign_of(slip.g),
                                inertia_at(k, end.at.r));
   return end;
 }

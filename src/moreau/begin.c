@@ -36,7 +36,7 @@ static unsigned possible_modes(const tf_machine_t *k, instant_t *at) {
     return TF_MODE_BIT(slip.h < 0 ? TF_SLIP_MINUS : TF_SLIP_PLUS);
   if (slip.h > at->rounding) return TF_MODE_BIT(TF_SLIP_PLUS);
   if (slip.h < -at->rounding) return TF_MODE_BIT(TF_SLIP_MINUS);
-  surface_modes(k, &at->rates, slip.g < 0, &at->modes);
+  surface_modes(k, &at->rates, sign_of(slip.g), &at->modes);
   return at->modes.solutions.set;
 }
 
@@ -55,9 +55,9 @@ static unsigned first_mode(unsigned set, unsigned preferred) {
 
 static tf_force_t first_force(const tf_machine_t *k, const instant_t *at,
                               unsigned mode) {
-  const int s = at->slip.g < 0;
+  const sign_t s = sign_of(at->slip.g);
   if (is_slip(mode))
-    return tf_tyre_force(&k->contact.tyre, mode ? TF_R(-1.0) : 1, at->slip.h,
+    return tf_tyre_force(&k->contact.tyre, unit(sign_in(mode)), at->slip.h,
                          at->slip.g);
   const tf_real_t lambda = at->modes.lambda[s];
   return (tf_force_t){lambda, signed_kappa(k, s) * lambda};
@@ -102,7 +102,7 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
   report->choices = (uint8_t)size_of(report->set);
   report->slip = at.slip;
   report->delassus = tf_tyre_is_set_valued(machine->contact.tyre.law)
-                         ? at.rates.A[at.slip.g < 0]
+                         ? at.rates.A[sign_of(at.slip.g)]
                          : 0;
   report->residual = 0;
   report->status = TF_OK;

@@ -52,13 +52,12 @@ static bool signs_agree(const free_motion_t *c, unsigned mode,
 static bool rests_at_g_zero(const free_motion_t *c, const inclusion_t *in,
                             const tf_contact_modes_t *s, unsigned mode,
                             tf_real_t rounding) {
-  const bool minus = mode == TF_STICK_MINUS;
-  const quadratic_t h = along(&in->h, minus);
-  const tf_real_t x = minus ? s->x[1] : s->x[0];
+  const sign_t sign = sign_in(mode);
+  const quadratic_t h = along(&in->h, sign);
   if (!(s->attracting & TF_MODE_BIT(mode)) ||
       slip_plus_solves(&h) != slip_minus_solves(&h))
     return false;
-  const forced_end_t end = end_by(c, stick_multipliers(x, minus));
+  const forced_end_t end = end_by(c, stick_multipliers(s->x[sign], sign));
   const tf_real_t g = end_slip(c, &end).g;
   const tf_real_t change = g - in->g_now;
   const bool decays = within(g, magnitude(in->g_now));
@@ -70,21 +69,21 @@ static bool rests_at_g_zero(const free_motion_t *c, const inclusion_t *in,
 // mode, share, sum and from count. A stick comes there if it solves but with
 // the other sign of g. One whose g is already past 0, and not by rounding, has
 // left that point.
-static codim2_course_t arrival_of_stick(const inclusion_t *in, int s,
+static codim2_course_t arrival_of_stick(const inclusion_t *in, sign_t s,
                                         tf_real_t rounding) {
   const quadratic_t h = along(&in->h, s), g = along(&in->g, s);
   const tf_real_t x = root_within(h.c0, h.c1, h.c2);
   const tf_real_t end = quadratic_at(&g, x);
   const bool comes =
-      s ? in->g_now < rounding && end >= 0 : in->g_now > -rounding && end <= 0;
+      with_sign(s, in->g_now) > -rounding && with_sign(s, end) <= 0;
   const tf_real_t change = in->g_now - end;
   const tf_real_t share =
       comes && change != 0 ? clip(in->g_now / change, 0, 1) : 0;
   const bool solves = slip_plus_solves(&h) == slip_minus_solves(&h);
   return (codim2_course_t){.mode = comes && solves ? TF_PINNED : TF_NO_MODE,
                            .share = share,
-                           .sum = {share * x, s ? -share * x : share * x},
-                           .from = s ? TF_STICK_MINUS : TF_STICK_PLUS};
+                           .sum = stick_multipliers(share * x, s),
+                           .from = stick_with(s)};
 }
 
 // How h and g change at h = g = 0 over a whole step. Where the turntable under
@@ -249,7 +248,7 @@ static bool may_miss(tf_slip_t now, tf_slip_t end, bool is_lost, unsigned set) {
 static codim2_course_t course_of_slip(const free_motion_t *c,
                                       const codim2_field_t *field) {
   return tf_codim2_course(&TF_STEP_MACHINE(c)->contact, field, c->start.slip,
-                          c->state->mode == TF_SLIP_PLUS ? 1 : -1);
+                          c->state->mode == TF_SLIP_PLUS ? PLUS : MINUS);
 }
 
 // A slip that has h = g = 0 within reach. It is TF_COARSE where no force of the
@@ -298,7 +297,7 @@ static void end_at_codim2(const free_motion_t *c, const inclusion_t *in,
       to->end = tf_mode_end(c, s, mode);
       return;
     }
-    arrival = arrival_of_stick(in, mode == TF_STICK_MINUS, rounding);
+    arrival = arrival_of_stick(in, sign_in(mode), rounding);
   }
   consistent_modes_t modes = {.solutions = {.set = 0}};
   const bool comes = arrival.mode == TF_PINNED;
@@ -338,7 +337,7 @@ TF_API void tf_codim2_end(free_motion_t *c, inclusion_t *in, step_end_t *to) {
     return;
   }
   to->outcome.delassus =
-      step_delassus(TF_STEP_MACHINE(c), in, end_slip(c, &to->end).g < 0);
+      step_delassus(TF_STEP_MACHINE(c), in, sign_of(end_slip(c, &to->end).g));
   if (misses_end_of_rest(c, to->outcome.mode)) to->outcome.status = TF_COARSE;
 }
 

@@ -144,7 +144,7 @@ static void enumerate_all(work_t *restrict work) {
     tf_form_t f = form_of(&work->h, i);
     f.cy = flip_sign(minus, f.cy);
     f.cxy = flip_sign(minus, f.cxy);
-    const quadratic_t h = along(&f, 0);
+    const quadratic_t h = along(&f, PLUS);
     const mask_t up = when(slip_plus_solves(&h));
     const mask_t down = when(slip_minus_solves(&h)), one = up ^ down;
     const mask_t stick = (minus & TF_MODE_BIT(TF_STICK_MINUS)) |
@@ -185,7 +185,7 @@ static void shares_of(const tf_machine_t *restrict k,
   for (int n = 0; n < GROUP; n++) {
     const int i = from + n;
     const tf_form_t g = form_of(&work->g, i);
-    const quadratic_t g0 = along(&g, 0), g1 = along(&g, 1);
+    const quadratic_t g0 = along(&g, PLUS), g1 = along(&g, MINUS);
     const mask_t up0 = when(g0.at_upper > 0), down0 = when(g0.at_lower > 0);
     const mask_t up1 = when(g1.at_upper < 0), down1 = when(g1.at_lower < 0);
     const mask_t up = ~(up0 | up1);
@@ -217,7 +217,7 @@ static void slips_of(int from, const group_t *restrict group,
     const int i = from + n;
     const mask_t both = ~(work->above[i] | work->below[i]);
     const tf_form_t h = form_of(&work->h, i);
-    const quadratic_t h0 = along(&h, 0), h1 = along(&h, 1);
+    const quadratic_t h0 = along(&h, PLUS), h1 = along(&h, MINUS);
     const tf_real_t p0 = h0.at_upper, p1 = h1.at_upper;
     const tf_real_t m0 = h0.at_lower, m1 = h1.at_lower;
     const mask_t up = group->open[0][n], down = group->open[1][n];
@@ -259,8 +259,8 @@ static void sticks_of(const tf_machine_t *restrict k, int from,
     const int i = from + n;
     const mask_t both = ~(work->above[i] | work->below[i]);
     const tf_form_t h = form_of(&work->h, i), g = form_of(&work->g, i);
-    const quadratic_t h0 = along(&h, 0), h1 = along(&h, 1);
-    const quadratic_t g0 = along(&g, 0), g1 = along(&g, 1);
+    const quadratic_t h0 = along(&h, PLUS), h1 = along(&h, MINUS);
+    const quadratic_t g0 = along(&g, PLUS), g1 = along(&g, MINUS);
     const mask_t one0 =
         when(slip_plus_solves(&h0)) ^ when(slip_minus_solves(&h0));
     const mask_t one1 =
@@ -268,8 +268,8 @@ static void sticks_of(const tf_machine_t *restrict k, int from,
     const lane_root_t root = lane_root(h1.c0, h1.c1, h1.c2);
     const tf_real_t g_end0 = quadratic_at(&g0, work->root[0][i]);
     const tf_real_t g_end1 = quadratic_at(&g1, root.x);
-    const mask_t rolls0 = when(has_sign_of_g(g_end0, 0, true));
-    const mask_t rolls1 = when(has_sign_of_g(g_end1, 1, true));
+    const mask_t rolls0 = when(has_sign_of_g(g_end0, PLUS, true));
+    const mask_t rolls1 = when(has_sign_of_g(g_end1, MINUS, true));
     const linear_t l = linear_of(work, 0, i);
     const tf_force_t pin = lane_pin(k, can, &l);
     const tf_real_t x = pin.F * k->contact.inv_mu,

@@ -85,7 +85,7 @@ TF_API void tf_least_violation(free_motion_t *c, inclusion_t *in, unsigned set,
     to->outcome.mode = mode;
     to->end = end;
   }
-  to->outcome.delassus = step_delassus(k, in, end_slip(c, &to->end).g < 0);
+  to->outcome.delassus = step_delassus(k, in, sign_of(end_slip(c, &to->end).g));
 }
 
 // Whether a force that turns changes the velocities by an amount that differs
@@ -96,8 +96,7 @@ static bool turns_much(const free_motion_t *c, const inclusion_t *in,
   const tf_machine_t *k = TF_STEP_MACHINE(c);
   const tf_state_t *x = c->state;
   const bool ends = !is_slip(to->outcome.mode);
-  const unsigned slip = ends ? x->mode : to->outcome.mode;
-  const tf_real_t side = slip == TF_SLIP_MINUS ? TF_R(-1.0) : 1;
+  const sign_t side = sign_in(ends ? x->mode : to->outcome.mode);
   multipliers_t m =
       slip_multipliers(&k->contact.tyre, side, start_slip(c), true);
   if (ends) {
@@ -166,7 +165,8 @@ static void end_of_slip(end_kind_t kind, free_motion_t *c, inclusion_t *in,
   if (ends_by_impulse(k, c->state, to)) {
     if (tf_end_along_course(c, in, to->outcome.set & ~TF_MODE_BIT(TF_PINNED),
                             to))
-      to->outcome.delassus = step_delassus(k, in, end_slip(c, &to->end).g < 0);
+      to->outcome.delassus =
+          step_delassus(k, in, sign_of(end_slip(c, &to->end).g));
     else
       coarse = true;
   }

@@ -66,10 +66,9 @@ typedef struct {
 } stall_force_t;
 
 static stall_force_t force_in_stick(const tf_machine_t *k, const rates_t *rates,
-                                    end_rates_t terms, tf_real_t r,
-                                    bool minus) {
-  const tf_real_t kappa = signed_kappa(k, minus), A = rates->A[minus];
-  const tf_real_t lambda = stick_lambda(k, rates, minus);
+                                    end_rates_t terms, tf_real_t r, sign_t s) {
+  const tf_real_t kappa = signed_kappa(k, s), A = rates->A[s];
+  const tf_real_t lambda = stick_lambda(k, rates, s);
   const tf_real_t off =
       (terms.dp + magnitude(r) * terms.dz) * STALL_ROUNDINGS / magnitude(A);
   return (stall_force_t){{lambda, kappa * lambda},
@@ -101,7 +100,7 @@ static stall_motion_t motion_at_end(const tf_machine_t *k, const tf_input_t *u,
   const end_rates_t terms = terms_of_rates(k, u, x, terms_of_v, force);
   const stall_force_t by =
       is_stick(x->mode)
-          ? force_in_stick(k, &rates, terms, x->r, x->mode == TF_STICK_MINUS)
+          ? force_in_stick(k, &rates, terms, x->r, sign_in(x->mode))
           : force_in_slip(k, force, slip_from_pq(k, p, x->r * z), v_off);
   const tf_real_t J = inertia_at(k, x->r), arm = x->r * k->cos_gamma;
   const tf_real_t p_rate = rates.dp + by.force.F * rates.Fp;

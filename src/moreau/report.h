@@ -35,8 +35,8 @@ TF_INLINE tf_real_t mode_residual(const tf_machine_t *k,
   if (!is_slip(mode))
     return law_residual(k->contact.tyre.mu, k->contact.stick_kappa, force,
                         slip.h, slip.g);
-  return law_residual(1, 0, (tf_force_t){mode == TF_SLIP_PLUS ? 1 : -1, 0},
-                      slip.h, slip.g);
+  return law_residual(1, 0, (tf_force_t){unit(sign_in(mode)), 0}, slip.h,
+                      slip.g);
 }
 
 TF_INLINE tf_status_t refuse_step(tf_report_t *report, tf_status_t status) {

@@ -208,7 +208,7 @@ TF_INLINE unsigned choose_mode(const tf_machine_t *k, const tf_state_t *state,
 // within the step, and the step cannot know which does so first. The force
 // turns if it is not that of the start: the true one changes its direction
 // within the step and may differ from both.
-TF_INLINE forced_end_t slip_end(const free_motion_t *c, tf_real_t side,
+TF_INLINE forced_end_t slip_end(const free_motion_t *c, sign_t side,
                                 tf_real_t tau, bool rare) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
   const tf_slip_t now = start_slip(c);
@@ -222,7 +222,7 @@ TF_INLINE forced_end_t slip_end(const free_motion_t *c, tf_real_t side,
       slip_multipliers(&k->contact.tyre, side, at, rare);
   forced_end_t end = end_by(c, theta);
   end.turns = force_turns(first, theta);
-  if (side * end_slip(c, &end).h > 0) return end;
+  if (unit(side) * end_slip(c, &end).h > 0) return end;
   const multipliers_t limit = limit_multipliers(side, tau);
   end = end_by(c, limit);
   end.turns = force_turns(first, theta) || force_turns(first, limit);
@@ -253,26 +253,30 @@ TF_INLINE forced_end_t mode_end(const free_motion_t *c,
                                 bool rare) {
   if (mode == TF_PINNED) return pinned_end(c);
   // No index that is known only at run time: the arrays stay in registers.
-  if (is_slip(mode))
-    return slip_end(c, mode == TF_SLIP_PLUS ? TF_R(1.0) : TF_R(-1.0),
-                    mode == TF_SLIP_PLUS ? s->tau[0] : s->tau[1], rare);
-  const tf_real_t x = mode == TF_STICK_PLUS ? s->x[0] : s->x[1];
-  return end_by(c, stick_multipliers(x, mode != TF_STICK_PLUS));
+  if (is_slip(mode)) {
+    const bool up = mode == TF_SLIP_PLUS;
+    return slip_end(c, up ? PLUS : MINUS, up ? s->tau[PLUS] : s->tau[MINUS],
+                    rare);
+  }
+  const bool up = mode == TF_STICK_PLUS;
+  return end_by(
+      c, stick_multipliers(up ? s->x[PLUS] : s->x[MINUS], up ? PLUS : MINUS));
 }
 
 // The Delassus scalar of stick at the end of the step, by the sign of g.
 TF_INLINE tf_real_t step_delassus(const tf_machine_t *k, const inclusion_t *in,
-                                  bool minus) {
-  return delassus_of_slope(k,
-                           minus ? in->h.cx - in->h.cy : in->h.cx + in->h.cy);
+                                  sign_t s) {
+  return delassus_of_slope(
+      k, s == PLUS ? in->h.cx + in->h.cy : in->h.cx - in->h.cy);
 }
 
 // The same where g+ can have these signs, at the end of the step.
 TF_INLINE tf_real_t end_delassus(const free_motion_t *c, const inclusion_t *in,
                                  unsigned signs, const forced_end_t *end) {
-  const bool minus =
-      signs == BOTH_SIGNS ? end_slip(c, end).g < 0 : signs == MINUS_SIGN;
-  return step_delassus(TF_STEP_MACHINE(c), in, minus);
+  const sign_t s = signs == BOTH_SIGNS   ? sign_of(end_slip(c, end).g)
+                   : signs == MINUS_SIGN ? MINUS
+                                         : PLUS;
+  return step_delassus(TF_STEP_MACHINE(c), in, s);
 }
 
 #endif

@@ -46,7 +46,7 @@ static void begin_at_release(trajectory_t *path, const tf_machine_t *k,
   path->mode = mode;
   path->force.F = (tf_real_t)lambda;
   path->segment.contact = CONTACT_STICK;
-  path->segment.sign_g = s ? -1 : 1;
+  path->segment.sign_g = s ? MINUS : PLUS;
   /* A force f changes N by -sin f/m - r cos d f/J. */
   const real missing = wide(rates.A[s]) * lambda - wide(rates.N);
   const real J = wide(inertia_at(k, r)), sine = wide(k->sin_gamma);
@@ -72,7 +72,8 @@ TEST(released_slip_begins_with_its_order) {
     CHECK(tf_next_segment(&path, EVENT_RELEASE) && tf_begin_series(&path));
     const real h1 =
         wide(slip_from_pq(&k, path.motion.p.c[1], path.motion.q.c[1]).h);
-    const int sign = path.segment.sign_h, order = path.segment.h_zero_order;
+    const real sign = wide(unit(path.segment.sign_h));
+    const int order = path.segment.h_zero_order;
     if (A > 0)
       CHECK_NEAR(h1, 0, 1e5L * EPSILON);
     else
@@ -143,7 +144,8 @@ TEST(stick_ends_where_the_delassus_scalar_vanishes) {
     motion.q.c[0] = (tf_real_t)sign * k.sin_gamma;
     motion.r = (series_t){{about + uniform(-0.1, 0.1), uniform(-0.5, 0.5),
                            uniform(-0.5, 0.5), uniform(-0.5, 0.5)}};
-    const segment_t segment = {.contact = CONTACT_STICK, .sign_g = sign};
+    const segment_t segment = {.contact = CONTACT_STICK,
+                               .sign_g = sign < 0 ? MINUS : PLUS};
     tf_real_t time = -1;
     const event_t event = tf_next_event(&motion, &segment, 1, &time);
     const real A = delassus_after(&paper, &motion, 0, sign);

@@ -174,7 +174,7 @@ TEST(slip_takes_its_course) {
     const tf_slip_t slip = {(tf_real_t)(distance * (real)side * cosl(start)),
                             (tf_real_t)(distance * sinl(start))};
     const codim2_course_t is =
-        tf_codim2_course(&c.k.contact, &c.field, slip, side);
+        tf_codim2_course(&c.k.contact, &c.field, slip, side < 0 ? MINUS : PLUS);
     const followed_t want = followed(&c.at, side, start, distance);
     if (want.sticks) {
       leaves_h += is.mode != (side > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS);
@@ -215,7 +215,7 @@ TEST(a_course_ends_with_the_signs_of_its_mode) {
                             (tf_real_t)(time * (-g + off * h))};
     if (!((tf_real_t)side * slip.h > 0)) continue;
     const codim2_course_t is =
-        tf_codim2_course(&c.k.contact, &c.field, slip, side);
+        tf_codim2_course(&c.k.contact, &c.field, slip, side < 0 ? MINUS : PLUS);
     const tf_slip_t end = is.slip;
     ends[is.mode]++;
     if (is.mode == TF_SLIP_PLUS) wrong += !(end.h >= 0);
@@ -241,6 +241,6 @@ TEST(a_field_that_is_no_number_has_no_course) {
   const codim2_field_t field = {{none, 1, 1}, {1, none, 1}, {2, 2}};
   for (int side = -1; side <= 1; side += 2)
     CHECK(tf_codim2_course(&k.contact, &field, (tf_slip_t){(tf_real_t)side, 1},
-                           side)
+                           side < 0 ? MINUS : PLUS)
               .mode == TF_NO_MODE);
 }

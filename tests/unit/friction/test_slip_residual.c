@@ -17,23 +17,26 @@ TEST(slip_law_at_codimension_two_takes_every_angle) {
                                          (tf_real_t)(side * fabs(cos(angle))),
                                          (tf_real_t)sin(angle));
     const tf_force_t off = {law.F, law.M + (law.M < 0 ? TF_R(-1.0) : 1)};
-    CHECK_NEAR(slip_law_residual(tyre, side, law, rest), 0, close);
-    CHECK_NEAR(slip_law_residual(tyre, side, off, rest), 1, close);
+    CHECK_NEAR(slip_law_residual(tyre, side < 0 ? MINUS : PLUS, law, rest), 0,
+               close);
+    CHECK_NEAR(slip_law_residual(tyre, side < 0 ? MINUS : PLUS, off, rest), 1,
+               close);
   }
   /* On h = 0 alone the angle is known: one force, and how far from it. */
   for (int side = -1; side <= 1; side += 2) {
     const tf_slip_t slip = {0, TF_R(0.25)};
     tf_force_t force = tf_tyre_force(tyre, (tf_real_t)side, 0, slip.g);
-    CHECK(slip_law_residual(tyre, side, force, slip) == 0);
+    CHECK(slip_law_residual(tyre, side < 0 ? MINUS : PLUS, force, slip) == 0);
     force.M += 1;
-    CHECK_NEAR(slip_law_residual(tyre, side, force, slip), 1, close);
+    CHECK_NEAR(slip_law_residual(tyre, side < 0 ? MINUS : PLUS, force, slip), 1,
+               close);
   }
   /* Nothing of the law is larger than 4/3 mu, which goes without a moment. */
   const tf_force_t strong = {2 * tyre->mu, 0};
-  CHECK_NEAR(slip_law_residual(tyre, 1, strong, rest), 2 * (real)tyre->mu / 3,
-             close);
+  CHECK_NEAR(slip_law_residual(tyre, PLUS, strong, rest),
+             2 * (real)tyre->mu / 3, close);
   const tf_force_t backward = {-tyre->mu, 0};
-  CHECK(slip_law_residual(tyre, 1, backward, rest) >= 2 * tyre->mu);
+  CHECK(slip_law_residual(tyre, PLUS, backward, rest) >= 2 * tyre->mu);
 }
 
 /* Without contact every force is off, whatever slips. */

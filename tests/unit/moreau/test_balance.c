@@ -175,7 +175,8 @@ static int end_near_codim2(const tf_machine_t *k, const tf_state_t *x,
   const codim2_field_t field = {{in.h.c0 - now->h, in.h.cx, in.h.cy},
                                 {in.g.c0 - now->g, in.g.cx, in.g.cy},
                                 {2, 2}};
-  *course = tf_codim2_course(&k->contact, &field, *now, now->h > 0 ? 1 : -1);
+  *course =
+      tf_codim2_course(&k->contact, &field, *now, now->h > 0 ? PLUS : MINUS);
   return 1;
 }
 

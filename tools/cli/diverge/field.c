@@ -19,6 +19,6 @@ cli_field_t cli_wide_field_at(const cli_wide_t *given, cli_point_t at) {
       .N = a.N,
       .A = {a.A[0], a.A[1]},
       .p_F = a.Fp,
-      .stick_arm = {stick_arm(&k, arm, false), stick_arm(&k, arm, true)},
+      .stick_arm = {stick_arm(&k, arm, PLUS), stick_arm(&k, arm, MINUS)},
       .J = inertia_at(&k, at.r)};
 }
