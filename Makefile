@@ -66,7 +66,7 @@ SRC_FLAGS_taylor := -fno-tree-vectorize
 # The command line says of which commit it is, and of which sources: of one
 # commit there are as many as somebody changes them.
 SOURCES := $(sort $(CORE) $(CLI) $(wildcard include/*.h include/*/*.h \
-  src/*/*.h tools/cli/*.h tools/cli/*/*.h))
+  src/*/*.h tools/*.h tools/cli/*.h tools/cli/*/*.h))
 COMMIT := echo $$(git describe --always --dirty --exclude='*' 2>/dev/null || \
   echo unknown)-$$(cat $(SOURCES) | cksum | cut -d ' ' -f 1)
 TOOL_FLAGS_commit = -DTF_COMMIT='"$(shell $(COMMIT))"'

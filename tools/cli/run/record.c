@@ -81,7 +81,7 @@ bool cli_run_save(cli_run_t *run, const char *path) {
   }
   const cli_setup_t setup = cli_run_setup(run);
   const cli_stand_t stand = {run->system.state,
-                             run->system.compensation,
+                             run->system.low,
                              run->report,
                              cli_inputs_hash(&run->drive.table),
                              run->replay.simulation,
@@ -164,7 +164,7 @@ int cli_run_go_on(cli_run_t *run, const cli_args_t *args, cli_setup_t *setup) {
   take_inputs(run, args, stand);
   setup->seed = stand->state.seed;
   run->system.state = stand->state;
-  run->system.compensation = stand->compensation;
+  run->system.low = stand->compensation;
   run->report = stand->report;
   run->first = run->done = stand->state.tick;
   (void)cli_drive_begin(&run->drive, &setup->machine, run->first);

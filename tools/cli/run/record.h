@@ -37,7 +37,7 @@ int cli_replay_begin(cli_replay_t *replay, cli_setup_t *setup,
 /// report: in/out, of the last step; where a command puts another state in the
 /// place of the one that it led to, that of the other state.
 /// Returns: whether there is a next step; not where replay->failed is set.
-bool cli_replay_next(cli_replay_t *replay, cli_system_t *system,
+bool cli_replay_next(cli_replay_t *replay, motion_t *system,
                      const tf_scene_t *scene, tf_report_t *report,
                      tf_input_t *input);
 
@@ -109,7 +109,7 @@ typedef struct {
   uint64_t written;         ///< step of the last row
   cli_frames_t frames;      ///< where the rows are that
   cli_glance_t glance;      ///< where they are for a person who looks
-  cli_system_t system;
+  motion_t system;
   tf_report_t report; ///< of the last step that was taken
   tf_status_t status; ///< of the last step that was tried
   cli_end_t end;

@@ -21,7 +21,7 @@ int cli_replay_read(cli_replay_t *replay, const char *path,
                     const cli_scheme_t **scheme) {
   CLI_TRY(cli_session_read(&replay->session, path));
   const uint8_t there = replay->session.schema.data[SCHEMA_SCHEME];
-  if (*scheme == NULL && there < CLI_SCHEMES) {
+  if (*scheme == NULL && there < MOTION_SCHEMES) {
     *scheme = &cli_schemes[there];
   }
   return CLI_DONE;
@@ -80,7 +80,7 @@ static int compare(const cli_replay_t *replay, const cli_setup_t *setup,
     return cli_message(CLI_REFUSED,
                        "--replay %s: the scheme of the board is %s, not %s",
                        replay->session.name,
-                       schema[SCHEMA_SCHEME] < CLI_SCHEMES
+                       schema[SCHEMA_SCHEME] < MOTION_SCHEMES
                            ? cli_schemes[schema[SCHEMA_SCHEME]].name
                            : "unknown",
                        scheme->name);
@@ -162,7 +162,7 @@ static void look_again(const tf_simulation_t *simulation,
   }
 }
 
-bool cli_replay_next(cli_replay_t *replay, cli_system_t *system,
+bool cli_replay_next(cli_replay_t *replay, motion_t *system,
                      const tf_scene_t *scene, tf_report_t *report,
                      tf_input_t *input) {
   tf_simulation_t *simulation = &replay->simulation;

@@ -96,12 +96,11 @@ static bool next_input(cli_run_t *run, tf_input_t *input) {
 // Returns: whether a step was taken.
 static bool take_step(cli_run_t *run) {
   tf_input_t input;
-  tf_report_t report;
   if (!run->replays && run->replay.simulation.source == TF_INPUT_SCENE) {
     run->status = cli_drive_take(&run->drive, run->scheme, run->setup,
-                                 &run->system, &input, &report);
+                                 &run->system, &input);
   } else if (next_input(run, &input)) {
-    run->status = run->scheme->step(&run->system, &input, &report);
+    run->status = cli_step(&run->drive, run->scheme, &run->system, &input);
   } else {
     return false;
   }
@@ -110,7 +109,7 @@ static bool take_step(cli_run_t *run) {
     return false;
   }
   run->done++;
-  cli_run_observe(run, &report);
+  cli_run_observe(run, &run->system.report);
   return true;
 }
 
@@ -416,9 +415,9 @@ static int prepare_and_perform(cli_run_t *run, cli_setup_t *setup,
   }
   run->setup = setup;
   run->args = args;
-  run->report = setup->report;
-  cli_system_begin(&run->system, run->scheme, setup, &run->report);
-  run->system.accuracy = (tf_real_t)args->accuracy;
+  cli_system_begin(&run->system, run->scheme, setup);
+  run->report = run->system.report;
+  run->drive.accuracy = (tf_real_t)args->accuracy;
   run->events.limit = args->listed;
   run->end = CLI_ENDED;
   if (args->from != NULL) {

@@ -163,7 +163,7 @@ static int differs(const reader_t *reader, const char *what, const char *there,
 static int read_scheme(reader_t *reader, const cli_scheme_t **scheme) {
   const char *here = *scheme != NULL ? (*scheme)->name : NULL;
   const char *there = next_value(reader, "scheme");
-  for (size_t i = 0; there != NULL && i < CLI_SCHEMES; i++) {
+  for (size_t i = 0; there != NULL && i < MOTION_SCHEMES; i++) {
     if (strcmp(there, cli_schemes[i].name) == 0) {
       *scheme = &cli_schemes[i];
       return here == NULL || strcmp(there, here) == 0

@@ -206,13 +206,13 @@ static void print_quality(const cli_run_t *run) {
           run->largest_residual);
   if (run->args->accuracy > 0) {
     cli_say("estimate   a step is off by %.3g at most\n",
-            (double)run->system.error);
+            (double)run->drive.error);
   }
 }
 
 static void print_final(const cli_run_t *run) {
   const tf_state_t *state = &run->system.state;
-  const tf_compensation_t *compensation = &run->system.compensation;
+  const tf_compensation_t *compensation = &run->system.low;
   cli_say("final      r = %.9g m, v = %.9g m/s, omega = %.9g rad/s",
           (double)state->r + (double)compensation->r,
           (double)state->v + (double)compensation->v,
@@ -366,7 +366,7 @@ static void put_quality(const cli_run_t *run) {
   cli_put_double("largest_h_in_stick", run->largest_h);
   cli_put_double("largest_residual", run->largest_residual);
   cli_put_double("largest_error", run->args->accuracy > 0
-                                      ? (double)run->system.error
+                                      ? (double)run->drive.error
                                       : (double)NAN);
 }
 

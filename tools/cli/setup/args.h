@@ -3,6 +3,7 @@
 /// given is 0 otherwise. And the commands, which get it.
 #pragma once
 
+#include "../../motion.h"
 #include "../text/shard.h"
 #include "inputs.h"
 
@@ -104,39 +105,21 @@ int cli_sweep_check(cli_args_t *args);
 int cli_read_over(void *args, const cli_given_t *given);
 int cli_read_outcome(void *args, const cli_given_t *given);
 
-// The time stepping schemes of `run`, as functions of one signature.
-
-/// Machine and state, with what the compensated scheme adds to both. The other
-/// schemes leave the compensation 0.
-typedef struct {
-  tf_compensated_t machine;
-  tf_state_t state;
-  tf_compensation_t compensation;
-  tf_real_t accuracy; ///< of moreau; 0: its error is not estimated
-  tf_real_t error;    ///< the largest of its steps
-} cli_system_t;
-
-/// One step of a scheme.
-typedef tf_status_t (*cli_step_t)(cli_system_t *system, const tf_input_t *input,
-                                  tf_report_t *report);
+// The time stepping schemes of `run`.
 
 typedef struct {
-  const char *name; ///< as on the command line
-  uint8_t code;     ///< as in the schema frame
-  cli_step_t step;
-  bool splits;        ///< steps are split at the rows of a linear table
-  unsigned laws;      ///< bit set of the tf_tyre_law_t that it accepts
-  const char *unused; ///< name of a parameter that it does not use ...
-  const char *why;    ///< ... and the end of the message "... has no effect"
+  const char *name;     ///< as on the command line
+  motion_scheme_t code; ///< as in the schema frame
+  const char *unused;   ///< name of a parameter that it does not use ...
+  const char *why;      ///< ... and the end of the message "... has no effect"
 } cli_scheme_t;
 
 /// Largest number of steps of a run, and between two rows: a double holds every
 /// integer up to it.
 #define CLI_MAX_STEPS 1000000000000000u
 
-#define CLI_SCHEMES 3
-/// The first is the default.
-extern const cli_scheme_t cli_schemes[CLI_SCHEMES];
+/// By their code; the first is the default.
+extern const cli_scheme_t cli_schemes[MOTION_SCHEMES];
 
 /// The scheme that is asked for. Where none is, that of the state or the record
 /// that a run goes on from (there; NULL: none); else moreau, and in float at
@@ -150,15 +133,19 @@ int cli_check_law(const cli_scheme_t *scheme, tf_tyre_law_t law);
 tf_real_t cli_end_of(const cli_args_t *args);
 int cli_count_steps(const cli_args_t *args, tf_real_t dt, uint64_t *steps);
 
-/// Takes a step of a setup's machine under what drives it, from system->state.
-/// A scheme that splits steps takes one for each part; the report then has the
-/// largest set of them, and the first status that is not TF_OK.
+/// One step, which is taken as two halves, too, where drive->accuracy is not 0.
+/// Returns: as motion_step.
+tf_status_t cli_step(cli_drive_t *drive, const cli_scheme_t *scheme,
+                     motion_t *motion, const tf_input_t *input);
+
+/// Takes a step of a setup's machine under what drives it. Those of scheme
+/// located are split at the rows of a linear table: the report then has the
+/// largest set of the parts, and the first status that is not TF_OK.
 /// input: out, that of the step, or of its last part.
 tf_status_t cli_drive_take(cli_drive_t *drive, const cli_scheme_t *scheme,
-                           const cli_setup_t *setup, cli_system_t *system,
-                           tf_input_t *input, tf_report_t *report);
+                           const cli_setup_t *setup, motion_t *motion,
+                           tf_input_t *input);
 
-/// Puts a system into the initial state of a setup, compensated or not.
-/// report: in/out, of tf_begin.
-void cli_system_begin(cli_system_t *system, const cli_scheme_t *scheme,
-                      const cli_setup_t *setup, tf_report_t *report);
+/// Begins a motion at the start of a setup.
+void cli_system_begin(motion_t *motion, const cli_scheme_t *scheme,
+                      const cli_setup_t *setup);

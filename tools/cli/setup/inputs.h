@@ -81,6 +81,8 @@ void cli_inputs_free(cli_inputs_t *inputs);
 /// there is none.
 typedef struct {
   cli_inputs_t profile, table;
+  tf_real_t accuracy; ///< of a step of moreau; 0: its error is not estimated
+  tf_real_t error;    ///< the largest estimate
 } cli_drive_t;
 
 /// The options --inputs, NULL: not given, and --between, 1: linear.

@@ -1,49 +1,19 @@
-// The schemes as functions of one signature. A scheme leaves the parts of the
-// system that it does not use as they are, so rows, events and the summary do
-// not depend on the scheme.
+// The schemes by which the command line advances a motion, and what it says of
+// them.
 
 #include <math.h>
 
 #include "../text/message.h"
 #include "args.h"
 #include "setup.h"
-#include "twofold/compensated.h"
 #include "twofold/estimated.h"
 
-static tf_status_t step_moreau(cli_system_t *system, const tf_input_t *input,
-                               tf_report_t *report) {
-  const tf_machine_t *machine = &system->machine.machine;
-  if (!(system->accuracy > 0)) {
-    return tf_step(machine, &system->state, input, report);
-  }
-  tf_real_t error;
-  const tf_status_t status = tf_step_estimated(
-      machine, &system->state, input, system->accuracy, report, &error);
-  system->error = error > system->error ? error : system->error;
-  return status;
-}
-
-static tf_status_t step_located(cli_system_t *system, const tf_input_t *input,
-                                tf_report_t *report) {
-  return tf_step_located(&system->machine.machine, &system->state, input,
-                         report);
-}
-
-static tf_status_t step_compensated(cli_system_t *system,
-                                    const tf_input_t *input,
-                                    tf_report_t *report) {
-  return tf_step_compensated(&system->machine, &system->state,
-                             &system->compensation, input, report);
-}
-
-#define LAW(name) (1u << TF_TYRE_##name)
-#define ALL_LAWS ((1u << TF_TYRE_LAWS) - 1)
-const cli_scheme_t cli_schemes[CLI_SCHEMES] = {
-    {"moreau", 0, step_moreau, false, ALL_LAWS, "tolerance",
+const cli_scheme_t cli_schemes[MOTION_SCHEMES] = {
+    {"moreau", MOTION_MOREAU, "tolerance",
      "under --scheme moreau: it belongs to --scheme located"},
-    {"located", 1, step_located, true, LAW(JUMP) | LAW(COULOMB) | LAW(NONE),
-     "theta", "under --scheme located but where a step falls back on moreau"},
-    {"compensated", 2, step_compensated, false, ALL_LAWS, "tolerance",
+    {"located", MOTION_LOCATED, "theta",
+     "under --scheme located but where a step falls back on moreau"},
+    {"compensated", MOTION_COMPENSATED, "tolerance",
      "under --scheme compensated: it belongs to --scheme located"},
 };
 
@@ -74,13 +44,12 @@ const cli_scheme_t *cli_scheme_for(const cli_args_t *args, tf_real_t dt,
 }
 
 int cli_check_law(const cli_scheme_t *scheme, tf_tyre_law_t law) {
-  if (((scheme->laws >> (unsigned)law) & 1u) != 0) {
-    return CLI_DONE;
-  }
-  return cli_message(CLI_REFUSED,
-                     "--scheme %s: law must be jump, coulomb or none, not "
-                     "%s; --scheme moreau takes every law",
-                     scheme->name, tf_tyre_law_name(law));
+  return motion_takes_law(scheme->code, law)
+             ? CLI_DONE
+             : cli_message(CLI_REFUSED,
+                           "--scheme %s: law must be " MOTION_LOCATED_LAWS
+                           ", not %s; --scheme moreau takes every law",
+                           scheme->name, tf_tyre_law_name(law));
 }
 
 tf_real_t cli_end_of(const cli_args_t *args) {
@@ -103,22 +72,28 @@ int cli_count_steps(const cli_args_t *args, tf_real_t dt, uint64_t *steps) {
   return CLI_DONE;
 }
 
-void cli_system_begin(cli_system_t *system, const cli_scheme_t *scheme,
-                      const cli_setup_t *setup, tf_report_t *report) {
-  *system = (cli_system_t){.state = setup->state};
-  system->machine.machine = setup->machine;
-  if (scheme->step != step_compensated) {
-    return;
+// The setup has prepared and begun the same machine, so neither can fail.
+void cli_system_begin(motion_t *motion, const cli_scheme_t *scheme,
+                      const cli_setup_t *setup) {
+  motion_start_t start = {setup->state, setup->start[CLI_START_H],
+                          setup->v_from_h};
+  start.state.mode = TF_NO_MODE;
+  *motion = (motion_t){.state = {.r = 0}};
+  (void)motion_prepare(motion, scheme->code, &setup->params, NULL);
+  (void)motion_begin(motion, scheme->code, &start, &setup->input);
+}
+
+tf_status_t cli_step(cli_drive_t *drive, const cli_scheme_t *scheme,
+                     motion_t *motion, const tf_input_t *input) {
+  if (!(drive->accuracy > 0)) {
+    return motion_step(motion, scheme->code, input);
   }
-  // The setup has prepared and begun the same machine, so neither can fail.
-  (void)tf_prepare_compensated(&system->machine, &setup->params, NULL);
-  if (setup->v_from_h) {
-    (void)tf_speed_for_slip_compensated(
-        &system->machine, &system->state, &system->compensation,
-        setup->input.omega0, setup->start[CLI_START_H]);
-    (void)tf_begin(&system->machine.machine, &system->state, &setup->input,
-                   report);
-  }
+  tf_real_t error;
+  const tf_status_t status =
+      tf_step_estimated(&motion->machine.machine, &motion->state, input,
+                        drive->accuracy, &motion->report, &error);
+  drive->error = error > drive->error ? error : drive->error;
+  return status;
 }
 
 // The tick is the counter of the random generator, and each part draws for
@@ -128,25 +103,27 @@ void cli_system_begin(cli_system_t *system, const cli_scheme_t *scheme,
 #define PART_OF_TICK UINT64_C(0x6A09E667F3BCC909)
 
 tf_status_t cli_drive_take(cli_drive_t *drive, const cli_scheme_t *scheme,
-                           const cli_setup_t *setup, cli_system_t *system,
-                           tf_input_t *input, tf_report_t *report) {
-  const tf_state_t before = system->state;
+                           const cli_setup_t *setup, motion_t *motion,
+                           tf_input_t *input) {
+  const tf_state_t before = motion->state;
+  tf_report_t *report = &motion->report;
   cli_span_t rest = cli_span_of(before.tick, setup->machine.dt);
   tf_report_t met = {.status = TF_OK};
   for (uint64_t part = 0, last = 0; !last && met.status >= 0; part++) {
     cli_span_t span = rest;
-    span.to = scheme->splits ? cli_drive_next(drive, &rest) : rest.to;
+    span.to =
+        scheme->code == MOTION_LOCATED ? cli_drive_next(drive, &rest) : rest.to;
     last = !(span.to < rest.to);
     span.dt = last ? rest.dt : span.to - span.from;
     *input = cli_drive_over(drive, &setup->machine, &span);
     if (last && part == 0) {
-      return scheme->step(system, input, report);
+      return cli_step(drive, scheme, motion, input);
     }
     tf_params_t params = setup->params;
     params.dt = span.dt;
-    (void)tf_prepare(&system->machine.machine, &params, NULL);
-    system->state.tick = before.tick + part * PART_OF_TICK;
-    if (scheme->step(system, input, report) >= 0 && met.status > TF_OK) {
+    (void)motion_prepare(motion, scheme->code, &params, NULL);
+    motion->state.tick = before.tick + part * PART_OF_TICK;
+    if (cli_step(drive, scheme, motion, input) >= 0 && met.status > TF_OK) {
       report->status = met.status;
     }
     if (met.choices > report->choices) {
@@ -157,11 +134,11 @@ tf_status_t cli_drive_take(cli_drive_t *drive, const cli_scheme_t *scheme,
     rest.from = span.to;
     rest.dt -= span.dt;
   }
-  system->machine.machine = setup->machine;
+  motion->machine.machine = setup->machine;
   if (met.status < 0) {
-    system->state = before;
+    motion->state = before;
   } else {
-    system->state.tick = before.tick + 1;
+    motion->state.tick = before.tick + 1;
   }
   return met.status;
 }

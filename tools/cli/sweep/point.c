@@ -152,7 +152,7 @@ typedef struct {
   cli_setup_t setup;
   cli_drive_t drive; // its tables are those of sweep
   tf_input_t input;  // of the last step
-  cli_system_t system;
+  motion_t system;
   course_t course;
   tf_tally_t tally;
   cli_point_end_t end; // CLI_POINT_DONE while it goes on
@@ -277,9 +277,8 @@ static double energy_of(const point_t *point) {
 }
 
 static void begin(point_t *point) {
-  tf_report_t report = point->setup.report;
-  cli_system_begin(&point->system, point->sweep->scheme, &point->setup,
-                   &report);
+  cli_system_begin(&point->system, point->sweep->scheme, &point->setup);
+  const tf_report_t report = point->system.report;
   point->input = point->setup.input;
   course_t *course = &point->course; // all zero
   course->state = point->system.state;
@@ -322,10 +321,11 @@ static void note(point_t *point, uint64_t i, const tf_input_t *input,
 
 static void step_alone(point_t *point, uint64_t i) {
   tf_input_t input;
-  tf_report_t report = point->course.report;
-  report.status =
+  const tf_status_t status =
       cli_drive_take(&point->drive, point->sweep->scheme, &point->setup,
-                     &point->system, &input, &report);
+                     &point->system, &input);
+  tf_report_t report = point->system.report;
+  report.status = status;
   note(point, i, &input, &report);
 }
 

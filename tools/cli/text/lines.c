@@ -8,20 +8,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "buffer.h"
 #include "message.h"
 
 static int read_all(FILE *file, size_t most, char **text, size_t *size) {
-  size_t room = 0;
-  while (*size <= most && feof(file) == 0 && ferror(file) == 0) {
-    char *more = cli_grow(*text, *size + 1, &room, 1);
+  for (size_t room = 4096; feof(file) == 0 && ferror(file) == 0; room *= 2) {
+    char *more = *size <= most ? realloc(*text, room + 1) : NULL;
     if (more == NULL) {
-      return ENOMEM;
+      return *size <= most ? ENOMEM : 0;
     }
     *text = more;
-    const size_t left = room - *size - 1, want = most + 1 - *size;
-    *size += fread(*text + *size, 1, left < want ? left : want, file);
-    (*text)[*size] = '\0';
+    *size += fread(more + *size, 1, room - *size, file);
+    more[*size] = '\0';
   }
   return ferror(file) != 0 ? errno : 0;
 }

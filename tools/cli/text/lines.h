@@ -8,7 +8,7 @@
 
 /// Reads a file, or standard input where path is "-".
 /// option: in, for the message: that of the path with a blank, or "".
-/// most: bytes; of a longer file only one more is read.
+/// most: bytes; a longer file may be cut off, but not to fewer.
 /// text: out, from the heap, with a zero behind it; NULL after a message.
 /// Returns: CLI_DONE, CLI_USAGE, or CLI_STOPPED: no memory.
 int cli_read_text(const char *option, const char *path, size_t most,

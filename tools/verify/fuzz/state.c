@@ -24,26 +24,25 @@ typedef struct {
 static const char *make_file(file_t *file, fuzz_bytes_t *in) {
   static const cli_settings_t none = {.count = 0};
   cli_stand_t stand = {.state = {.r = 0}};
-  cli_system_t system;
+  motion_t system;
   const tf_scene_t *scene = tf_scenes[fuzz_byte(in) % TF_SCENES];
-  file->scheme = &cli_schemes[fuzz_byte(in) % CLI_SCHEMES];
+  file->scheme = &cli_schemes[fuzz_byte(in) % MOTION_SCHEMES];
   FUZZ_HOLD(cli_setup_read(&file->setup, scene, &none, NULL) == CLI_DONE);
   FUZZ_HOLD(cli_setup_machine(&file->setup) == CLI_DONE);
   FUZZ_HOLD(cli_setup_start(&file->setup) == CLI_DONE);
-  stand.report = file->setup.report;
-  cli_system_begin(&system, file->scheme, &file->setup, &stand.report);
+  cli_system_begin(&system, file->scheme, &file->setup);
   const unsigned byte = fuzz_byte(in);
   stand.held = (tf_simulation_t){.source = (tf_input_source_t)(byte / 16 % 3),
                                  .deadman = byte,
                                  .left = byte / 2,
                                  .input = file->setup.input};
   for (unsigned n = byte % 16u; n > 0; n--) {
-    tf_report_t report;
-    if (file->scheme->step(&system, &file->setup.input, &report) < 0) break;
-    stand.report = report;
+    const tf_input_t *input = &file->setup.input;
+    if (motion_step(&system, file->scheme->code, input) < 0) break;
   }
+  stand.report = system.report;
   stand.state = system.state;
-  stand.compensation = system.compensation;
+  stand.compensation = system.low;
   file->size = cli_state_print(&stand, &file->setup, file->scheme, file->text);
   FUZZ_HOLD(file->size < CLI_STATE_BYTES);
   return NULL;

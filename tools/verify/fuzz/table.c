@@ -57,8 +57,8 @@ static const char *judge(cli_inputs_t *inputs) {
 const char *fuzz_table(const uint8_t *data, size_t size) {
   if (size < 2) return NULL;
   cli_inputs_t inputs = {.linear = (data[0] & 1u) != 0};
-  const int code = cli_inputs_parse(&inputs, "fuzz.csv",
-                                    (const char *)data + 1, size - 1);
+  const int code =
+      cli_inputs_parse(&inputs, "fuzz.csv", (const char *)data + 1, size - 1);
   const char *broken = NULL;
   if (code == CLI_DONE) broken = judge(&inputs);
   cli_inputs_free(&inputs);
