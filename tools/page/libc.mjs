@@ -55,7 +55,7 @@ export function instantiate(module) {
         list = at + size;
         return at;
       };
-      const text = textAt(c, format).replace(/%(\.\*)?z?(.)/g,
+      const text = textAt(c, format).replace(/%(\.\*)?[lz]?(.)/g,
         (_, sized, kind) => {
           const size = sized ? view().getInt32(next(4), true) : 6;
           const real = () => view().getFloat64(next(8), true);
