@@ -92,32 +92,22 @@ static tf_real_t *real_at(uint32_t number) {
 
 double EXPORT(get)(uint32_t number) {
   const tf_real_t *real = real_at(number);
+  const uint32_t whole[] = {[SETUP_LAW] = setup.params.law,
+                            [SETUP_RULE] = setup.params.rule,
+                            [SETUP_REST] = setup.params.rest,
+                            [SETUP_V_IS_GIVEN] = setup.v_is_given,
+                            [SETUP_SEED] = seed};
   if (real != NULL) return *real;
-  switch (number) {
-    case SETUP_LAW:
-      return setup.params.law;
-    case SETUP_RULE:
-      return setup.params.rule;
-    case SETUP_REST:
-      return setup.params.rest;
-    case SETUP_V_IS_GIVEN:
-      return setup.v_is_given;
-    case SETUP_SEED:
-      return seed;
-    default:
-      return 0;
-  }
-}
-
-static bool is_whole(double value, double below) {
-  return value >= 0 && value < below && value <= 0xFFFFFFFFu &&
-         (double)(uint32_t)value >= value;
+  return number < SETUP_NUMBERS ? whole[number] : 0;
 }
 
 // Any number is taken: ranges are begin's. Returns: whether there is such a
 // number in a set-up and, if it is one of a list, in the list.
 bool EXPORT(set)(uint32_t number, double value) {
-  static const double below[] = {TF_TYRE_LAWS, TF_RULES, TF_REST_LAWS};
+  static const uint64_t below[SETUP_NUMBERS] = {[SETUP_LAW] = TF_TYRE_LAWS,
+                                                [SETUP_RULE] = TF_RULES,
+                                                [SETUP_REST] = TF_REST_LAWS,
+                                                [SETUP_SEED] = 1ull << 32};
   tf_real_t *real = real_at(number);
   if (real != NULL) {
     *real = value;
@@ -125,11 +115,10 @@ bool EXPORT(set)(uint32_t number, double value) {
       setup.v_is_given = number == SETUP_V;
     return true;
   }
-  if (number != SETUP_SEED && number > SETUP_REST) return false;
-  if (!is_whole(value, number == SETUP_SEED ? 4294967296.0
-                                            : below[number - SETUP_LAW]))
+  if (number >= SETUP_NUMBERS || !(value >= 0 && value < below[number]))
     return false;
   const uint32_t whole = (uint32_t)value;
+  if ((double)whole < value) return false;
   if (number == SETUP_LAW) setup.params.law = (tf_tyre_law_t)whole;
   if (number == SETUP_RULE) setup.params.rule = (tf_rule_t)whole;
   if (number == SETUP_REST) setup.params.rest = (tf_rest_law_t)whole;
