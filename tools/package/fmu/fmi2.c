@@ -3,8 +3,6 @@
 // return: the outputs `events` and `event_time` tell of what happened inside a
 // communication step.
 
-#include <string.h>
-
 #ifndef FMI2_FUNCTION_PREFIX
 #define FMI2_FUNCTION_PREFIX
 #endif
@@ -59,16 +57,12 @@ FMI_EXPORT void *FMI(Instantiate)(fmi2_string_t name, fmi2_type_t type,
                                   const fmi2_callbacks_t *callbacks,
                                   fmi2_boolean_t visible,
                                   fmi2_boolean_t logging) {
-  fmu_t teller;
-  memset(&teller, 0, sizeof teller);
-  teller.call = "fmi2Instantiate";
-  if (name != NULL) strncpy(teller.name, name, sizeof teller.name - 1);
+  fmu_t teller = fmu_teller("fmi2Instantiate", name, logging != 0);
   if (callbacks != NULL && callbacks->logger != NULL) {
     teller.environment = callbacks->environment;
     teller.logger = (void (*)(void))callbacks->logger;
     teller.emit = emit;
   }
-  teller.logs = FMU_LOG_DISCARD | (logging ? FMU_LOG_EVENTS : 0u);
   // Discard is for a step of which a part is done, and importers go on.
   teller.refusal = FMU_ERROR;
   if (type != FMI2_CO_SIMULATION) {

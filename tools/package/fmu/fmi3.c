@@ -3,8 +3,6 @@
 
 #include "fmi3.h"
 
-#include <string.h>
-
 static void emit(const fmu_t *fmu, fmu_status_t status, const char *category,
                  const char *text) {
   ((fmi3_log_t *)fmu->logger)(fmu->environment, status, category, text);
@@ -17,14 +15,10 @@ FMI_EXPORT void *FMI(InstantiateCoSimulation)(
     bool logging, bool event_mode, bool early_return,
     const uint32_t intermediate[], size_t n_intermediate, void *environment,
     fmi3_log_t *logger, fmi3_update_t *update) {
-  fmu_t teller;
-  memset(&teller, 0, sizeof teller);
-  teller.call = "fmi3InstantiateCoSimulation";
-  if (name != NULL) strncpy(teller.name, name, sizeof teller.name - 1);
+  fmu_t teller = fmu_teller("fmi3InstantiateCoSimulation", name, logging);
   teller.environment = environment;
   teller.logger = (void (*)(void))logger;
   teller.emit = logger == NULL ? NULL : emit;
-  teller.logs = FMU_LOG_DISCARD | (logging ? FMU_LOG_EVENTS : 0u);
   teller.refusal = FMU_DISCARD;
   teller.event_mode = event_mode;
   teller.early_return = early_return;

@@ -58,6 +58,15 @@ fmu_status_t fmu_reset(fmu_t *fmu) {
   return fmu_go_to(fmu, FMU_INSTANTIATED);
 }
 
+fmu_t fmu_teller(const char *call, const char *name, bool logging) {
+  fmu_t teller;
+  memset(&teller, 0, sizeof teller);
+  teller.call = call;
+  if (name != NULL) strncpy(teller.name, name, sizeof teller.name - 1);
+  teller.logs = FMU_LOG_DISCARD | (logging ? FMU_LOG_EVENTS : 0u);
+  return teller;
+}
+
 fmu_t *fmu_new(fmu_t *teller, const char *token) {
   if (token == NULL || strcmp(token, FMU_TOKEN) != 0) {
     (void)fmu_error(teller, "the token is %s, but that of this FMU is %s",

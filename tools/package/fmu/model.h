@@ -83,6 +83,9 @@ typedef struct {
   double time;
 } fmu_step_t;
 
+/// What the beginning of an instance logs through, and what it begins with.
+/// call: the function that makes it. name: NULL for none.
+fmu_t fmu_teller(const char *call, const char *name, bool logging);
 /// Takes an instance from the pool. token: in, the one of the model
 /// description. Returns: NULL after a message through `teller`, an instance
 /// that only carries the logger, where the token is wrong or the pool is empty.
