@@ -23,6 +23,11 @@ TWO_SCENES = """\
 #include "twofold_chaos.h"
 #include "twofold_smooth.h"
 """
+# Words that headers of systems take, as windows.h does.
+TAKEN = ("near", "far", "NEAR", "FAR", "IN", "OUT", "small char", "pascal",
+         "cdecl", "interface struct", "ERROR 0",
+         "min(a, b) ((a) < (b) ? (a) : (b))",
+         "max(a, b) ((a) > (b) ? (a) : (b))")
 # What the user writes behind them, and where it may contract.
 BEHIND = """\
 double behind(double a, double b, double c);
@@ -53,6 +58,17 @@ def two_files():
                 ROOT / "tests/golden/test_golden.c", built, "-lm", "-o",
                 golden)
             run(golden)
+
+
+def words_of_systems():
+    """The two files compile where headers of systems have taken words."""
+    place = folder("words")
+    (place / "taken.h").write_text("".join(f"#define {one}\n" for one in TAKEN))
+    for options in (["-include", place / "taken.h"],
+                    ["-D_GNU_SOURCE", "-include", "errno.h"]):
+        for tool, package, dialect in COMPILERS[1:4]:
+            run(need(tool, package), *dialect, *STRICT, *options, "-I", C,
+                "-fsyntax-only", C / "twofold.c")
 
 
 def scene_hash(place, name, real, compiler, source=None):
@@ -170,5 +186,5 @@ def castor():
         check(b - a < d - c, f"windings end at {a, b, c, d} s")
 
 
-TESTS = {"two-files": two_files, "scene": scene, "two-scenes": two_scenes,
-         "cpp": cpp, "castor": castor}
+TESTS = {"two-files": two_files, "words": words_of_systems, "scene": scene,
+         "two-scenes": two_scenes, "cpp": cpp, "castor": castor}
