@@ -96,9 +96,8 @@ static const topic_t topics[] = {
      "--inputs FILE --between held|linear of 'run' and 'sweep': inputs over "
      "time, from a CSV table; FILE - is standard input. The first column is t "
      "[s], which never decreases; any of these follow: omega0 [rad/s], r0 [m], "
-     "force [N], torque [N m]. Lines that begin with # are comments; '# N "
-     "rows' is how many rows there have to be. A last line without a newline "
-     "gives a warning; it is refused where the length is declared.\n"
+     "force [N], torque [N m]. Lines that begin with # are comments. A last "
+     "line without a newline gives a warning: it may be cut off.\n"
      "  held    a row holds from the first step that begins at t until the\n"
      "          next row does; its steps have its omega0 and alpha = 0, and\n"
      "          where omega0 changes, the turntable jumps as a step begins\n"
@@ -130,7 +129,7 @@ static const topic_t topics[] = {
     {"command slip_to_stick stick_to_slip slip_to_slip pinned_to_stick "
      "two_fold to scene_hash first steps asked end final list kinds "
      "largest_h_in_stick largest_residual largest_error largest seconds "
-     "output_seconds cost late latest applied passed within jumps rows last "
+     "output_seconds cost applied passed within jumps rows last "
      "t_first t_last name held changes began_with commands states left source",
      "In the summary of 'run': steps before it (first), up to its end and "
      "asked for; why and where it ended (end, final); its events (list, kinds, "
@@ -192,7 +191,17 @@ static const topic_t topics[] = {
     {"save from resume state snapshot carry",
      "run --save FILE writes the state at the end, whatever ends it; run "
      "--from FILE continues bit for bit, with the same machine, scheme and "
-     "number type."},
+     "number type. --t-end, --inputs and the name and start of the scene may "
+     "differ. Where the rows could not be written, no state is saved."},
+    {"replay record",
+     "monitor --record FILE keeps the commands that took effect on a board, "
+     "each with its step; run SCENE --replay FILE gives them to the same "
+     "functions, and compares the last state bit by bit. Where set:dt changed "
+     "the step, the column t differs from that of the board."},
+    {"realtime late latest lateness priority",
+     "run --realtime takes step n at n dt after the start. A step whose row is "
+     "not written when the next one is due counts as late; the steps after it "
+     "do not wait until the delay is made up."},
     {"shard shards parallel slurm snakemake map",
      "--shard I/N of 'diverge' and 'sweep': one of N parts of the work, "
      "whose rows one after the other are those of one run. GNU parallel, "
