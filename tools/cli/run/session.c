@@ -104,22 +104,15 @@ int cli_session_close(cli_session_file_t *file, int code) {
   return cli_output_end(&file->output, code);
 }
 
-typedef struct {
-  cli_session_t *session;
-  unsigned long line;
-  uint64_t rows;
-  bool has_header, is_whole;
-} reader_t;
-
-static int no_record(const reader_t *reader) {
+static int no_record(const cli_lines_t *lines) {
   return cli_message(CLI_USAGE, "%s:%lu: no record of 'monitor --record'",
-                     reader->session->name, reader->line);
+                     lines->name, lines->line);
 }
 
-static int cut_off(const reader_t *reader) {
+static int cut_off(const cli_lines_t *lines) {
   return cli_message(CLI_REFUSED,
                      "%s: cut off or changed: no last line counts its rows",
-                     reader->session->name);
+                     lines->name);
 }
 
 // A line is a row if it is what would be written of it. Returns: the command as
@@ -141,14 +134,13 @@ static const char *read_row(const char *line, cli_session_row_t *row) {
   return row->tick < TF_LINK_TICKS && strcmp(line, again) == 0 ? text : NULL;
 }
 
-static int take_row(reader_t *reader, const char *line) {
-  cli_session_t *session = reader->session;
+static int take_row(cli_session_t *session, const cli_lines_t *lines,
+                    const char *line, bool begins) {
   cli_session_row_t row;
-  const bool begins = reader->rows++ == 0;
   const char *text = read_row(line, &row);
   if (text == NULL || (row.type == TF_DOWN_SCHEMA) != begins ||
       (begins && row.length < SCHEMA_LEAST)) {
-    return no_record(reader);
+    return no_record(lines);
   }
   if (begins) {
     session->schema = row;
@@ -170,51 +162,47 @@ static int take_row(reader_t *reader, const char *line) {
 }
 
 // The last line has to be that of the lines before it, and the last one.
-static int take_line(reader_t *reader, const char *line) {
-  char last[LINE_ROOM];
-  cli_session_t *session = reader->session;
-  if (reader->is_whole) {
-    return cut_off(reader);
-  }
-  const size_t end = last_line(reader->rows, session->hash, last);
-  last[end - 1] = '\0';
-  reader->is_whole = strcmp(line, last) == 0;
-  if (reader->is_whole) {
-    return CLI_DONE;
-  }
-  session->hash = cli_crc(session->hash, line, strlen(line));
-  session->hash = cli_crc(session->hash, "\n", 1);
-  if (line[0] == '#') {
-    return CLI_DONE;
-  }
-  if (reader->has_header) {
-    return take_row(reader, line);
-  }
-  reader->has_header = true;
-  return strcmp(line, HEADER) == 0 ? CLI_DONE : no_record(reader);
-}
-
-static int read_lines(reader_t *reader, cli_lines_t lines) {
-  char line[LINE_ROOM];
+static int read_lines(cli_session_t *session, cli_lines_t lines) {
+  char line[LINE_ROOM], last[LINE_ROOM];
+  uint64_t rows = 0; // with the schema
+  bool has_header = false, is_whole = false;
   while (cli_next_line(&lines, line, sizeof line)) {
-    reader->line = lines.line;
-    CLI_TRY(strlen(line) == lines.length ? take_line(reader, line)
-                                         : no_record(reader));
+    if (strlen(line) != lines.length) {
+      return no_record(&lines);
+    }
+    if (is_whole) {
+      return cut_off(&lines);
+    }
+    last[last_line(rows, session->hash, last) - 1] = '\0';
+    is_whole = strcmp(line, last) == 0;
+    if (is_whole) {
+      continue;
+    }
+    session->hash = cli_crc(session->hash, line, lines.length);
+    session->hash = cli_crc(session->hash, "\n", 1);
+    if (line[0] == '#') {
+      continue;
+    }
+    if (has_header) {
+      CLI_TRY(take_row(session, &lines, line, rows++ == 0));
+    } else if (strcmp(line, HEADER) != 0) {
+      return no_record(&lines);
+    }
+    has_header = true;
   }
-  if (reader->rows == 0) {
-    return no_record(reader);
+  if (rows == 0) {
+    return no_record(&lines);
   }
-  return reader->is_whole ? CLI_DONE : cut_off(reader);
+  return is_whole ? CLI_DONE : cut_off(&lines);
 }
 
 int cli_session_read(cli_session_t *session, const char *path) {
-  reader_t reader = {.session = session};
   cli_lines_t lines = {.name = path};
   char *text = NULL;
   CLI_TRY(cli_read_text("--replay ", path, SIZE_MAX - 1, &text, &lines.size));
   lines.text = text;
   session->name = path;
-  const int code = read_lines(&reader, lines);
+  const int code = read_lines(session, lines);
   free(text);
   return code;
 }
