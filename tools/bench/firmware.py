@@ -107,7 +107,7 @@ def check(every: bool) -> int:
     print(f"sizes: {seen} firmwares, {len(wrong)} figures above {TABLE} by "
           f"more than {100 * MOST:.0f} %")
     if wrong:
-        print("If that is meant: tools/bench/run sizes && make keep-bench, and "
+        print("If that is meant: tools/run bench sizes && make keep-bench, and "
               "the commit says why.")
     return 1 if wrong or not seen else 0
 
