@@ -17,7 +17,7 @@ an archive would have two members of it; that no name of a file is defined in
 another one is seen where boards compile all of src/ as one file.
 
 The rooms of tools/ stand in a row: each includes and imports what is in those
-before it, what lies in tools/ itself, and, from `bench` on, the reference of
+before it, what lies in tools/ itself, and, from `study` on, the reference of
 the tests and their random machines. The folders of the command line are in the
 order that tools/cli/commands.c describes. In port/ each file includes only what
 its line in a table allows, so that the loop knows neither the simulation nor
@@ -41,8 +41,8 @@ HEADER_ONLY = {"real": "num"}
 # include. Files in tools/cli/ itself may include all of them. The commands do
 # not include each other, except that `monitor` writes the rows of `run` and
 # `sweep` counts its events and ambiguous instants.
-ROOMS = ("cli", "board", "package", "page", "bench", "study", "verify")
-REFERENCE, JUDGES = "tests/reference/", ("bench", "study", "verify")
+ROOMS = ("cli", "board", "package", "page", "study", "bench", "verify")
+REFERENCE, JUDGES = "tests/reference/", ("study", "bench", "verify")
 MACHINES = "tests/golden/population.h"
 CLI = "tools/cli/"
 CLI_INCLUDES = {
