@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from . import _core
 from ._check import (LIMIT, STEPS, column, flag, integer, member, number,
                      refuse, word)
-from ._core import CORES, NO_MODE
+from ._core import CORES
 from ._names import Law, Mode, Rest, Rule, Scheme
 from ._table import Table
 
