@@ -83,6 +83,10 @@ static tf_real_t or_else(tf_real_t given, tf_real_t usual) {
   return isnan(given) ? usual : given;
 }
 
+int SHARED(twofold_takes_law)(int scheme, int law) {
+  return motion_takes_law(scheme, law);
+}
+
 /* Begins a motion. given: r, v, omega, h, phi; NaN: that of the scene. */
 tf_status_t SHARED(twofold_begin)(const run_t *of, uint32_t seed,
                                   const tf_real_t given[5]) {

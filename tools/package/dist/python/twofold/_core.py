@@ -94,6 +94,7 @@ class Core:
                  (any_, c_size_t, POINTER(self.State))),
                 ("twofold_lanes", None,
                  (run, any_, c_size_t, input_, any_, *2 * [c_uint64])),
+                ("twofold_takes_law", c_int, (c_int, c_int)),
                 ("twofold_begin", c_int, (run, c_uint32, any_)),
                 ("twofold_row", None, (any_, any_)),
                 ("twofold_take", c_int, (run, input_, c_uint)),

@@ -231,8 +231,7 @@ class Machine:
             short = self.core is CORES["float"] and self["dt"] < SHORT_STEP
             return Scheme.COMPENSATED if short else Scheme.MOREAU
         scheme, law = member("scheme", scheme, Scheme), self._get("law", Law)
-        if scheme == Scheme.LOCATED and law not in (
-                Law.JUMP, Law.COULOMB, Law.NONE):
+        if not self.core.call_takes_law(scheme, law):
             raise ValueError("scheme is located, which needs law jump, coulomb "
                              f"or none, not {law}; moreau takes every law")
         return scheme
