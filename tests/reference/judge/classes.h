@@ -35,7 +35,6 @@ typedef struct class {
   void (*begin)(const struct class *class); ///< adds the rows; may be NULL
   void (*judge)(trial_t *trial);            ///< one machine; may be NULL
   int (*finish)(const options_t *options);  ///< exit code; NULL: 0
-  const struct ends *ends;                  ///< of a class of ends.c
 } class_t;
 
 /// Announced and parsed by main.c; returns the exit code.
@@ -86,7 +85,7 @@ double class_difference(const ref_machine_t *q, ref_state_t x,
                         const lib_row_t *row);
 double class_distance(const ref_machine_t *q, ref_state_t a, ref_state_t b);
 
-extern const class_t class_validate, class_second, class_branch, class_path,
-    class_impulses, class_energy, class_table;
+extern const class_t class_validate, class_second, class_branch, class_energy,
+    class_table;
 
 #endif

@@ -127,20 +127,6 @@ lib_machine_t draw_machine(draw_t *draw, bool extreme) {
   return q;
 }
 
-void draw_drive(draw_t *draw, lib_machine_t *q, double time, bool jumps) {
-  static const double share[] = {0, 0.2, 0.4, 0.5, 0.7, 0.9};
-  q->knots = sizeof share / sizeof *share;
-  for (int i = 0; i < q->knots; ++i) {
-    const int at = jumps && i == 3 ? 2 : i;
-    const double turn = draw_uniform(draw, -1.5, 0.5);
-    q->knot[i] =
-        (lib_knot_t){.t = share[at] * time,
-                     .omega0 = (float)(q->omega0 * (i > 0 ? 1 + turn : 1)),
-                     .force = (float)(draw_uniform(draw, -q->mu, q->mu) / 3),
-                     .torque = (float)(draw_uniform(draw, -q->mu, q->mu) / 3)};
-  }
-}
-
 static real_t as(const lib_table_t *real, double value) {
   return real == &lib_f32 ? (real_t)(float)value : (real_t)value;
 }

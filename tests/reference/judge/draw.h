@@ -24,9 +24,6 @@ double draw_log(draw_t *draw, double low, double high);
 /// special angles are floats. `extreme`: m, beta, k2 and mu towards the ends of
 /// their ranges in half of the machines.
 lib_machine_t draw_machine(draw_t *draw, bool extreme);
-/// Makes the inputs of a machine move over a time: ramps from its omega0, some
-/// through 0, with loads. `jumps`: with a jump of them all.
-void draw_drive(draw_t *draw, lib_machine_t *machine, double time, bool jumps);
 /// The reference's machine and start. In `real` float the parameters are
 /// rounded as the float build does.
 ref_machine_t draw_reference(const lib_machine_t *machine,

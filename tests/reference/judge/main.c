@@ -8,8 +8,7 @@
 #include "classes.h"
 
 static const class_t *const classes[] = {
-    &class_validate, &class_second, &class_branch, &class_path,
-    &class_impulses, &class_energy, &class_table};
+    &class_validate, &class_second, &class_branch, &class_energy, &class_table};
 enum { CLASSES = sizeof classes / sizeof classes[0] };
 
 static int usage(void) {

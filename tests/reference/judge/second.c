@@ -4,8 +4,8 @@
 /// its events found by CVODE of SUNDIALS, which others wrote. Of the reference
 /// it uses the parameters and the inputs only. It ends where h = g = 0 comes
 /// near or A = 0, so that it needs no theory of either, and after 500 events,
-/// which wind round a two-fold. Every machine is driven: by
-/// ramps, ramps with a jump, or a shape of moving.c.
+/// which wind round a two-fold. Every machine is driven, by a
+/// shape of moving.c.
 #include <math.h>
 #include <stdio.h>
 
@@ -243,13 +243,9 @@ static real_t apart(const ref_orbit_t *orbit, const real_t x[3]) {
 // Ends where the second integration has to: at h = g = 0.
 static void judge(trial_t *trial) {
   trial->machine.on_surface = false;
-  if (trial->index % 3 == 0) {
-    const double shape = draw_uniform(&trial->draw, 0, MOVING_SHAPES);
-    moving_draw(&trial->draw, &trial->machine, (moving_shape_t)(int)shape,
-                trial->t_end, trial->t_end / 90);
-  } else {
-    draw_drive(&trial->draw, &trial->machine, trial->t_end, trial->index % 2);
-  }
+  const double shape = draw_uniform(&trial->draw, 0, MOVING_SHAPES);
+  moving_draw(&trial->draw, &trial->machine, (moving_shape_t)(int)shape,
+              trial->t_end, trial->t_end / 90);
   const ref_machine_t q = draw_reference(&trial->machine, &lib_f64);
   const ref_state_t start = draw_start(&trial->machine, &q, &lib_f64);
   ref_state_t beside = start;

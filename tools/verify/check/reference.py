@@ -1,9 +1,9 @@
 #!/usr/bin/python3
 """The independent solver (tests/reference) builds, agrees with the paper's
 equations, with tests/data and with SUNDIALS, and finds no more wrong steps that
-say TF_OK among a few hundred random machines, of which every other one of
-`path` is driven, than docs/VERIFICATION.md has among thousands: at most 1 % of
-a row."""
+say TF_OK among a few hundred random machines, of which every other one is
+driven, than docs/VERIFICATION.md has among thousands: at most 1 % of a row of a
+class, and 3 % of all runs of the table, whose classes are hard."""
 import re
 import sys
 
@@ -12,15 +12,13 @@ from findings import BUILD, asked, build, checked, need, wrong
 # Class, its options, and the rows that count what no step may do.
 CLASSES = [
     ("branch", ["--machines", 150, "--seed", 7], "wrong, all steps OK"),
-    ("path", ["--machines", 300], "off, all OK"),
-    ("energy", ["--machines", 200], "runs: 1e-2 in all"),
-    ("impulses", ["--machines", 200, "--seed", 2], r"\d: 10 % off, all OK")]
-MOST = .01  # of a row
+    ("energy", ["--machines", 200], "runs: 1e-2 in all")]
+MOST, MOST_OF_TABLE = .01, .03
 # A small table, of which every class has lines: classes, their steps, machines.
 TABLE = [("A A8 D E H I J", "1e-3,1e-4", 20), ("A'", "8e-3,4e-3,2e-3", 20),
          ("B", "1e-3", 5), ("C", "1e-3", 10), ("F", "1e-4,1e-5", 20),
          ("G", "1e-6", 4), ("K", "1,0.1", 20)]
-LINE = re.compile(r"  \S+ +\S+ +\S+ +\S+ +(\d+) +\d+ +\d+ .*")
+LINE = re.compile(r"  \S+ +\S+ +\S+ +\S+ +(\d+) +\d+ +(\d+) .*")
 WORST = 1e-7  # of 40 machines on inputs that move, from SUNDIALS
 ROW = re.compile(r"(.*?) +(\d+) of +(\d+)(?: .*)?")
 
@@ -43,14 +41,15 @@ def judge_class(name, options, what):
 
 
 def judge_table(name, steps, machines):
-    """Returns how many runs a class of the table has."""
+    """Returns how many runs a class of the table has, and how many of them are
+    silently wrong."""
     said, code = reference("table", "--class", name, "--dt", steps,
                            "--machines", machines, "--show", 0)
     lines = [LINE.fullmatch(line) for line in said.splitlines()]
-    runs = sum(int(line[1]) for line in lines if line)
+    runs, silent = (sum(int(line[i]) for line in lines if line) for i in (1, 2))
     if code or not runs:
         wrong(f"reference table, class {name}: code {code}, {runs} runs")
-    return runs
+    return runs, silent
 
 
 need("gcc", "gcc")
@@ -60,8 +59,10 @@ if not build("CC=gcc", "OPT=-O2", f"BUILD={BUILD / 'reference'}",
           "tests/data")
     checked("nothing")
 kinds = [(name, *row[1:]) for row in TABLE for name in row[0].split()]
-judged = sum(judge_class(*kind) for kind in CLASSES) + \
-    sum(judge_table(*kind) for kind in kinds)
+judged, silent = map(sum, zip(*(judge_table(*kind) for kind in kinds)))
+if silent > MOST_OF_TABLE * judged:
+    wrong(f"reference table: {silent} of {judged} runs are silently wrong")
+judged += sum(judge_class(*kind) for kind in CLASSES)
 second, failed = reference("second", "--machines", 40)
 if failed == 3:
     print(second, end="")
