@@ -41,8 +41,7 @@ SCENE_READER := $(wildcard tools/cli/setup/scene*.c tools/cli/text/*.c) \
 SUPPORT := $(wildcard tests/support/*.c tests/reference/*.c)
 TEST_ROOMS := tests/unit/* tests/cli tests/line tests/law tests/golden \
   tests/regress
-TESTS ?= $(wildcard $(TEST_ROOMS:%=%/test_*.c) $(TEST_ROOMS:%=%/test_*.sh) \
-  $(TEST_ROOMS:%=%/test_*.py))
+TESTS ?= $(wildcard $(TEST_ROOMS:%=%/test_*.c) $(TEST_ROOMS:%=%/test_*.py))
 
 # One rounding per operation, everywhere: the same bits on every target.
 COMMON := -std=c99 $(OPT) -ffp-contract=off -Iinclude
@@ -231,7 +230,7 @@ own-scene: $(BUILD)/double/constants
 test: ## all tests, in double and in float (or TESTS=...)
 test: $(foreach v,$(VARIANTS),$(call programs,$(TESTS),$(v))) $(TWOFOLD) $(LINE)
 	@TWOFOLD=$(TWOFOLD) FIRMWARE=$(BUILD)/boards/host/chaos \
-	  REALS='$(VARIANTS)' tests/run $(filter %.sh %.py,$(TESTS)) \
+	  REALS='$(VARIANTS)' tests/run $(filter %.py,$(TESTS)) \
 	  $(filter-out $(TWOFOLD) $(LINE),$^)
 
 # What one runs while working: one real type, compiled fast. Of the tests the

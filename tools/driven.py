@@ -1,12 +1,4 @@
-"""What scripts share that start other programs for a long time.
-
-    sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
-    import driven
-    driven.begin(__file__)
-
-puts a script under tools/drive, so that a signal ends all that it has started
-and nothing temporary is left, and lets it run from the root of the project.
-"""
+"""What programs share that start others for a long time (tools/run)."""
 from __future__ import annotations
 
 import concurrent.futures
@@ -14,23 +6,7 @@ import os
 import subprocess
 import sys
 import time
-from pathlib import Path
 from typing import Callable, Iterable
-
-
-def begin(script: str) -> None:
-    """Goes on under tools/drive, and not as part of a parallel make."""
-    # The tree by which it was called, which may be links.
-    path = Path(os.path.abspath(script))
-    root = next(p for p in path.parents if (p / "Makefile").exists())
-    os.chdir(root)
-    name = str(path.relative_to(root))
-    if os.environ.get("DRIVEN") != name:
-        os.execv("tools/drive", ["tools/drive", name, *sys.argv[1:]])
-    for variable in ("DRIVEN", "MAKEFLAGS", "MAKELEVEL"):
-        os.environ.pop(variable, None)
-    os.environ["LC_ALL"] = "C"
-    sys.stdout.reconfigure(line_buffering=True)
 
 
 def processors() -> int:

@@ -175,7 +175,7 @@ def test_closed_loop(board: Board, real: str, *how: str) -> str:
 
 def test_stack(board: Board, real: str) -> str:
     """The painted stack is not deeper than the call graph says."""
-    ran = run("tools/bench/run", "stack", board.name, real, "chaos",
+    ran = run("tools/run", "bench", "stack", board.name, real, "chaos",
               env={**os.environ, "BUILD": BUILD})
     words = ran.out.split()
     check(len(words) == 3, ran.errors)
