@@ -145,7 +145,7 @@ $(BUILD)/$(1)/libtwofold.a: $$(call objects_of_$(1),$(CORE))
 	$$(archive)
 $(BUILD)/$(1)/libsupport.a: $$(call objects_of_$(1),$(SUPPORT))
 	$$(archive)
-$(BUILD)/$(1)/lanes/avx2.o: src/moreau/ensemble.c $(BUILD)/$(1)/flags
+$(BUILD)/$(1)/lanes/avx2.o: src/ensemble/ensemble.c $(BUILD)/$(1)/flags
 	$$(call compile,$$(CORE_FLAGS) $$(AVX2_FLAGS) $$(FLAGS_$(1)))
 $(BUILD)/$(1)/twofold: $$(call objects_of_$(1),$(CLI)) \
     $(if $(AVX2_FLAGS),$(BUILD)/$(1)/lanes/avx2.o) $(BUILD)/$(1)/libtwofold.a

@@ -15,23 +15,17 @@
 
 #include "twofold/compensated.h" // tf_step_compensated: float, small steps
 #include "twofold/contact.h"     // tf_contact_modes: your own mechanism
-#include "twofold/design.h"      // tf_design_two_fold
 #include "twofold/ensemble.h"    // tf_ensemble_step: many states at once
-#include "twofold/estimated.h"   // tf_step_estimated: with its error
 #include "twofold/frame.h"       // tf_frame_seal, tf_decoder_block
 #include "twofold/link.h"        // tf_link_receive: commands to a board
 #include "twofold/located.h"     // tf_step_located: from event to event
 #include "twofold/machine.h"     // tf_prepare, tf_slip, tf_energy
-#include "twofold/mode.h"        // tf_mode_t, tf_mode_name
-#include "twofold/philox.h"      // tf_philox: random numbers
 #include "twofold/real.h"        // tf_real_t, TF_R
 #include "twofold/scene.h"       // tf_scenes, tf_scene_start
 #include "twofold/simulation.h"  // tf_simulation_open: inputs that a host sets
 #include "twofold/singularity.h" // tf_two_folds, tf_normal_form
 #include "twofold/status.h"      // tf_status_t, tf_status_name
 #include "twofold/step.h"        // tf_begin, tf_step, tf_report_t
-#include "twofold/surface.h"     // tf_surface_at: sliding, escaping, crossing
-#include "twofold/tally.h"       // tf_tally_count: flagged steps
 #include "twofold/telemetry.h"   // tf_send_state, tf_read_state
 #include "twofold/tyre.h"        // tf_tyre_force: the laws of friction
 

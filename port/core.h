@@ -50,7 +50,6 @@
 // would do. A program contains one scheme beside tf_step at most.
 // NOLINTBEGIN(bugprone-suspicious-include): one translation unit on purpose.
 #include "../src/num/kernel.c"
-#include "../src/num/philox.c"
 #include "../src/num/status.c"
 #ifdef SCHEME_LOCATED
 #include "../src/num/polynomial.c"
@@ -58,34 +57,26 @@
 
 #include "../src/friction/codim2.c"
 #include "../src/friction/contact.c"
-#include "../src/friction/course.c"
-#include "../src/friction/inclusion.c"
-#include "../src/friction/mode.c"
-#include "../src/friction/prepared.c"
 #include "../src/friction/quadrant.c"
 #include "../src/friction/select.c"
 #include "../src/friction/tyre.c"
-#include "../src/model/consistent.c"
 #include "../src/model/machine.c"
-#include "../src/model/prepare.c"
 #include "../src/model/rest_motion.c"
 #include "../src/moreau/balanced.c"
 #include "../src/moreau/begin.c"
 #include "../src/moreau/codim2_end.c"
 #ifdef SCHEME_COMPENSATED
 #include "../src/moreau/compensated.c"
-#include "../src/moreau/prepare_compensated.c"
 #endif
+#include "../src/moreau/mode_end.c"
 #include "../src/moreau/rare_end.c"
 #include "../src/moreau/report.c"
 #include "../src/moreau/step.c"
 
 #ifdef SCHEME_LOCATED
 #include "../src/event/event.c"
-#include "../src/event/limit_direction.c"
 #include "../src/event/located.c"
 #include "../src/event/taylor.c"
-#include "../src/event/trajectory.c"
 #include "../src/event/transition.c"
 #endif
 
@@ -94,10 +85,8 @@
 #include "../src/link/link.c"
 #include "../src/link/telemetry.c"
 #include "../src/link/text.c"
-#include "../src/scene/scene.c"
 #include "../src/scene/scenes.c"
 #include "../src/scene/simulation.c"
-#include "../src/scene/tally.c"
 // NOLINTEND(bugprone-suspicious-include)
 
 /// The parameters of a scene as this firmware runs it: at dt = 1 / SCENE_RATE,

@@ -7,11 +7,34 @@
 #ifndef TWOFOLD_CONTACT_H
 #define TWOFOLD_CONTACT_H
 
-#include "twofold/mode.h"
+#include "twofold/real.h"
 #include "twofold/status.h"
 #include "twofold/tyre.h"
 
 TF_BEGIN_C
+
+// The modes of contact.
+
+/// The five modes of contact. + and - are the sign of h in slip, of g in stick.
+typedef enum {
+  TF_SLIP_PLUS,   ///< h > 0
+  TF_SLIP_MINUS,  ///< h < 0
+  TF_STICK_PLUS,  ///< h = 0, g > 0
+  TF_STICK_MINUS, ///< h = 0, g < 0
+  TF_PINNED       ///< h = g = 0
+} tf_mode_t;
+#define TF_MODES 5
+#define TF_NO_MODE TF_MODES ///< none preferred, or none admissible
+#define TF_MODE_BIT(mode) (1u << (mode))
+
+/// "slip+" "slip-" "stick+" "stick-" "pinned".
+#define tf_mode_name TF_LINK(tf_mode_name)
+TF_API const char *tf_mode_name(unsigned mode);
+
+/// Whether the contact slips.
+static inline bool tf_mode_is_slip(unsigned mode) {
+  return mode <= TF_SLIP_MINUS;
+}
 
 /// Which of several consistent modes a step takes. All rules share the order:
 /// - A slip that is still consistent goes on: off h = 0 the future is unique,
@@ -144,6 +167,15 @@ TF_API unsigned tf_contact_leave(const tf_contact_t *contact,
                                  unsigned from, bool arrives, uint64_t tick,
                                  uint32_t seed, tf_contact_modes_t *modes,
                                  tf_force_t *force);
+
+// Random numbers of the rule RANDOM and of the studies: draw n under a seed is
+// one number on every board.
+
+/// Philox-2x32-10 (Salmon et al. 2011), a counter-based generator: a state
+/// carries no stream position but its tick, and a replay needs no history.
+/// counter, key: in, any. out: out, 2 words.
+#define tf_philox TF_LINK(tf_philox)
+TF_API void tf_philox(uint64_t counter, uint32_t key, uint32_t out[2]);
 
 TF_END_C
 

@@ -7,7 +7,6 @@
 
 #include "../model/rates.h"
 #include "twofold/singularity.h"
-#include "twofold/surface.h"
 
 // (stickV): the point of h = 0 at r, z = w - omega0 and g.
 TF_INLINE tf_surface_point_t surface_point(const tf_machine_t *k, tf_real_t r,

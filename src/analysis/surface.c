@@ -1,10 +1,9 @@
 // The regions of h = 0 and the field along it (Filippov 1988). The region comes
 // from the same enumeration of modes that the located step uses.
-#include "twofold/surface.h"
-
 #include "../friction/mode_set.h"
-#include "../model/consistent.h"
+#include "../model/rates.h"
 #include "field.h"
+#include "twofold/singularity.h"
 
 TF_API const char *tf_region_name(unsigned region) {
   static const char *const names[TF_REGIONS] = {

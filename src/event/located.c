@@ -3,11 +3,10 @@
 // segment until the step is over, each up to its first event.
 #include "twofold/located.h"
 
-#include "../friction/slip_residual.h"
-#include "../model/step_length.h"
+#include "../friction/rest_law.h"
+#include "../model/mechanics.h"
 #include "../moreau/report.h"
-#include "limit_direction.h"
-#include "transition.h"
+#include "trajectory.h"
 
 // A slip below so many errors of a segment, and so much smaller than it was at
 // the start of the segment, has reached h = g = 0.

@@ -1,7 +1,7 @@
 // The Taylor coefficients of a segment: each contact closes the recurrence of
 // (13), (14) in its own form.
-#include "../model/rest_motion.h"
-#include "segment.h"
+#include "../model/rates.h"
+#include "trajectory.h"
 
 // Each shortening takes a quarter off a segment, or, where the terms exceed the
 // error so far that they still do then, leaves an eighth of it.

@@ -1,10 +1,126 @@
+// The contact of a mechanism: its constants, the modes of a step, the force.
+#include "twofold/contact.h"
+
+#include "../num/kernel.h"
+#include "codim2.h"
+#include "inclusion.h"
+#include "mode_set.h"
+#include "prepared.h"
+
+// The constants of a contact. No step calls this.
+
+// T at the anchors from T(inf) = 6 kappa by halving and adding angles, then
+// its Taylor series at 0 from (1 + y^2) T' = a (1 + T^2):
+//   (2n+1) c_n = a [y^(2n)] T^2 - (2n-1) c_(n-1),   c_0 = a.
+TF_API void tf_prepare_angle_kernel(tf_tyre_t *tyre, tf_real_t kappa) {
+  tf_real_t *T = tyre->T_anchor;
+  T[0] = 0;
+  T[8] = 6 * kappa;
+  T[4] = half_tangent(T[8]);
+  T[2] = half_tangent(T[4]);
+  T[1] = half_tangent(T[2]);
+  T[3] = (T[2] + T[1]) / (1 - T[2] * T[1]);
+  // Above pi/4 from T(inf) downwards: a sum of angles would multiply the
+  // rounding of its terms by (1 + T^2)/T.
+  T[5] = (T[8] - T[3]) / (1 + T[8] * T[3]);
+  T[6] = (T[8] - T[2]) / (1 + T[8] * T[2]);
+  T[7] = (T[8] - T[1]) / (1 + T[8] * T[1]);
+  const tf_real_t a =
+      tf_small_arctangent(half_tangent(T[1])) * TF_R(10.185916357881301489);
+  tyre->T_series[0] = a;
+  for (int n = 1; n < TF_TYRE_TERMS; n++) {
+    const tf_real_t before = (tf_real_t)(2 * n - 1) * tyre->T_series[n - 1];
+    tf_real_t square = 0;
+    for (int i = 0; i < n; i++)
+      square += tyre->T_series[i] * tyre->T_series[n - 1 - i];
+    tyre->T_series[n] = (a * square - before) / (tf_real_t)(2 * n + 1);
+  }
+  tyre->inv_18_kappa = 1 / (18 * kappa);
+  tyre->inv_6_kappa = 1 / (6 * kappa);
+}
+
+// Stick carries a moment unless friction counts as none: 1/mu is 0 then, and
+// any force would pass as one that pins the wheel.
+TF_API void tf_complete_contact(tf_contact_t *contact, tf_rest_law_t rest,
+                                tf_rule_t rule, tf_real_t rate_dt) {
+  const tf_real_t mu = contact->tyre.mu, kappa = contact->tyre.kappa;
+  const bool carries_moment = contact->tyre.law == TF_TYRE_JUMP &&
+                              inverse_or_0(mu) > 0 &&
+                              inverse_or_0(kappa * mu) > 0;
+  const tf_real_t p = tf_exit_probability(rate_dt);
+  contact->stick_kappa = carries_moment ? kappa : 0;
+  contact->kappa_mu = contact->stick_kappa * mu;
+  contact->inv_mu = inverse_or_0(mu);
+  contact->inv_kappa_mu = inverse_or_0(contact->kappa_mu);
+  contact->exit_threshold = (uint64_t)(p * TF_R(9223372036854775808.0));
+  contact->rest = rest;
+  contact->rule = rule;
+}
+
+// NaN is in no range.
+static bool is_in(tf_real_t x, tf_real_t low, tf_real_t high) {
+  return x >= low && x <= high;
+}
+
+TF_API tf_status_t tf_contact_prepare(tf_contact_t *contact, tf_tyre_law_t law,
+                                      tf_real_t mu, tf_real_t kappa,
+                                      tf_rest_law_t rest, tf_rule_t rule,
+                                      tf_real_t rate_dt) {
+  const bool has_kappa = law == TF_TYRE_JUMP;
+  if (!tf_tyre_is_set_valued(law) || (unsigned)rest >= TF_REST_LAWS ||
+      (unsigned)rule >= TF_RULES || !is_in(mu, 0, TF_R(MAX_MU)) ||
+      !is_in(rate_dt, 0, TF_R(MAX_RATE)) ||
+      (has_kappa && !is_in(kappa, TF_R(MIN_KAPPA), TF_R(MAX_KAPPA))))
+    return TF_BAD_PARAMETER;
+  *contact = (tf_contact_t){.tyre = {.law = law, .mu = mu}};
+  if (has_kappa) {
+    contact->tyre.kappa = kappa;
+    tf_prepare_angle_kernel(&contact->tyre, kappa);
+  }
+  tf_complete_contact(contact, rest, rule, rate_dt);
+  return TF_OK;
+}
+
+// What is asked of an inclusion off the common path of a step, as functions:
+// small rather than fast.
+
+TF_API void tf_enumerate(const inclusion_t *in, unsigned signs,
+                         tf_contact_modes_t *out) {
+  if (signs == BOTH_SIGNS) {
+    enumerate(in, BOTH_SIGNS, out);
+    return;
+  }
+  const sign_t s = signs == MINUS_SIGN ? MINUS : PLUS;
+  out->near_stick = (uint8_t)stick_with(s);
+  enumerate_one_sign(in, s, out);
+}
+
+// One step of Newton's method on (8).
+static void step_to(const tf_form_t *h, const tf_form_t *g, tf_slip_t to,
+                    multipliers_t *m) {
+  const tf_real_t x = m->x, y = m->y;
+  const tf_real_t hx = h->cx + 2 * h->cxx * x + h->cxy * y;
+  const tf_real_t hy = h->cy + h->cxy * x + 2 * h->cyy * y;
+  const tf_real_t gx = g->cx + 2 * g->cxx * x + g->cxy * y;
+  const tf_real_t gy = g->cy + g->cxy * x + 2 * g->cyy * y;
+  const tf_real_t missed_h = form_value(h, x, y) - to.h;
+  const tf_real_t missed_g = form_value(g, x, y) - to.g;
+  const tf_real_t det = hx * gy - hy * gx;
+  m->x = x + (hy * missed_g - gy * missed_h) / det;
+  m->y = y + (gx * missed_h - hx * missed_g) / det;
+}
+
+TF_API multipliers_t tf_multipliers_to(const tf_form_t *h, const tf_form_t *g,
+                                       tf_slip_t to, multipliers_t guess) {
+  multipliers_t m = guess;
+  step_to(h, g, to, &m);
+  step_to(h, g, to, &m);
+  return m;
+}
+
 // A contact of any mechanism, by the parts of which tf_step is made: inclusion
 // and enumeration, the law of slip, what follows h = g = 0. prepared.c has its
 // constants, select.c the choice.
-#include "twofold/contact.h"
-
-#include "codim2.h"
-#include "mode_set.h"
 
 // The inclusion of a step: without a moment there is no y.
 static inclusion_t inclusion_under(const tf_contact_t *contact,
@@ -142,4 +258,21 @@ TF_API unsigned tf_contact_leave(const tf_contact_t *contact,
   }
   if (mode != TF_NO_MODE) *force = force_under(contact, m);
   return mode;
+}
+
+TF_API const char *tf_mode_name(unsigned mode) {
+  static const char *const names[TF_MODES] = {"slip+", "slip-", "stick+",
+                                              "stick-", "pinned"};
+  return mode < TF_MODES ? names[mode] : "unknown mode";
+}
+
+TF_API const char *tf_rule_name(unsigned rule) {
+  static const char *const names[TF_RULES] = {"persist", "slip+", "slip-",
+                                              "random"};
+  return rule < TF_RULES ? names[rule] : "unknown rule";
+}
+
+TF_API const char *tf_rest_law_name(unsigned law) {
+  static const char *const names[TF_REST_LAWS] = {"hull", "square", "bow_tie"};
+  return law < TF_REST_LAWS ? names[law] : "unknown law of rest";
 }

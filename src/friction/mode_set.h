@@ -5,7 +5,7 @@
 #include <stdint.h>
 
 #include "../num/kernel.h"
-#include "twofold/mode.h"
+#include "twofold/contact.h"
 
 #define SLIPS (TF_MODE_BIT(TF_SLIP_PLUS) | TF_MODE_BIT(TF_SLIP_MINUS))
 #define STICKS (TF_MODE_BIT(TF_STICK_PLUS) | TF_MODE_BIT(TF_STICK_MINUS))

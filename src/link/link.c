@@ -3,7 +3,7 @@
 // refused changes nothing.
 #include "twofold/link.h"
 
-#include "../model/kinematics.h"
+#include "../model/mechanics.h"
 #include "parts.h"
 
 #define SESSION_ROUNDS 8u

@@ -9,10 +9,8 @@
 // Where an exit rule asks for a slip, this begins with a limit direction, which
 // is no root of a polynomial: the instant is found by halving, and one that is
 // gone again by the end of the step is passed over.
-#include "rest_motion.h"
-
 #include "../friction/mode_set.h"
-#include "consistent.h"
+#include "rates.h"
 
 // An event is where a condition holds, or is broken, by that many roundings of
 // the terms that balance at rest: by all who ask for it then.

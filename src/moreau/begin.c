@@ -1,6 +1,6 @@
 // How a motion begins: which mode a state is in, and the law at that instant.
 #include "../friction/mode_set.h"
-#include "../model/consistent.h"
+#include "../model/rates.h"
 #include "twofold/step.h"
 
 // The law at this instant: the modes that are possible, and under each of them

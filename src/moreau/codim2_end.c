@@ -2,8 +2,7 @@
 // lost. What follows that point is asked of tf_leave_codim2, which knows
 // nothing of where a step happens to end, so that the branch does not depend on
 // it.
-#include "../model/consistent.h"
-#include "../model/rest_motion.h"
+#include "../model/rates.h"
 #include "rare_end.h"
 
 // The rest of a step behind h = g = 0 is not shorter than 1/32 of it, so that

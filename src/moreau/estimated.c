@@ -1,11 +1,8 @@
 // A step beside two halves of it: how far both ends lie apart is the estimate
 // of its error. Nothing that one step has by itself tells a step that is too
 // long from one that is not (docs/SCHEMES.md has what was tried).
-#include "twofold/estimated.h"
-
-#include "../model/kinematics.h"
 #include "../model/mechanics.h"
-#include "../model/step_length.h"
+#include "twofold/step.h"
 
 // The end of two halves. The draw of a random exit is that of the whole step:
 // set_step_length() keeps its chance, and both halves have the tick of the

@@ -6,7 +6,7 @@
 
 #include "../friction/inclusion.h"
 #include "../friction/mode_set.h"
-#include "../model/kinematics.h"
+#include "../model/mechanics.h"
 #include "twofold/step.h"
 
 // What a step has decided.

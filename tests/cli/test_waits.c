@@ -2,7 +2,7 @@
  * exponentially distributed time, from the instant at which the wheel comes
  * there to that of the exit, whatever dt is. The instant is found here by
  * bisection of the core's step; the band is that of Kolmogorov and Smirnov. */
-#include "../../src/model/step_length.h"
+#include "../../src/model/mechanics.h"
 #include "../../tools/cli/diverge/motion.h"
 #include "sample.h"
 

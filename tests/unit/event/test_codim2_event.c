@@ -1,7 +1,7 @@
 /* Steps that reach h = g = 0 or leave it, most of them located, against the
  * field of slip by the paper's law. */
 #include "codim2_field.h"
-#include "model/consistent.h"
+#include "model/rates.h"
 #include "sim.h"
 
 static place_t any_place(int n) {

@@ -2,7 +2,7 @@
  * the conditions by the paper's equations, looked for at close instants. When
  * it ends: law/test_pinned.c and law/test_located_turntable.c. */
 #include "codim2_field.h"
-#include "event/segment.h"
+#include "event/trajectory.h"
 
 enum { INSTANTS = 512, HALVES = 60 };
 

@@ -1,7 +1,7 @@
 /* Segments of a located step: how h begins in one, and that the parts of its
  * series make up the whole. */
 #include "codim2_field.h"
-#include "event/transition.h"
+#include "event/trajectory.h"
 
 /* The parts of a series, one after the other, turn the disc as far as the whole
  * does: a slip that follows a limit direction begins in the middle of one. */

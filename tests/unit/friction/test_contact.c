@@ -1,7 +1,7 @@
 /* A contact for other mechanisms: choice and force against rule and law, and as
  * that of a machine against tf_step and tf_begin; test_friction.c has sets. */
 #include "common.h"
-#include "model/consistent.h"
+#include "model/rates.h"
 #include "moreau/stages.h"
 
 static tf_contact_t contact_of(const tf_params_t *p, tf_status_t want) {

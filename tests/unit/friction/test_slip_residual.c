@@ -1,6 +1,6 @@
 /* How far a force is from the law of slip where the slip is zero, h = g = 0. */
 #include "common.h"
-#include "friction/slip_residual.h"
+#include "friction/rest_law.h"
 
 /* At h = g = 0 every angle is in the law: forces of all of them leave nothing
  * open, others what they are off by. */

@@ -5,7 +5,7 @@
  * subnormal arguments, the numbers next to multiples of pi/2. */
 #include "common.h"
 #include "friction/tyre_law.h"
-#include "model/kinematics.h"
+#include "model/mechanics.h"
 #include "same_state.h"
 
 /* Claimed bounds [ULP]. For cot_psi over kappa in [1e-9, 1e6] the

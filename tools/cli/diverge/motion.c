@@ -5,8 +5,7 @@
 
 #include <math.h>
 
-#include "../../../src/model/kinematics.h"
-#include "../../../src/model/step_length.h"
+#include "../../../src/model/mechanics.h"
 #define TWO_PI 6.283185307179586
 
 // A wheel rests on the turntable where it is pinned, and in a stick that tends

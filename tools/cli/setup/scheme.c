@@ -6,7 +6,7 @@
 #include "../text/message.h"
 #include "args.h"
 #include "setup.h"
-#include "twofold/estimated.h"
+#include "twofold/step.h"
 
 const cli_scheme_t cli_schemes[MOTION_SCHEMES] = {
     {"moreau", MOTION_MOREAU, "tolerance",

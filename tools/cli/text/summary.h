@@ -3,7 +3,7 @@
 #pragma once
 
 #include "message.h"
-#include "twofold/tally.h"
+#include "twofold/simulation.h"
 
 /// Prints on standard error, as printf does.
 void cli_say(const char *format, ...) CLI_PRINTF(1, 2);

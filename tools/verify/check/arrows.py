@@ -6,6 +6,7 @@ stands on, so never what is in a room later in that table:
 
     num < friction < model < moreau < event
                      model < analysis
+                             moreau < ensemble
                              moreau < scene < link
 
 A public header belongs to the room that has the source of its name. Beside
@@ -34,9 +35,9 @@ from findings import checked, wrong
 # In the order of that table: the room that each one stands on.
 STANDS_ON = {"num": None, "friction": "num", "model": "friction",
              "moreau": "model", "event": "moreau", "analysis": "model",
-             "scene": "moreau", "link": "scene"}
+             "scene": "moreau", "link": "scene", "ensemble": "moreau"}
 # Public headers without a source, and the lowest room that has a use for them.
-HEADER_ONLY = {"real": "num"}
+HEADER_ONLY = {"real": "num", "scene": "scene"}
 # Each folder of tools/cli/, and the other folders, or single files, that it may
 # include. Files in tools/cli/ itself may include all of them. The commands do
 # not include each other, except that `monitor` writes the rows of `run` and

@@ -7,7 +7,7 @@ import subprocess
 
 from findings import BUILD, DEFINES, ROOT, checked, need, wrong
 
-SOURCES = ("src/moreau/ensemble.c", "src/moreau/lanes_solve.h")
+SOURCES = ("src/ensemble/ensemble.c", "src/ensemble/lanes_solve.h")
 # The loops of each function in their order; bytes of modes go 16 at a time.
 VECTORS = dict.fromkeys(
     "linearise_all forms_all enumerate_all shares_of slips_of sticks_of "
@@ -15,7 +15,7 @@ VECTORS = dict.fromkeys(
     "balance_lanes finish_all angles_all".split(), [32])
 VECTORS |= dict(slip_all=[32] * 3, modes_all=[16] * 2, record_all=[16] * 3)
 FLAGS = ("-std=c99 -O3 -ffp-contract=off -fno-math-errno -ffreestanding "
-         "-Iinclude -fopt-info-vec-optimized -c src/moreau/ensemble.c -o")
+         "-Iinclude -fopt-info-vec-optimized -c src/ensemble/ensemble.c -o")
 FUNCTION = re.compile(r"^(?:static|TF_\w+) (?:__a\S+ )?[^;{(]*?(\w+)\(", re.M)
 MADE = re.compile(r"(\S+?):(\d+):\d+: optimized: loop vectorized using (\d+)")
 

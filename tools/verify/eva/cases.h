@@ -15,7 +15,7 @@
 #include <math.h>
 
 #include "friction/tyre_law.h"
-#include "model/kinematics.h"
+#include "model/mechanics.h"
 
 // The documented limit of r, v, w and of every input (twofold/machine.h).
 #define LIMIT TF_R(1e9)

@@ -13,9 +13,9 @@
 #include "twofold/ensemble.h"
 
 #include "../friction/mode_set.h"
-#include "balance.h"
+#include "../moreau/balance.h"
+#include "../moreau/report.h"
 #include "lanes_solve.h"
-#include "report.h"
 
 // Up to so many slips cost less one by one than all lanes in vectors.
 #define FEW 3

@@ -13,7 +13,7 @@
 
 #include "../friction/inclusion.h"
 #include "../friction/tyre_law.h"
-#include "linear.h"
+#include "../moreau/linear.h"
 
 // As wide as tf_real_t: all ones for true, 0 for false.
 #ifdef TF_REAL_FLOAT

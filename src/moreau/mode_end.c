@@ -1,0 +1,36 @@
+// Ends of a step that any rare end may take: in a given mode, and where no mode
+// is consistent.
+#include "rare_end.h"
+
+TF_API forced_end_t tf_mode_end(const free_motion_t *c,
+                                const tf_contact_modes_t *s, unsigned mode) {
+  return mode_end(c, s, mode, true);
+}
+
+TF_API void tf_least_violation(free_motion_t *c, inclusion_t *in, unsigned set,
+                               step_end_t *to) {
+  const tf_machine_t *k = TF_STEP_MACHINE(c);
+  add_pinned_point(c, in);
+  to->end = pinned_end(c);
+  to->outcome =
+      (outcome_t){.mode = TF_PINNED, .set = set, .status = TF_DEGRADED};
+  tf_real_t least = TF_REAL_MAX;
+  tf_contact_modes_t candidates = {0};
+  if (k->contact.stick_kappa > 0) // whatever the sign of g would be
+    tf_enumerate(in, BOTH_SIGNS, &candidates);
+  const bool slipping = is_slip(c->state->mode);
+  for (unsigned mode = 0; mode < TF_MODES; mode++) {
+    const bool sticks = is_stick(mode);
+    if (slipping && sticks && !(candidates.attracting & TF_MODE_BIT(mode)))
+      continue;
+    const forced_end_t end = tf_mode_end(c, &candidates, mode);
+    const outcome_t outcome = {.mode = mode};
+    const tf_real_t residual =
+        mode_residual(k, &outcome, end.force, end_slip(c, &end));
+    if (!(residual < least)) continue;
+    least = residual;
+    to->outcome.mode = mode;
+    to->end = end;
+  }
+  to->outcome.delassus = step_delassus(k, in, sign_of(end_slip(c, &to->end).g));
+}
