@@ -19,7 +19,8 @@ TF_API span_t tf_segment_span(const trajectory_t *path) {
   const taylor_t *motion = &path->motion;
   if (motion->order < SERIES_ORDER)
     return (span_t){path->remaining, motion->allowed};
-  const error_t allowed = {motion->at_once, motion->allowed - motion->at_once};
+  const series_error_t allowed = {motion->at_once,
+                                  motion->allowed - motion->at_once};
   const tf_real_t length = tf_segment_length(motion, path->remaining, allowed);
   return (span_t){
       length, allowed.at_once + allowed.by_change * (length / path->remaining)};

@@ -86,10 +86,11 @@ static tf_real_t time_of_near_two_fold(const trajectory_t *path, span_t span) {
   const tf_real_t rate =
       delassus_quadratic_rate(at, motion->r.c[0], motion->r.c[1]);
   const tf_real_t time = A * rate < 0 ? -A / rate : 0;
-  const bool near = time > span.length && time <= path->remaining &&
-                    term_size(motion, 1) * time <= CAPTURE_ERRORS * span.error;
+  const bool captures =
+      time > span.length && time <= path->remaining &&
+      term_size(motion, 1) * time <= CAPTURE_ERRORS * span.error;
   const tf_real_t change = magnitude(motion->F.c[1]) * time;
-  return near && change <= CLOSE_SHARE * k->contact.tyre.mu ? time : 0;
+  return captures && change <= CLOSE_SHARE * k->contact.tyre.mu ? time : 0;
 }
 
 // How far the trajectory is from h = g = 0 [m/s], where either z or r becomes 0

@@ -4,11 +4,11 @@
 #include "trajectory.h"
 
 // Each shortening takes a quarter off a segment, or, where the terms exceed the
-// error so far that they still do then, leaves an eighth of it.
+// error so long_share that they still do then, leaves an eighth of it.
 #define MAX_SHORTENINGS 64
 #define SHORTENING TF_R(0.75)
-#define FAR TF_R(0x1p30)
-#define FAR_SHORTENING TF_R(0.125)
+#define MUCH_TOO_LARGE TF_R(0x1p30)
+#define LONG_SHORTENING TF_R(0.125)
 
 // Calls extend(..., n) for the terms from 1 on, until it returns that they are
 // long enough. With a constant n the sums of a term have no loops: a fifth less
@@ -359,32 +359,33 @@ TF_API tf_real_t tf_angle_change(const taylor_t *motion, tf_real_t t) {
 }
 
 TF_API tf_real_t tf_segment_length(const taylor_t *motion, tf_real_t time,
-                                   error_t allowed) {
+                                   series_error_t allowed) {
   const tf_real_t size = magnitude(time);
   tf_real_t power = 1;
-  tf_real_t near = 1, far = 1; // what the shortenings leave of that
+  tf_real_t short_share = 1,
+            long_share = 1; // what the shortenings leave of that
   for (int n = 1; n < SERIES_ORDER; n++) {
     power *= size;
-    near *= SHORTENING;
-    far *= FAR_SHORTENING;
+    short_share *= SHORTENING;
+    long_share *= LONG_SHORTENING;
   }
   tf_real_t last_but_one = term_size(motion, SERIES_ORDER - 1) * power;
   tf_real_t last = term_size(motion, SERIES_ORDER) * power * size;
   tf_real_t by_change = allowed.by_change;
   tf_real_t error = allowed.at_once + by_change;
   int left = MAX_SHORTENINGS;
-  for (; left > 0 && last_but_one + last > FAR * error; left--) {
-    time *= FAR_SHORTENING;
-    by_change *= FAR_SHORTENING;
-    last_but_one *= far;
-    last *= far * FAR_SHORTENING;
+  for (; left > 0 && last_but_one + last > MUCH_TOO_LARGE * error; left--) {
+    time *= LONG_SHORTENING;
+    by_change *= LONG_SHORTENING;
+    last_but_one *= long_share;
+    last *= long_share * LONG_SHORTENING;
     error = allowed.at_once + by_change;
   }
   for (; left > 0 && !(last_but_one + last <= error); left--) {
     time *= SHORTENING;
     by_change *= SHORTENING;
-    last_but_one *= near;
-    last *= near * SHORTENING;
+    last_but_one *= short_share;
+    last *= short_share * SHORTENING;
     error = allowed.at_once + by_change;
   }
   return left > 0 ? time : 0;

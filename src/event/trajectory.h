@@ -48,13 +48,13 @@ TF_API bool tf_taylor_coefficients(taylor_t *motion, const segment_t *segment,
 // stops them within a part of the time changes them by a part of what it would.
 typedef struct {
   tf_real_t at_once, by_change;
-} error_t;
+} series_error_t;
 
 // The longest part of a time over which the last two terms of a series of the
 // highest order stay below the error that is allowed; 0 where there is none.
 #define tf_segment_length TF_LINK(tf_segment_length)
 TF_API tf_real_t tf_segment_length(const taylor_t *motion, tf_real_t time,
-                                   error_t allowed);
+                                   series_error_t allowed);
 
 // By how much the angle of the disc has changed since time 0 of the series
 // [rad].

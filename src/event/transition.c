@@ -356,7 +356,7 @@ static bool is_on_limit_solution(const trajectory_t *path, tf_real_t allowed,
                                     (1 + magnitude(motion->exponent)));
   }
   return missed * growth <= allowed &&
-         tf_segment_length(motion, limit->time, (error_t){allowed, 0}) ==
+         tf_segment_length(motion, limit->time, (series_error_t){allowed, 0}) ==
              limit->time;
 }
 
@@ -371,7 +371,7 @@ TF_API bool tf_follow_limit_direction(trajectory_t *path, tf_real_t allowed) {
   tf_real_t end = limit.time + path->remaining, event_time;
   if (limit.time < 0 && end > 0) end = 0;
   if (limit.time > 0) {
-    end = tf_segment_length(motion, end, (error_t){allowed, 0});
+    end = tf_segment_length(motion, end, (series_error_t){allowed, 0});
     if (!(end > limit.time) ||
         tf_next_event(motion, &limit.segment, end, &event_time))
       return false;

@@ -79,8 +79,8 @@ static tf_real_t step_to_zero(tf_real_t f, tf_real_t f1, tf_real_t f2,
   const tf_real_t discriminant = f1 * f1 - 2 * f * f2;
   const tf_real_t root = discriminant > 0 ? square_root(discriminant) : 0;
   const tf_real_t sum = f1 < 0 ? root - f1 : -root - f1;
-  const tf_real_t near = 2 * f / sum;
-  return (near > 0) == upwards ? near : sum / f2;
+  const tf_real_t nearer = 2 * f / sum;
+  return (nearer > 0) == upwards ? nearer : sum / f2;
 }
 
 typedef struct {

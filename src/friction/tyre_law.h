@@ -31,16 +31,16 @@ TF_INLINE bool is_beyond(int n, tf_real_t low, tf_real_t high) {
 
 // tan(a w) of a small angle w by its tangent, |w| <= pi/32: a short odd series,
 // whose first left-out term is below small^16/17 = 5e-18 (double), small^8/9 =
-// 1e-9 (float) of the first, because |small| <= tan(pi/32) = 0.0985. What
+// 1e-9 (float) of the first, because |y| <= tan(pi/32) = 0.0985. What
 // comes after the first term is summed in pairs, each of which is computed
 // while the sum waits for those before it: 5 to 9 % less time of a step.
-TF_INLINE tf_real_t cot_psi_near_zero(const tf_tyre_t *tyre, tf_real_t small) {
+TF_INLINE tf_real_t cot_psi_near_zero(const tf_tyre_t *tyre, tf_real_t y) {
   const tf_real_t *c = tyre->T_series;
-  const tf_real_t small2 = small * small, small4 = small2 * small2;
+  const tf_real_t y2 = y * y, y4 = y2 * y2;
   tf_real_t sum = c[TF_TYRE_TERMS - 1];
   for (int n = TF_TYRE_TERMS - 3; n > 0; n -= 2)
-    sum = c[n] + c[n + 1] * small2 + sum * small4;
-  return small * (c[0] + sum * small2);
+    sum = c[n] + c[n + 1] * y2 + sum * y4;
+  return y * (c[0] + sum * y2);
 }
 
 // tan(x + y) by T = tan x and u = tan y. From an anchor at most pi/32 away the
@@ -54,8 +54,8 @@ TF_INLINE tf_real_t cot_psi_beyond(tf_real_t T, tf_real_t u) {
 TF_INLINE tf_real_t cot_psi_from(const tf_tyre_t *tyre, tf_real_t G,
                                  tf_real_t H, tf_real_t c, tf_real_t s,
                                  tf_real_t T) {
-  const tf_real_t small = (G * c - H * s) / (H * c + G * s);
-  return cot_psi_beyond(T, cot_psi_near_zero(tyre, small));
+  const tf_real_t y = (G * c - H * s) / (H * c + G * s);
+  return cot_psi_beyond(T, cot_psi_near_zero(tyre, y));
 }
 
 // Whether products with the anchors would lose bits to underflow.

@@ -269,12 +269,12 @@ static void end_slip_near_codim2(const free_motion_t *c, const inclusion_t *in,
   if (comes && continue_from_codim2(c, in, field, &modes, &course, to)) return;
   pass_codim2(c, in, field, &modes, s, to);
   const unsigned mode = to->outcome.mode;
-  const bool near =
+  const bool follows =
       mode != TF_NO_MODE && agrees(&course, mode, end_slip(c, &to->end));
   // On a limit direction that leads to h = g = 0 (9) makes a slip alternate
   // between both sides; of a slip that ends in stick it has not all the force.
-  if (near && is_slip(mode) && !course.leads_in) return;
-  bool coarse = comes ? size_of(modes.solutions.set) > 1 : !near;
+  if (follows && is_slip(mode) && !course.leads_in) return;
+  bool coarse = comes ? size_of(modes.solutions.set) > 1 : !follows;
   if (course.mode < TF_PINNED && follow_course(c, in, &course, s->set, to))
     coarse = may_miss(c->start.slip, course.slip, course.mode != c->state->mode,
                       s->set);
