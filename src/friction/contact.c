@@ -5,7 +5,7 @@
 #include "codim2.h"
 #include "inclusion.h"
 #include "mode_set.h"
-#include "prepared.h"
+#include "tyre_law.h"
 
 // The constants of a contact. No step calls this.
 

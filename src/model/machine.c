@@ -4,7 +4,7 @@
 
 #include <stddef.h>
 
-#include "../friction/prepared.h"
+#include "../friction/tyre_law.h"
 #include "mechanics.h"
 #include "rates.h"
 

@@ -15,7 +15,7 @@
 // the slip at the theta point, as far as the law allows: h_t falls with F in
 // every machine, so there is one such F.
 #include "../friction/mode_set.h"
-#include "rare_end.h"
+#include "scheme.h"
 
 // The guess of the middle.
 typedef struct {

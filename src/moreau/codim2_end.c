@@ -3,7 +3,7 @@
 // nothing of where a step happens to end, so that the branch does not depend on
 // it.
 #include "../model/rates.h"
-#include "rare_end.h"
+#include "scheme.h"
 
 // The rest of a step behind h = g = 0 is not shorter than 1/32 of it, so that
 // the direction of the slip is not lost in rounding.

@@ -1,6 +1,6 @@
 // Ends of a step that any rare end may take: in a given mode, and where no mode
 // is consistent.
-#include "rare_end.h"
+#include "scheme.h"
 
 TF_API forced_end_t tf_mode_end(const free_motion_t *c,
                                 const tf_contact_modes_t *s, unsigned mode) {

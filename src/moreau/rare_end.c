@@ -1,6 +1,6 @@
 // The ends of a step that are off the common path and need no file of their
 // own: under a single-valued law, in no mode, of a slip whose force turns.
-#include "rare_end.h"
+#include "scheme.h"
 
 // The force of a single-valued law over a step, (11). No enumeration is needed,
 // but the law may still be stiff in h. Such a law does not read the side.

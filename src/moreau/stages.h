@@ -17,7 +17,7 @@
 #endif
 
 // The velocities that a step starts with, against the turntable of its end, and
-// its slip at the start. An incremental step (compensation.h) knows its slip to
+// its slip at the start. An incremental step knows its slip to
 // more digits than p and z are stored in: it adds the change over the step to
 // the slip at the start. A plain step computes the slip from the state that it
 // will store, so that its report is the slip of that state.
@@ -91,7 +91,7 @@ TF_INLINE void know_start_slip(free_motion_t *c) {
 }
 
 // Where a step ends under a force. Of an incremental step r, v, w are what a
-// plain step would store: compensation.h computes them in pairs.
+// plain step would store: compensated.c computes them in pairs.
 typedef struct {
   tf_force_t force;
   change_t friction; // of the velocities, unless pinned

@@ -3,7 +3,7 @@
  * the motion is off by its acceleration times the step, which makes a smooth
  * motion one of first order, and at h = g = 0, where all else is as small,
  * another motion. */
-#include "../../src/moreau/rare_end.h"
+#include "../../src/moreau/scheme.h"
 #include "../reference/reference.h"
 #include "same_state.h"
 #include "sim.h"

@@ -1,7 +1,7 @@
 /* The energy that a step creates, what is done about it, and what is said where
  * a step is too long for the motion; over the whole ranges of parameters. */
 #include "../../../src/moreau/balance.h"
-#include "../../../src/moreau/rare_end.h"
+#include "../../../src/moreau/scheme.h"
 #include "codim2_field.h"
 #include "reference.h"
 #include "sim.h"

@@ -34,11 +34,9 @@ OUT = Path(os.environ.get("BUILD") or "build", "eva")
 REALS = {"f64": "-UTF_REAL_FLOAT", "f32": "-DTF_REAL_FLOAT"}
 # Whole programs need no more than what they call.
 SOURCES = {
-    "STEP": "step,rare_end,report,codim2_end,consistent,rest_motion,balanced,"
-            "codim2,inclusion,course,quadrant,select,philox,tyre,prepare,"
-            "prepared,kernel",
-    "PREPARE": "prepare,prepared,kernel,prepare_compensated,compensated,"
-               "machine"}
+    "STEP": "step,mode_end,rare_end,report,codim2_end,machine,rest_motion,"
+            "balanced,codim2,contact,quadrant,select,tyre,kernel",
+    "PREPARE": "machine,contact,select,kernel,compensated"}
 # Functions that say by their value whether they wrote a result: what is known
 # where they return is kept apart by that value.
 APART = ("first_offender validate_located within in_reach side_of "
