@@ -73,10 +73,9 @@ static inline tf_real_t clip_by_cases(tf_real_t x, tf_real_t low,
 
 // T is NaN where G or H is not finite, else in [0, 6 kappa] up to its 16 ULP
 // (angle_kernel_error_bound executes that): x is 4/3 - T / (18 kappa).
-static inline multipliers_t told_multipliers(const tf_tyre_t *tyre,
-                                             tf_real_t side, tf_real_t h,
-                                             tf_real_t g) {
-  multipliers_t m = jump_multipliers(tyre, side, h, g);
+static inline multipliers_t told_multipliers(const tf_tyre_t *tyre, sign_t side,
+                                             tf_slip_t slip) {
+  multipliers_t m = jump_multipliers(tyre, side, slip);
   //@ admit \is_NaN(m.x) || -1.34 <= m.x <= 1.34;
   //@ admit \is_NaN(m.y) || -1.01 <= m.y <= 1.01;
   return m;

@@ -62,8 +62,10 @@ class Entry(NamedTuple):
         found = set()
         for name in self.sources.split(","):
             for stem in SOURCES.get(name, name).split(","):
-                stem = "*" if stem == "ALL" else stem
-                found |= set(map(str, Path().glob(f"src/*/{stem}.c")))
+                files = [*map(str, Path().glob(f"src/*/{stem}.c"))]
+                if not files:
+                    sys.exit(f"eva: src/ has no {stem}.c")
+                found |= set(files)
         return sorted(found)
 
 

@@ -36,11 +36,12 @@ static const char *make_file(file_t *file, fuzz_bytes_t *in) {
                                  .deadman = byte,
                                  .left = byte / 2,
                                  .input = file->setup.input};
+  stand.report = system.report;
   for (unsigned n = byte % 16u; n > 0; n--) {
     const tf_input_t *input = &file->setup.input;
     if (motion_step(&system, file->scheme->code, input) < 0) break;
+    stand.report = system.report;
   }
-  stand.report = system.report;
   stand.state = system.state;
   stand.compensation = system.low;
   file->size = cli_state_print(&stand, &file->setup, file->scheme, file->text);
