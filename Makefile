@@ -53,7 +53,7 @@ WARN := -Wall -Wextra -pedantic -Wconversion -Wsign-conversion \
   -Wimplicit-fallthrough -Wunused-macros
 # The core neither knows errno nor a C library.
 CORE_FLAGS := $(COMMON) $(WARN) -Wdouble-promotion -fno-math-errno \
-  -ffreestanding
+  -ffreestanding -ffunction-sections
 TOOL_FLAGS := $(COMMON) $(WARN) -Wdouble-promotion -Itools
 # Tests judge in long double, so they promote on purpose. What they test and the
 # reference they judge by are optimised; a test itself is compiled faster.

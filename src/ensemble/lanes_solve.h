@@ -85,7 +85,8 @@ static void linearise_all(const tf_machine_t *restrict k,
   const mask_t given = when(input_in_range(u));
   for (int i = 0; i < TF_LANES; i++) {
     const tf_state_t state = {.r = b->r[i], .v = b->v[i], .w = b->w[i]};
-    const linear_t l = linearise(k, &state, u);
+    const linear_t l =
+        linearise(k, &state, u, velocities(k, &state, u->omega0));
     work->rare[i] =
         ~(given & when(in_reach(b->r[i], b->v[i], b->w[i])) & when(l.definite));
     work->p[i] = l.p;

@@ -248,7 +248,8 @@ TF_INLINE state_pair_t pairs_at_end(const compensated_step_t *step,
     return end_at_rest_in_pairs(k, &from, step->input->omega0);
   // A mean over a passage of h = g = 0 has a moment of its own.
   const unsigned law = outcome.is_mean ? TF_MODES : outcome.mode;
-  const linear_t l = linearise(k, step->state, step->input);
+  const linear_t l = linearise(k, step->state, step->input,
+                               velocities(k, step->state, step->input->omega0));
   return end_in_pairs(step->constants, &from, step->input, &l, law, force,
                       friction);
 }

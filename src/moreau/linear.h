@@ -13,10 +13,17 @@
 #include "../friction/inclusion.h"
 #include "../model/mechanics.h"
 
-// A change of the velocities p and z over the step.
+// A change of the velocities p and z over the step, or these themselves.
 typedef struct {
   tf_real_t p, z;
 } change_t;
+
+// The velocities of a state against a turntable.
+TF_INLINE change_t velocities(const tf_machine_t *k, const tf_state_t *state,
+                              tf_real_t omega0) {
+  const tf_real_t z = state->w - omega0;
+  return (change_t){slider_speed(k, state->v, z), z};
+}
 
 typedef struct {
   tf_real_t omega0;        // of the turntable at the end of the step
@@ -79,8 +86,9 @@ TF_INLINE void invert(const tf_machine_t *k, tf_real_t J, tf_real_t e,
   l->definite = (definite > 0) & (scale > 0);
 }
 
+// start: the velocities at the start, against the turntable of the end.
 TF_INLINE linear_t linearise(const tf_machine_t *k, const tf_state_t *state,
-                             const tf_input_t *input) {
+                             const tf_input_t *input, change_t start) {
   const tf_real_t v = state->v, w = state->w, theta_dt = k->theta_dt;
   linear_t l;
   // (1)
@@ -96,8 +104,8 @@ TF_INLINE linear_t linearise(const tf_machine_t *k, const tf_state_t *state,
   l.omega0 = input->omega0;
   l.free = change_under(&l, Q_r, Q_phi + k->d * Q_r, Q_phi);
   l.arm = r_theta * k->cos_gamma;
-  l.z = w - l.omega0;
-  l.p = slider_speed(k, v, l.z);
+  l.p = start.p;
+  l.z = start.z;
   l.r_explicit = state->r + k->explicit_dt * v;
   return l;
 }

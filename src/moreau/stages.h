@@ -30,8 +30,8 @@ typedef struct {
 // That of a plain step.
 TF_INLINE start_t start_of(const tf_machine_t *k, const tf_state_t *state,
                            const tf_input_t *input) {
-  const tf_real_t z = state->w - input->omega0;
-  return (start_t){.p = slider_speed(k, state->v, z), .z = z};
+  const change_t at = velocities(k, state, input->omega0);
+  return (start_t){.p = at.p, .z = at.z};
 }
 
 // The motion without friction, and how it responds to friction.
@@ -62,13 +62,12 @@ TF_INLINE tf_slip_t slip_by_increment(const tf_machine_t *k,
 TF_INLINE free_motion_t free_motion(const tf_machine_t *k,
                                     const tf_state_t *state,
                                     const tf_input_t *input, start_t start) {
-  free_motion_t c = {.machine = k,
-                     .state = state,
-                     .input = input,
-                     .start = start,
-                     .linear = linearise(k, state, input)};
-  c.linear.p = start.p;
-  c.linear.z = start.z;
+  free_motion_t c = {
+      .machine = k,
+      .state = state,
+      .input = input,
+      .start = start,
+      .linear = linearise(k, state, input, (change_t){start.p, start.z})};
   c.end = free_end(k, &c.linear);
   c.slip = start.incremental
                ? slip_by_increment(k, state, &c.start, turn_of_step(k, input),

@@ -53,7 +53,7 @@ TEST(created_energy_in_closed_form) {
     const ref_machine_t q = {PARAMETERS_OF(real, &p)};
     const tf_input_t u = tf_input_default(&k);
     const tf_state_t x = moving();
-    const linear_t l = linearise(&k, &x, &u);
+    const linear_t l = linearise(&k, &x, &u, velocities(&k, &x, u.omega0));
     if (!l.definite) continue;
     const end_state_t from = place(&x);
     const end_state_t to = end_after(&k, &l, (change_t){0, 0});
