@@ -13,8 +13,6 @@
 
 TF_BEGIN_C
 
-// The modes of contact.
-
 /// The five modes of contact. + and - are the sign of h in slip, of g in stick.
 typedef enum {
   TF_SLIP_PLUS,   ///< h > 0
@@ -167,9 +165,6 @@ TF_API unsigned tf_contact_leave(const tf_contact_t *contact,
                                  unsigned from, bool arrives, uint64_t tick,
                                  uint32_t seed, tf_contact_modes_t *modes,
                                  tf_force_t *force);
-
-// Random numbers of the rule RANDOM and of the studies: draw n under a seed is
-// one number on every board.
 
 /// Philox-2x32-10 (Salmon et al. 2011), a counter-based generator: a state
 /// carries no stream position but its tick, and a replay needs no history.

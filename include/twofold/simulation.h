@@ -24,11 +24,6 @@
 
 TF_BEGIN_C
 
-// The steps of a run that were not TF_OK, counted by status since its start
-// (simulation.h shows the call). A count of 0 says that no step was flagged,
-// and not that none was wrong: docs/VERIFICATION.md has the rates of wrong
-// steps that say TF_OK.
-
 /// Steps that did not return TF_OK. All zero at the start.
 typedef struct {
   uint64_t degraded;  ///< TF_DEGRADED

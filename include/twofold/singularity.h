@@ -3,20 +3,14 @@
 /// slips are tangent to the surface (Filippov 1988; Teixeira, Stability
 /// conditions for discontinuous vector fields, 1990). There lambda is not
 /// determined, stick passes from a sliding into an escaping region or back, and
-/// the future is not unique.
+/// the future is not unique. And the surface h = 0 itself, without a step, and
+/// the design of a machine with a two-fold at a given point.
 #ifndef TWOFOLD_SINGULARITY_H
 #define TWOFOLD_SINGULARITY_H
 
 #include "twofold/machine.h"
 
 TF_BEGIN_C
-
-// The switching surface h = 0 as that of a Filippov system (Filippov,
-// Differential Equations with Discontinuous Righthand Sides, 1988): its
-// sliding, escaping and crossing regions, and the field along it, without a
-// step. All of it is in physical time. On h = 0, F = lambda and M = s kappa
-// lambda with s = sign(g), so that f(x, lambda) is affine in lambda, |lambda|
-// <= mu.
 
 /// How the state changes: a value of the right-hand side f.
 typedef struct {
@@ -165,8 +159,6 @@ TF_API tf_status_t tf_normal_form(const tf_machine_t *machine,
                                   const tf_input_t *input,
                                   const tf_surface_point_t *point,
                                   tf_two_fold_t *out);
-
-// The kappa and k2 that put a two-fold at a given point, in closed form.
 
 /// Why there can be no two-fold at the point; the first that applies.
 typedef enum {
