@@ -144,9 +144,9 @@ static tf_real_t size_of_form(const tf_form_t *f) {
 
 // NaN and infinity survive into the sum.
 static bool is_finite(const inclusion_t *in, tf_slip_t now) {
-  return within(size_of_form(&in->h) + size_of_form(&in->g) + magnitude(now.h) +
-                    magnitude(now.g),
-                TF_REAL_MAX);
+  const tf_real_t size = size_of_form(&in->h) + size_of_form(&in->g) +
+                         magnitude(now.h) + magnitude(now.g);
+  return within(size, TF_REAL_MAX);
 }
 
 static multipliers_t pin_of(const inclusion_t *in) {

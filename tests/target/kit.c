@@ -96,7 +96,7 @@ static tf_real_t operate(unsigned operation, tf_real_t a, tf_real_t b) {
   }
 }
 
-// The operations by name; port.py compares with the computer that compiled this.
+// The operations by name, which port.py compares with those of this computer.
 static void compute(void) {
   static const char name[9][12] = {"addition",  "subtraction", "product",
                                    "quotient",  "root",        "rounding",
