@@ -58,7 +58,7 @@ TEST(random_machines_keep_every_number_finite) {
     u.force = anything(1000);
     u.torque = anything(1000);
     const bool driven = one_in(4);
-    run_schemes(&p, &x, driven ? &u : NULL, 10);
+    run_schemes(&p, &x, driven ? &u : NULL, 5);
   }
   printf("# accepted %ld, refused: state %ld, diverged %ld, too long %ld\n",
          accepted, refused[2], refused[3], refused[4]);

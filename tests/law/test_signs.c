@@ -67,7 +67,7 @@ static int draw_run(sim_t *run) {
 TEST(signs_are_those_of_the_mode) {
   for (int scheme = 0; scheme < SCHEMES; scheme++) {
     long good = 0, degraded = 0, wrong = 0;
-    for (int i = 0; i < samples(40000); i++) {
+    for (int i = 0; i < samples(20000); i++) {
       sim_t run;
       if (!draw_run(&run)) continue;
       for (int n = 0; n < 8; n++) {
@@ -85,7 +85,7 @@ TEST(signs_are_those_of_the_mode) {
     printf("# %-11s %ld steps as they say, %ld degraded, %ld wrong\n",
            scheme_name((scheme_t)scheme), good, degraded, wrong);
     CHECK(wrong == 0);
-    CHECK(good > samples(100000) && degraded < good / 50);
+    CHECK(good > samples(50000) && degraded < good / 50);
   }
 }
 

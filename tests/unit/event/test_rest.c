@@ -135,7 +135,7 @@ TEST(event_of_rest_is_seen_by_the_modes) {
 TEST(rest_that_is_interrupted_is_coarse) {
   if (!IS_DOUBLE) SKIP("rounding of float is as large as the interruptions");
   int interrupted = 0, waits = 0;
-  for (int n = 0; n < samples(40000) && interrupted < 40; n++) {
+  for (int n = 0; n < samples(40000) && interrupted < 20; n++) {
     rest_t c = any_rest(n);
     tf_state_t x = {.r = c.r, .w = c.omega, .mode = TF_PINNED};
     tf_report_t report;
