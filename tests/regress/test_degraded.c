@@ -99,7 +99,7 @@ static tf_params_t coarse_machine(tf_state_t *x) {
 /* Where nothing is consistent the compensated step picks as the plain one. */
 TEST(a_degraded_step_is_the_same_compensated) {
   int modes[TF_MODES] = {0};
-  for (int n = 0; n < samples(400000); n++) {
+  for (int n = 0; n < 300000; n++) {
     tf_state_t x;
     const tf_params_t p = coarse_machine(&x);
     sim_t plain = sim_of(&p);
