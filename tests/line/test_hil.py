@@ -69,7 +69,7 @@ def in_lockstep(real):
             page = (ROOT / "docs/PORTS.md").read_text().partition("\n| exit")[0]
             same(shown(page, " {4}"), shown(said))
         for name, more in (("one", []), ("again", []),
-                           ("other", ["--speed", "-0.8"])):
+                           ("other", ["--silent", "200"])):
             drive(board.name, *LOCKSTEP, *more, "--csv", name, real=real)
         same(rows("one") == rows("again"), True)
         same(rows("one") == rows("other"), False)
@@ -138,7 +138,7 @@ def what_does_not_compare(real):
 def refusals():
     drive("/dev/null", code=4)
     drive("/dev/null", "--delay", "21", code=2)
-    drive("/dev/null", "--speed", "fast", code=2)
+    drive("/dev/null", "--steps", "many", code=2)
     call(program=hil(), code=2)
 
 

@@ -131,8 +131,7 @@ typedef struct {
 hil_code_t hil_prepare(hil_board_t *board, const hil_plan_t *plan);
 
 /// Runs the board according to the plan, then stops it. Returns: as above.
-hil_code_t hil_drive(hil_board_t *board, const hil_plan_t *plan,
-                     const hil_control_t *control);
+hil_code_t hil_drive(hil_board_t *board, const hil_plan_t *plan);
 
 /// Runs the digital twin, controller and machine in one process without a line
 /// and without a clock, whose bits the closed loop should have, and compares.
@@ -140,5 +139,4 @@ hil_code_t hil_drive(hil_board_t *board, const hil_plan_t *plan,
 /// ones, unless an input was late.
 /// Returns: HIL_EQUAL, HIL_DIFFERS, HIL_REFUSED (a step is refused).
 hil_code_t hil_twin_compare(hil_board_t *board, const hil_plan_t *plan,
-                            const hil_control_t *control,
                             hil_verdict_t *verdict);

@@ -75,8 +75,7 @@ static bool is_answered(const hil_board_t *board) {
 }
 
 // Sends the input for the newest state, if the board has room for it.
-static hil_code_t respond(hil_board_t *board, const hil_plan_t *plan,
-                          const hil_control_t *control) {
+static hil_code_t respond(hil_board_t *board, const hil_plan_t *plan) {
   hil_sample_t *sample = &board->samples[board->count - 1];
   tf_machine_t machine;
   tf_state_t state;
@@ -86,7 +85,7 @@ static hil_code_t respond(hil_board_t *board, const hil_plan_t *plan,
     return HIL_EQUAL;
   (void)tf_prepare(&machine, &board->params, NULL);
   tf_read_state(sample->state, sample->tick, &state);
-  sample->input = hil_control(control, &machine, &state);
+  sample->input = hil_control(&machine, &state);
   return hil_board_drive(board, sample, sample->tick + plan->delay);
 }
 
@@ -96,8 +95,7 @@ static bool has_stopped(const hil_board_t *board) { return board->has_stopped; }
 // may have run on, and no input could come in time. The next stop is sent
 // first, because after the start the board does not wait.
 static hil_code_t respond_in_lockstep(hil_board_t *board,
-                                      const hil_plan_t *plan,
-                                      const hil_control_t *control) {
+                                      const hil_plan_t *plan) {
   const uint64_t tick = last_tick(board);
   if (tick != (board->count - 1) * plan->every)
     return stopped(board, "a command was lost");
@@ -107,7 +105,7 @@ static hil_code_t respond_in_lockstep(hil_board_t *board,
   HIL_TRY(hil_board_stop_at(board, tick + plan->every));
   // The board is stopped, so an input that is sent twice takes effect once.
   for (int tries = 0; tries < TRIES; tries++) {
-    HIL_TRY(respond(board, plan, control));
+    HIL_TRY(respond(board, plan));
     HIL_TRY(hil_board_await(board, is_answered, 0.5));
     if (is_answered(board)) break;
   }
@@ -124,13 +122,12 @@ static hil_code_t check(const hil_board_t *board, const hil_plan_t *plan) {
                      plan->every, board->stride);
 }
 
-hil_code_t hil_drive(hil_board_t *board, const hil_plan_t *plan,
-                     const hil_control_t *control) {
+hil_code_t hil_drive(hil_board_t *board, const hil_plan_t *plan) {
   board->has_new = true; // the start
   while (last_tick(board) < plan->steps && board->count < board->room) {
     if (board->has_new)
-      HIL_TRY(plan->in_lockstep ? respond_in_lockstep(board, plan, control)
-                                : respond(board, plan, control));
+      HIL_TRY(plan->in_lockstep ? respond_in_lockstep(board, plan)
+                                : respond(board, plan));
     if (last_tick(board) == 0 && !plan->in_lockstep)
       HIL_TRY(hil_board_order(board, TF_UP_START, NULL, 0));
     HIL_TRY(hil_board_await(board, has_new, PATIENCE));

@@ -20,7 +20,6 @@ typedef struct {
   bool has_key;
   uint8_t key[TF_KEY_BYTES];
   hil_plan_t plan;
-  hil_control_t control;
 } options_t;
 
 static hil_code_t usage(void) {
@@ -33,9 +32,6 @@ static hil_code_t usage(void) {
       "  --delay N       steps from a state to the effect of its input, at\n"
       "                  most twice --every (20)\n"
       "  --lockstep      no delay: the board waits for its input\n"
-      "  --speed W       set point of the disc's speed [rad/s] (-0.9)\n"
-      "  --gain G        of the turntable's speed (0.1)\n"
-      "  --brake B       torque / speed above the set point [N m s] (0.2)\n"
       "  --deadman N     ticks that an input holds, 0 without end (the "
       "board's)\n"
       "  --silent N      sends no input from step N on, as one that failed\n"
@@ -45,12 +41,6 @@ static hil_code_t usage(void) {
       "2 usage, 3 the board cannot be driven, 4 the line failed.\n",
       stderr);
   return HIL_USAGE;
-}
-
-static bool number(const char *text, tf_real_t *value) {
-  const char *why = NULL;
-  return cli_read_real(text, value, &why) && *value > -1000000 &&
-         *value < 1000000;
 }
 
 // Returns: whether the option is known and its value good.
@@ -67,9 +57,6 @@ static bool read_option(options_t *options, const char *name,
     *(every ? &options->plan.every : &options->plan.delay) = (uint32_t)n;
     return good;
   }
-  if (!strcmp(name, "--speed")) return number(value, &options->control.speed);
-  if (!strcmp(name, "--gain")) return number(value, &options->control.gain);
-  if (!strcmp(name, "--brake")) return number(value, &options->control.brake);
   if (!strcmp(name, "--silent"))
     return cli_read_whole(value, 0, 10000000, &options->plan.silent);
   if (!strcmp(name, "--deadman")) {
@@ -89,8 +76,7 @@ static bool read_option(options_t *options, const char *name,
 
 static hil_code_t read_options(options_t *options, int argc, char **argv) {
   *options = (options_t){
-      .plan = {.steps = 2000, .every = 10, .delay = 20, .silent = UINT64_MAX},
-      .control = {TF_R(-0.9), TF_R(0.1), TF_R(0.2)}};
+      .plan = {.steps = 2000, .every = 10, .delay = 20, .silent = UINT64_MAX}};
   for (int i = 1; i < argc; i++) {
     if (!strcmp(argv[i], "--lockstep")) {
       options->plan.in_lockstep = true;
@@ -202,12 +188,11 @@ static hil_code_t perform(hil_board_t *board, const options_t *options) {
     return hil_message(HIL_STOPPED, "%s: %s", options->device,
                        strerror(board->source.error));
   hil_code_t code = hil_prepare(board, &options->plan);
-  if (code == HIL_EQUAL)
-    code = hil_drive(board, &options->plan, &options->control);
+  if (code == HIL_EQUAL) code = hil_drive(board, &options->plan);
   cli_source_close(&board->source);
   HIL_TRY(code);
   if (options->csv != NULL) HIL_TRY(write_csv(board, options->csv));
-  code = hil_twin_compare(board, &options->plan, &options->control, &verdict);
+  code = hil_twin_compare(board, &options->plan, &verdict);
   if (code == HIL_EQUAL || code == HIL_DIFFERS)
     print_summary(board, &options->plan, &verdict);
   return code;

@@ -8,7 +8,6 @@
 
 typedef struct {
   hil_board_t *board;
-  const hil_control_t *control;
   hil_verdict_t *verdict;
   tf_simulation_t simulation;
   size_t next;   // sample to compare next
@@ -51,7 +50,7 @@ static void compare(twin_t *twin) {
   hil_verdict_t *verdict = twin->verdict;
   hil_sample_t *sample = &twin->board->samples[twin->next];
   const tf_simulation_t *simulation = &twin->simulation;
-  const tf_real_t error = twin->control->speed - simulation->state.w;
+  const tf_real_t error = HIL_SPEED - simulation->state.w;
   twin->squares += (double)error * (double)error;
   verdict->compared++;
   if (!same(simulation, sample)) {
@@ -59,8 +58,7 @@ static void compare(twin_t *twin) {
     verdict->differ++;
   }
   if (sample->sent) {
-    sample->own =
-        hil_control(twin->control, &simulation->machine, &simulation->state);
+    sample->own = hil_control(&simulation->machine, &simulation->state);
     verdict->inputs++;
     // Five numbers, and nothing between them.
     if (memcmp(&sample->own, &sample->input, sizeof sample->own) != 0) {
@@ -112,10 +110,9 @@ static void count_times(const hil_board_t *board, const hil_plan_t *plan,
 }
 
 hil_code_t hil_twin_compare(hil_board_t *board, const hil_plan_t *plan,
-                            const hil_control_t *control,
                             hil_verdict_t *verdict) {
   static twin_t twin;
-  twin = (twin_t){.board = board, .control = control, .verdict = verdict};
+  twin = (twin_t){.board = board, .verdict = verdict};
   *verdict = (hil_verdict_t){0};
   count_times(board, plan, verdict);
   if (tf_simulation_open(&twin.simulation, board->scene, &board->params,
