@@ -164,10 +164,17 @@ TF_API bool tf_decoder_push(tf_decoder_t *decoder, uint8_t byte,
 
 TF_API bool tf_decoder_block(tf_decoder_t *decoder, const uint8_t *bytes,
                              size_t length, size_t *taken, tf_frame_t *frame) {
+  const size_t size = decoder->size;
+  uint8_t *buffer = decoder->buffer;
   size_t at = 0;
   bool is_complete = false;
-  while (at < length && !is_complete)
-    is_complete = tf_decoder_push(decoder, bytes[at++], frame);
+  while (at < length && !is_complete) {
+    size_t used = decoder->used;
+    while (at < length && bytes[at] != 0 && used < size)
+      buffer[used++] = bytes[at++];
+    decoder->used = (uint16_t)used;
+    if (at < length) is_complete = tf_decoder_push(decoder, bytes[at++], frame);
+  }
   *taken = at;
   return is_complete;
 }
