@@ -107,12 +107,12 @@ TEST(set_parameter_is_validated_and_answered) {
 TEST(lengths_types_and_dates_are_checked) {
   board_t board;
   power_up(&board, "chaos");
-  uint8_t payload[TF_COMMAND_DATA];
+  uint8_t payload[TF_COMMAND_DATA + TF_TAG_BYTES];
   memset(payload, 1, sizeof payload);
   const acting_t before = acting(&board);
   const tf_state_t state = board.simulation.state;
   for (unsigned type = 0; type < 256; type++)
-    for (unsigned length = 1; length <= TF_COMMAND_DATA; length++) {
+    for (unsigned length = 1; length <= sizeof payload; length++) {
       const bool meant =
           (type == TF_UP_INPUT && length == 5 * R) ||
           (type == TF_UP_PARAMETER && length == 1 + R) ||
@@ -121,8 +121,11 @@ TEST(lengths_types_and_dates_are_checked) {
           (type == TF_UP_RESTORE && length == 8 + TF_STATE_BYTES);
       if (meant) continue;
       send(&board, (tf_type_t)type, 0, payload, length);
+      /* The number is used up, and the answer comes at the boundary. */
+      CHECK(board.link.next == board.up && code_of(&board) == 999);
       CHECK(boundary(&board) == 0);
-      const bool known = type >= TF_UP_INPUT && type <= TF_UP_DEADMAN;
+      const bool known = (type >= TF_UP_INPUT && type <= TF_UP_DEADMAN) ||
+                         length > TF_COMMAND_DATA;
       CHECK(code_of(&board) == (known ? TF_ANSWER_LENGTH : TF_ANSWER_UNKNOWN));
       CHECK(acts_alike(&board, &before));
       CHECK(same_state(&state, &board.simulation.state));
