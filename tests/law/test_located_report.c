@@ -1,5 +1,5 @@
 /* What the located step reports, judged from outside: residual, angle, Delassus
- * scalar, the slip that follows a stick, the set, and its refusal. */
+ * scalar, the slip that follows a stick, and that tf_step took over. */
 #include "sim.h"
 
 static tf_status_t locate(sim_t *s) { return sim_step(s, LOCATED); }
@@ -199,4 +199,27 @@ TEST(located_without_contact_keeps_its_side_at_h_0) {
       CHECK(s.report.slip.h == 0 && s.x.mode == mode);
     }
   }
+}
+
+/* A wheel along the slot that sticks on the axis has A = 0 and no series: there
+ * tf_step takes over, and its state and report are the ones returned. */
+TEST(located_falls_back_and_says_so) {
+  tf_params_t along = tf_scenes[0]->params;
+  along.gamma = 0;
+  int fell_back = 0;
+  for (int i = 0; i < 100; i++) {
+    sim_t p = sim_of(&along);
+    CHECK(sim_prepare(&p) == TF_OK);
+    p.x = (tf_state_t){.v = uniform(-1, 1), .w = along.omega0};
+    p.x.mode = p.x.v < 0 ? TF_STICK_PLUS : TF_STICK_MINUS;
+    sim_t same = p;
+    const tf_status_t s = locate(&p), t = sim_step(&same, MOREAU);
+    if (memcmp(&p.x, &same.x, sizeof p.x) != 0) continue;
+    fell_back++;
+    /* A step that tf_step finds too coarse is not told as one that it took. */
+    CHECK(p.report.status == s && s == (t == TF_OK ? TF_FELL_BACK : t));
+    CHECK(p.report.set == same.report.set &&
+          p.report.force.F == same.report.force.F);
+  }
+  CHECK(fell_back > 50);
 }

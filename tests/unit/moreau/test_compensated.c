@@ -106,35 +106,6 @@ TEST(rounding_is_compensated) {
   CHECK(fabsl((real)run.low.w) <= EPSILON * fabsl((real)run.x.w));
 }
 
-/* |h| stays at the rounding of one change of it, dt epsilon 1 m/s^2, where the
- * plain step keeps it at that of its terms, epsilon 1 m/s. */
-TEST(compensated_stick_is_exact) {
-  static const char *const names[] = {"rolling", "chaos", "driven"};
-  for (int i = 0; i < 3; i++) {
-    const tf_scene_t *scene = scene_named(names[i]);
-    const double dt = 1e-5;
-    sim_t run = begun(scene, dt);
-    int sticks = 0;
-    real worst = 0;
-    for (int n = 1; n <= samples(300000); n++) {
-      const unsigned was = run.x.mode;
-      run.u = tf_scene_input(scene, &run.k, (uint64_t)n);
-      CHECK(sim_step(&run, COMPENSATED) == TF_OK);
-      if (tf_mode_is_slip(run.x.mode)) continue;
-      sticks++;
-      worst = fmaxl(worst, fabsl((real)run.report.slip.h));
-      /* Through h = g = 0 it is a mean with that of slip. */
-      const real most = run.x.mode == was ? 1 : 4.0L / 3;
-      CHECK(fabsl((real)run.report.force.F) <=
-            most * (real)run.k.contact.tyre.mu);
-    }
-    CHECK_NEAR(worst, 0, 32 * EPSILON * (real)dt);
-    printf("# %s: %d sticks, |h| <= %.2Lg epsilon dt\n", names[i], sticks,
-           worst / EPSILON / (real)dt);
-    CHECK(sticks > samples(1000));
-  }
-}
-
 /* From one state the plain and the compensated step end at the same place but
  * for rounding, in the same mode, and report the same. */
 static int same_step(const sim_t *at, real *worst) {
