@@ -21,7 +21,6 @@
 #include "twofold/located.h"     // tf_step_located: from event to event
 #include "twofold/machine.h"     // tf_prepare, tf_slip, tf_energy
 #include "twofold/real.h"        // tf_real_t, TF_R
-#include "twofold/scene.h"       // tf_scenes, tf_scene_start
 #include "twofold/simulation.h"  // tf_simulation_open: inputs that a host sets
 #include "twofold/singularity.h" // tf_two_folds, tf_normal_form
 #include "twofold/status.h"      // tf_status_t, tf_status_name

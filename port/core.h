@@ -24,7 +24,7 @@
 #include "twofold/compensated.h"
 #include "twofold/link.h"
 #include "twofold/located.h"
-#include "twofold/scene.h"
+#include "twofold/simulation.h"
 #include "twofold/step.h"
 #ifdef SCENE_HEADER
 #include SCENE_HEADER

@@ -1,6 +1,6 @@
 // The scenes that come with the project: data only. No other file of the core
 // names one of them. Members stand in the order of their struct, as C++ asks.
-#include "twofold/scene.h"
+#include "twofold/simulation.h"
 
 // The paper's figure 5: kappa and k2 put the two-fold at r = 0.1859,
 // omega = -1.037 (singKappa, singK2).

@@ -5,7 +5,6 @@
 
 #include "../num/kernel.h"
 #include "../num/rounding.h"
-#include "twofold/scene.h"
 
 // Steps counted by status.
 

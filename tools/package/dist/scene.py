@@ -205,7 +205,7 @@ def make(scene, double, single):
               + "".join(first.parts) + "#endif\n\n")
     types = Text()
     types.add_file(ROOT / "include/twofold/step.h")
-    types.add_file(ROOT / "include/twofold/scene.h")
+    types.add_file(ROOT / "include/twofold/simulation.h")
     types.add(DECLARATIONS.replace("@scene@", scene))
     whole.add(guard(f"TWOFOLD_{upper}_H", "".join(types.parts)))
 

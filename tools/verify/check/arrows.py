@@ -38,7 +38,7 @@ STANDS_ON = {"num": None, "friction": "num", "model": "friction",
              "scene": "moreau", "link": "scene", "ensemble": "moreau"}
 # Public headers without a source of their name, and the lowest room that has a
 # use for them.
-HEADER_ONLY = {"real": "num", "scene": "scene"}
+HEADER_ONLY = {"real": "num"}
 # Each folder of tools/cli/, and the other folders, or single files, that it may
 # include. Files in tools/cli/ itself may include all of them. The commands do
 # not include each other, except that `monitor` writes the rows of `run` and

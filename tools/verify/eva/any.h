@@ -5,7 +5,7 @@
 #include <__fc_builtin.h>
 
 #include "twofold/machine.h"
-#include "twofold/scene.h"
+#include "twofold/simulation.h"
 
 // A function that the analyser begins with.
 #define ENTRY(name) \
