@@ -1,10 +1,10 @@
 /// @file
 /// Commands: the frames that go up, from a host to a board, and what a board
-/// does with them. docs/PROTOCOL.md describes their bytes and the codes of their
-/// answers. A command acts once, and in one start of the board only: it names
-/// the session that the schema states, and its number is larger than those of
-/// all commands before it. On a line that others reach it ends with a tag, made
-/// with the board's key:
+/// does with them. docs/PROTOCOL.md describes their bytes and the codes of
+/// their answers. A command acts once, and in one start of the board only: it
+/// names the session that the schema states, and its number is larger than
+/// those of all commands before it. On a line that others reach it ends with a
+/// tag, made with the board's key:
 ///   session (4) | data | tag (8), if the board wants one
 ///
 /// A board applies commands at the boundary between two steps. A command of the

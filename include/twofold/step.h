@@ -29,9 +29,9 @@ typedef struct {
 
 /// Finds every mode that may follow from an instant and the one in which a
 /// state starts: slip by the sign of h; at h = 0 stick where |lambda| <= mu,
-/// else slip by the sign of dh/dt, in an escaping region all three; at h = g = 0
-/// the ways out and, where its law has the force (tf_rest_law_t), rest. |h| or
-/// |g| within rounding (32 epsilon times its terms) counts as 0.
+/// else slip by the sign of dh/dt, in an escaping region all three; at h = g =
+/// 0 the ways out and, where its law has the force (tf_rest_law_t), rest. |h|
+/// or |g| within rounding (32 epsilon times its terms) counts as 0.
 /// machine, input: in, at that instant: its omega0 and alpha. report: out.
 /// state: in/out. The caller sets r, v, w, within TF_STATE_LIMIT, and mode: the
 ///   one preferred where several are possible, or TF_NO_MODE. It ends as the

@@ -1,8 +1,8 @@
 /// @file
 /// Telemetry: the frames that go down, from the board to the host.
-/// docs/PROTOCOL.md describes their payloads byte by byte. Each tf_send function
-/// writes one whole frame into memory; a program contains only those that it
-/// calls. Last, a state as text.
+/// docs/PROTOCOL.md describes their payloads byte by byte. Each tf_send
+/// function writes one whole frame into memory; a program contains only those
+/// that it calls. Last, a state as text.
 /// wire: out, TF_FRAME_SIZE of the payload's bytes.
 /// sequence: in/out, number of this frame; then that of the next.
 /// tick: in, of the state that the contents belong to.
@@ -171,8 +171,9 @@ TF_API uint64_t tf_line_asks(const tf_line_t *line, uint32_t every);
 /// Longest line.
 #define TF_TEXT_ROW_ROOM 96
 
-/// A state as text, for the serial plotter of the Arduino IDE: writes "r:0.18 v:1.2 omega:-1.037 h:1e-10 g:0.05" and a newline, in up to
-/// six digits, without a terminating zero.
+/// A state as text, for the serial plotter of the Arduino IDE: writes "r:0.18
+/// v:1.2 omega:-1.037 h:1e-10 g:0.05" and a newline, in up to six digits,
+/// without a terminating zero.
 /// out: out, TF_TEXT_ROW_ROOM characters. state, report: in.
 /// Returns: the length.
 #define tf_text_row TF_LINK(tf_text_row)

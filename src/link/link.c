@@ -208,7 +208,8 @@ static int set_every(tf_link_t *link, const tf_command_t *command) {
   return TF_ANSWER_DONE;
 }
 
-// The machine of parameters that were changed in place, where the caller changes
+// The machine of parameters that were changed in place, where the caller
+// changes
 // them back if it is none: a second copy would not fit a small stack.
 static int prepare_machine(tf_link_t *link, tf_simulation_t *simulation) {
   const tf_status_t status =
