@@ -88,7 +88,7 @@ TEST(slip_that_comes_to_the_axis_goes_on_as_located) {
   }
 }
 
-static double slip_error(double theta, long n, const long double end[3]) {
+static double slip_error(double theta, long n, const real end[3]) {
   sim_t s = {.params = tf_scenes[0]->params};
   s.params.theta = (tf_real_t)theta;
   s.params.dt = (tf_real_t)(0.3 / (double)n);
@@ -102,7 +102,7 @@ static double slip_error(double theta, long n, const long double end[3]) {
 }
 
 /* Slope of log error over log dt by least squares on a geometric grid. */
-static double slope(double theta, const long double end[3]) {
+static double slope(double theta, const real end[3]) {
   double sx = 0, sy = 0, sxx = 0, sxy = 0;
   const int points = 5;
   for (int i = 0; i < points; i++) {
@@ -120,7 +120,7 @@ TEST(smooth_slip_order_of_convergence) {
   const ref_state_t start = {.r = 0.18L, .z = -0.5L - q.omega0};
   ref_begin(&orbit, &q, ref_with_h(&q, start, 0.5L), REF_SLIP_PLUS);
   CHECK(ref_run(&orbit, 0.3L) == REF_REACHED && orbit.events == 0);
-  const long double x[3] = {orbit.x.r, ref_v(&q, orbit.x), ref_w(&q, orbit.x)};
+  const real x[3] = {orbit.x.r, ref_v(&q, orbit.x), ref_w(&q, orbit.x)};
   const double first = slope(1, x), second = slope(0.5, x);
   printf("# order with theta = 1: %.3f, with theta = 1/2: %.3f\n", first,
          second);

@@ -4,14 +4,11 @@
  * energy balance, quadrature of the pressure, the sliding field itself), and
  * that the form as printed does not. Without the second half a test could
  * pass for both and would mean nothing. */
-#include "../tap.h"
-#include "paper.h"
+#include "common.h"
 
-static long double any(double lo, double hi) {
-  return (long double)tap_uniform(lo, hi);
-}
+static real any(double lo, double hi) { return (real)tap_uniform(lo, hi); }
 
-static void any_state(long double x[3]) {
+static void any_state(real x[3]) {
   x[0] = any(0.05, 0.5);
   x[1] = any(-1, 1);
   x[2] = any(-1.8, 1.8);
@@ -19,27 +16,24 @@ static void any_state(long double x[3]) {
 
 /* The slider's place in the room, r along the slot and d across it; the slot
  * stands at angle phi. The only geometry the derivations below start from. */
-static void place(const paper_t *p, long double r, long double phi,
-                  long double at[2]) {
+static void place(const paper_t *p, real r, real phi, real at[2]) {
   at[0] = r * cosl(phi) - p->d * sinl(phi);
   at[1] = r * sinl(phi) + p->d * cosl(phi);
 }
 
 /* First and second derivative at 0 of place(r(t), phi(t)), where (r, phi)
  * and its two rates are given; central differences of eighth order. */
-static void motion(const paper_t *p, const long double q[2],
-                   const long double rate[2], const long double accel[2],
-                   long double first[2], long double second[2]) {
-  static const long double c1[5] = {0.0L, 4.0L / 5.0L, -1.0L / 5.0L,
-                                    4.0L / 105.0L, -1.0L / 280.0L};
-  static const long double c2[5] = {-205.0L / 72.0L, 8.0L / 5.0L, -1.0L / 5.0L,
-                                    8.0L / 315.0L, -1.0L / 560.0L};
-  const long double step = 0.0005L;
-  for (int k = 0; k < 2; k++) first[k] = second[k] = 0.0L;
+static void motion(const paper_t *p, const real q[2], const real rate[2],
+                   const real accel[2], real first[2], real second[2]) {
+  static const real c1[5] = {0, 0.8L, -0.2L, 4.0L / 105, -1.0L / 280};
+  static const real c2[5] = {-205.0L / 72, 1.6L, -0.2L, 8.0L / 315,
+                             -1.0L / 560};
+  const real step = 0.0005L;
+  for (int k = 0; k < 2; k++) first[k] = second[k] = 0;
   for (int j = -4; j <= 4; j++) {
-    const long double t = step * (long double)j;
+    const real t = step * (real)j;
     const int n = j < 0 ? -j : j;
-    long double at[2];
+    real at[2];
     place(p, q[0] + t * (rate[0] + 0.5L * t * accel[0]),
           q[1] + t * (rate[1] + 0.5L * t * accel[1]), at);
     for (int k = 0; k < 2; k++) {
@@ -50,10 +44,9 @@ static void motion(const paper_t *p, const long double q[2],
 }
 
 /* The wheel's two directions in the room: across (h) and along (g). */
-static void wheel(const paper_t *p, long double phi, long double across[2],
-                  long double along[2]) {
-  const long double slot[2] = {cosl(phi), sinl(phi)};
-  const long double sg = sinl(p->gamma), cg = cosl(p->gamma);
+static void wheel(const paper_t *p, real phi, real across[2], real along[2]) {
+  const real slot[2] = {cosl(phi), sinl(phi)};
+  const real sg = sinl(p->gamma), cg = cosl(p->gamma);
   across[0] = -sg * slot[0] + cg * slot[1];
   across[1] = -sg * slot[1] - cg * slot[0];
   along[0] = -cg * slot[0] - sg * slot[1];
@@ -63,20 +56,19 @@ static void wheel(const paper_t *p, long double phi, long double across[2],
 /* Virtual power: for each of dr, dphi the power of inertia less that of the
  * spring, dampers, friction -F across the wheel and moment M. Zero in both
  * for the true accelerations; returns the larger. */
-static long double imbalance(const paper_t *p, const long double x[3],
-                             const long double accel[2], long double F,
-                             long double M) {
-  const long double q[2] = {x[0], 0.7L}, rate[2] = {x[1], x[2]};
-  const long double rest[2] = {0.0L, 0.0L};
-  const long double theta = p->beta * p->beta * p->m;
-  long double across[2], along[2], u[2], a[2], left[2], unused[2];
+static real imbalance(const paper_t *p, const real x[3], const real accel[2],
+                      real F, real M) {
+  const real q[2] = {x[0], 0.7L}, rate[2] = {x[1], x[2]};
+  const real rest[2] = {0, 0};
+  const real theta = p->beta * p->beta * p->m;
+  real across[2], along[2], u[2], a[2], left[2], unused[2];
   wheel(p, q[1], across, along);
   motion(p, q, rate, accel, u, a);
   left[0] = p->k2 * (x[0] - p->r0) + p->c2 * x[1];
   left[1] = theta * accel[1] + p->c1 * x[2] - M;
   for (int k = 0; k < 2; k++) {
-    const long double unit[2] = {k == 0 ? 1.0L : 0.0L, k == 1 ? 1.0L : 0.0L};
-    long double way[2];
+    const real unit[2] = {k == 0 ? 1 : 0, k == 1 ? 1 : 0};
+    real way[2];
     motion(p, q, unit, rest, way, unused);
     for (int i = 0; i < 2; i++)
       left[k] += (p->m * a[i] + F * across[i]) * way[i];
@@ -90,11 +82,11 @@ TEST(h_and_g_are_the_slip_of_the_wheel) {
   paper_t p;
   paper_default(&p);
   for (int i = 0; i < 100; i++) {
-    const long double rest[2] = {0.0L, 0.0L};
-    long double x[3], at[2], u[2], a[2], across[2], along[2];
+    const real rest[2] = {0, 0};
+    real x[3], at[2], u[2], a[2], across[2], along[2];
     any_state(x);
     p.gamma = any(-3, 3);
-    const long double q[2] = {x[0], any(-3, 3)}, rate[2] = {x[1], x[2]};
+    const real q[2] = {x[0], any(-3, 3)}, rate[2] = {x[1], x[2]};
     place(&p, q[0], q[1], at);
     motion(&p, q, rate, rest, u, a);
     wheel(&p, q[1], across, along);
@@ -110,14 +102,14 @@ TEST(erratum_rescaled_time) {
   paper_t p;
   paper_default(&p);
   for (int i = 0; i < 100; i++) {
-    const long double F = any(0.2, 1), M = any(-1, 1);
-    long double x[3], tau[3];
+    const real F = any(0.2, 1), M = any(-1, 1);
+    real x[3], tau[3];
     any_state(x);
-    const long double rate = p.m * (p.beta * p.beta + x[0] * x[0]);
+    const real rate = p.m * (p.beta * p.beta + x[0] * x[0]);
     paper_rhs(&p, x, F, M, tau);
-    const long double in_tau[2] = {tau[1], tau[2]};
-    const long double in_t[2] = {tau[1] / rate, tau[2] / rate};
-    CHECK_NEAR(imbalance(&p, x, in_t, F, M), 0.0L, 2e-11L);
+    const real in_tau[2] = {tau[1], tau[2]};
+    const real in_t[2] = {tau[1] / rate, tau[2] / rate};
+    CHECK_NEAR(imbalance(&p, x, in_t, F, M), 0, 2e-11L);
     CHECK_NEAR(tau[0] / rate, x[1], 1e-18L);
     CHECK(imbalance(&p, x, in_tau, F, M) > 1e-4L);
     CHECK(fabsl(tau[0] - x[1]) > 0.5L * fabsl(x[1])); /* v is dr/dt */
@@ -126,13 +118,12 @@ TEST(erratum_rescaled_time) {
 
 /* (eom1)-(eom3) with friction `across` the slit and `along` it, solved for
  * (r'', phi''): R1 from (eom1), then phi'' from (eom3), r'' from (eom2). */
-static void free_body(const paper_t *p, const long double x[3],
-                      long double across, long double along, long double M,
-                      long double accel[2]) {
-  const long double r = x[0], v = x[1], w = x[2], m = p->m;
-  const long double theta = p->beta * p->beta * m;
-  const long double R2 = -p->k2 * (r - p->r0) - p->c2 * v;
-  const long double R1_rest = m * (p->d * w * w - 2.0L * v * w) - across;
+static void free_body(const paper_t *p, const real x[3], real across,
+                      real along, real M, real accel[2]) {
+  const real r = x[0], v = x[1], w = x[2], m = p->m;
+  const real theta = p->beta * p->beta * m;
+  const real R2 = -p->k2 * (r - p->r0) - p->c2 * v;
+  const real R1_rest = m * (p->d * w * w - 2 * v * w) - across;
   accel[1] = (-p->c1 * w + p->d * R2 + r * R1_rest + M) / (theta + m * r * r);
   accel[0] = (R2 + along) / m + p->d * accel[1] + r * w * w;
 }
@@ -142,26 +133,26 @@ TEST(erratum_eom_signs) {
   paper_t p;
   paper_default(&p);
   for (int i = 0; i < 100; i++) {
-    const long double F = any(0.2, 1), M = any(-1, 1);
-    const long double cg = cosl(p.gamma), sg = sinl(p.gamma);
-    long double x[3], dx[3], right[2], printed[2];
+    const real F = any(0.2, 1), M = any(-1, 1);
+    const real cg = cosl(p.gamma), sg = sinl(p.gamma);
+    real x[3], dx[3], right[2], printed[2];
     any_state(x);
     free_body(&p, x, -F * cg, F * sg, M, right);
     free_body(&p, x, F * cg, -F * cg, M, printed);
     paper_rhs_time(&p, x, F, M, dx);
-    CHECK_NEAR(imbalance(&p, x, right, F, M), 0.0L, 2e-11L);
-    CHECK_NEAR(right[0], dx[1], 1e-15L * (1.0L + fabsl(dx[1])));
-    CHECK_NEAR(right[1], dx[2], 1e-15L * (1.0L + fabsl(dx[2])));
+    CHECK_NEAR(imbalance(&p, x, right, F, M), 0, 2e-11L);
+    CHECK_NEAR(right[0], dx[1], 1e-15L * (1 + fabsl(dx[1])));
+    CHECK_NEAR(right[1], dx[2], 1e-15L * (1 + fabsl(dx[2])));
     CHECK(imbalance(&p, x, printed, F, M) > 0.01L);
     CHECK(fabsl(printed[0] - dx[1]) + fabsl(printed[1] - dx[2]) > 0.01L);
   }
 }
 
 /* Kinetic and spring energy, the former from the slider's own velocity. */
-static long double energy(const paper_t *p, const long double x[3]) {
-  const long double q[2] = {x[0], 0.7L}, rate[2] = {x[1], x[2]};
-  const long double rest[2] = {0.0L, 0.0L}, s = x[0] - p->r0;
-  long double u[2], a[2];
+static real energy(const paper_t *p, const real x[3]) {
+  const real q[2] = {x[0], 0.7L}, rate[2] = {x[1], x[2]};
+  const real rest[2] = {0, 0}, s = x[0] - p->r0;
+  real u[2], a[2];
   motion(p, q, rate, rest, u, a);
   return 0.5L * p->m * (u[0] * u[0] + u[1] * u[1]) +
          0.5L * p->m * p->beta * p->beta * x[2] * x[2] + 0.5L * p->k2 * s * s;
@@ -173,18 +164,17 @@ TEST(erratum_c1_damps_against_the_ground) {
   paper_t p;
   paper_default(&p);
   p.c1 = 0.1L;
-  p.c2 = 0.0L;
+  p.c2 = 0;
   for (int i = 0; i < 100; i++) {
-    long double x[3], dx[3], gain = 0.0L;
+    real x[3], dx[3], gain = 0;
     any_state(x);
     x[2] = any(0.2, 1.8);
-    paper_rhs_time(&p, x, 0.0L, 0.0L, dx);
+    paper_rhs_time(&p, x, 0, 0, dx);
     for (int j = -2; j <= 2; j++) { /* of degree 4 along a line: exact */
-      const long double step = 1e-4L * (long double)j;
-      long double y[3];
+      const real step = 1e-4L * (real)j;
+      real y[3];
       for (int k = 0; k < 3; k++) y[k] = x[k] + step * dx[k];
-      if (j)
-        gain += (j * j == 1 ? 4.0L : -1.0L) * energy(&p, y) / (6.0L * step);
+      if (j) gain += (j * j == 1 ? 4 : -1) * energy(&p, y) / (6 * step);
     }
     CHECK_NEAR(gain, -p.c1 * x[2] * x[2], 1e-10L);
     CHECK(fabsl(gain + p.c1 * (x[2] - p.omega0) * x[2]) > 0.01L);
@@ -196,13 +186,13 @@ TEST(erratum_stick_moment_has_the_sign_of_g) {
   paper_t p;
   paper_default(&p);
   for (int i = 0; i < 100; i++) {
-    const long double size = any(0.01, 1), side = i % 2 ? 1.0L : -1.0L;
-    const long double roll = i % 4 < 2 ? 1.0L : -1.0L;
-    long double F, M;
+    const real size = any(0.01, 1), side = i % 2 ? 1 : -1;
+    const real roll = i % 4 < 2 ? 1 : -1;
+    real F, M;
     paper_friction(&p, side * 1e-17L, roll * size, &F, &M);
     CHECK_NEAR(F, side * p.mu, 1e-13L);
     CHECK_NEAR(M, roll * p.kappa * F, 1e-13L);
-    if (roll > 0.0L)
+    if (roll > 0)
       CHECK_NEAR(M, p.kappa * F, 1e-13L); /* the text */
     else
       CHECK(fabsl(M - p.kappa * F) > 0.5L);
@@ -215,16 +205,16 @@ TEST(erratum_stick_moment_has_the_sign_of_g) {
 TEST(erratum_p2_depends_on_r_alone) {
   paper_t p;
   for (int i = 0; i < 100; i++) {
-    long double x[3], y[3], on[3], off[3];
+    real x[3], y[3], on[3], off[3];
     paper_default(&p);
     any_state(x);
     any_state(y);
     y[0] = x[0];
-    paper_rhs(&p, x, 1.0L, 0.0L, on);
-    paper_rhs(&p, x, 0.0L, 0.0L, off);
-    const long double factor = on[1] - off[1];
-    paper_rhs(&p, y, 1.0L, 0.0L, on);
-    paper_rhs(&p, y, 0.0L, 0.0L, off);
+    paper_rhs(&p, x, 1, 0, on);
+    paper_rhs(&p, x, 0, 0, off);
+    const real factor = on[1] - off[1];
+    paper_rhs(&p, y, 1, 0, on);
+    paper_rhs(&p, y, 0, 0, off);
     CHECK_NEAR(factor, paper_p2(&p, x[0]), 1e-17L);
     CHECK_NEAR(factor, on[1] - off[1], 1e-17L); /* other v, other w */
     y[0] = any(0.12, 0.5);
@@ -232,30 +222,30 @@ TEST(erratum_p2_depends_on_r_alone) {
     p.kappa = paper_sing_kappa(&p, y[0]);
     p.k2 = paper_sing_k2(&p, y[0], y[2]);
     y[1] = paper_sing_v(&p, y[0], y[2]);
-    CHECK_NEAR(paper_h(&p, y), 0.0L, 1e-18L);
-    CHECK_NEAR(paper_lie(&p, y, p.mu, 1), 0.0L, 1e-16L);
-    CHECK_NEAR(paper_lie(&p, y, -p.mu, 1), 0.0L, 1e-16L);
+    CHECK_NEAR(paper_h(&p, y), 0, 1e-18L);
+    CHECK_NEAR(paper_lie(&p, y, p.mu, 1), 0, 1e-16L);
+    CHECK_NEAR(paper_lie(&p, y, -p.mu, 1), 0, 1e-16L);
   }
 }
 
 /* The sine of the angle between (svf) at x* + xi v+ + eta v- and the field of
  * (SlidNormForm), xi_bar = scale xi, eta_bar = eta; 2 if they are opposed. */
-static long double normal_form_miss(const paper_t *p, const long double at[3],
-                                    const paper_twofold_t *n, long double xi,
-                                    long double eta, long double scale) {
-  const long double *a = n->plus, *b = n->minus;
-  const long double area = a[0] * b[2] - a[2] * b[0], step = 1e-2L;
-  const long double form[2] = {(n->J1 * scale * xi + eta) / scale,
-                               scale * xi + n->J2 * eta};
-  long double x[3], dx[3], field[2], size;
+static real normal_form_miss(const paper_t *p, const real at[3],
+                             const paper_twofold_t *n, real xi, real eta,
+                             real scale) {
+  const real *a = n->plus, *b = n->minus;
+  const real area = a[0] * b[2] - a[2] * b[0], step = 1e-2L;
+  const real form[2] = {(n->J1 * scale * xi + eta) / scale,
+                        scale * xi + n->J2 * eta};
+  real x[3], dx[3], field[2], size;
   for (int k = 0; k < 3; k++) x[k] = at[k] + step * (xi * a[k] + eta * b[k]);
-  x[1] = paper_v_at(p, x[0], x[2], 0.0L);
+  x[1] = paper_v_at(p, x[0], x[2], 0);
   paper_stick(p, x, 1, dx);
   CHECK(fabsl(paper_lambda(p, x, 1)) < p->mu); /* (SlidCond) */
   field[0] = (dx[0] * b[2] - dx[2] * b[0]) / area;
   field[1] = (a[0] * dx[2] - a[2] * dx[0]) / area;
   size = hypotl(field[0], field[1]) * hypotl(form[0], form[1]);
-  if (field[0] * form[0] + field[1] * form[1] < 0.0L) return 2.0L;
+  if (field[0] * form[0] + field[1] * form[1] < 0) return 2;
   return fabsl(field[0] * form[1] - field[1] * form[0]) / size;
 }
 
@@ -265,15 +255,15 @@ TEST(erratum_normal_form_scales_the_ratio) {
   paper_t p;
   paper_twofold_t n;
   paper_default(&p);
-  const long double v = paper_sing_v(&p, PAPER_R_STAR, PAPER_W_STAR);
-  const long double at[3] = {PAPER_R_STAR, v, PAPER_W_STAR};
+  const real v = paper_sing_v(&p, PAPER_R_STAR, PAPER_W_STAR);
+  const real at[3] = {PAPER_R_STAR, v, PAPER_W_STAR};
   paper_twofold(&p, at, 1, &n);
-  const long double root = sqrtl(-n.Kpp / n.Kmm);
+  const real root = sqrtl(-n.Kpp / n.Kmm);
   for (int i = 0; i < 100; i++) {
-    const long double xi = any(0.1, 1), eta = any(0.1, 1);
+    const real xi = any(0.1, 1), eta = any(0.1, 1);
     CHECK(normal_form_miss(&p, at, &n, xi, eta, root) < 1e-4L);
-    CHECK(normal_form_miss(&p, at, &n, xi, eta, 1.0L) > 0.02L);
-    CHECK(normal_form_miss(&p, at, &n, xi, eta, 1.0L / root) > 0.04L);
+    CHECK(normal_form_miss(&p, at, &n, xi, eta, 1) > 0.02L);
+    CHECK(normal_form_miss(&p, at, &n, xi, eta, 1 / root) > 0.04L);
   }
 }
 
@@ -282,21 +272,21 @@ TEST(erratum_normal_form_scales_the_ratio) {
 TEST(erratum_case_three_is_below_one) {
   int below = 0, above = 0;
   for (int i = 0; i < 400; i++) {
-    const long double J1 = any(-3, 3), J2 = any(-3, 3);
-    const long double gap = sqrtl((J1 - J2) * (J1 - J2) + 4.0L);
-    const long double up = 0.5L * (J1 + J2 + gap);
-    const long double down = 0.5L * (J1 + J2 - gap);
-    CHECK_NEAR((J1 - up) * (J2 - up), 1.0L, 1e-16L);
-    CHECK_NEAR((J1 - down) * (J2 - down), 1.0L, 1e-16L);
-    CHECK((up * down < 0.0L) == (J1 * J2 < 1.0L));
-    CHECK(up - down >= 2.0L); /* never equal */
-    below += J1 * J2 < 1.0L;
-    above += J1 * J2 > 1.0L;
+    const real J1 = any(-3, 3), J2 = any(-3, 3);
+    const real gap = sqrtl((J1 - J2) * (J1 - J2) + 4);
+    const real up = 0.5L * (J1 + J2 + gap);
+    const real down = 0.5L * (J1 + J2 - gap);
+    CHECK_NEAR((J1 - up) * (J2 - up), 1, 1e-16L);
+    CHECK_NEAR((J1 - down) * (J2 - down), 1, 1e-16L);
+    CHECK((up * down < 0) == (J1 * J2 < 1));
+    CHECK(up - down >= 2); /* never equal */
+    below += J1 * J2 < 1;
+    above += J1 * J2 > 1;
   }
   CHECK(below > 50 && above > 50);
 }
 
-static int is_two_fold(const paper_t *p, const long double x[3], int s) {
+static int is_two_fold(const paper_t *p, const real x[3], int s) {
   return fabsl(paper_h(p, x)) < 1e-16L &&
          fabsl(paper_lie(p, x, p->mu, s)) < 1e-16L &&
          fabsl(paper_lie(p, x, -p->mu, s)) < 1e-16L;
@@ -308,26 +298,26 @@ TEST(erratum_gamma_zero) {
   for (int i = 0; i < 100; i++) {
     paper_t p;
     paper_default(&p);
-    p.gamma = 0.0L;
+    p.gamma = 0;
     p.kappa = any(0.1, 0.4);
     p.k2 = any(0.1, 4);
-    const long double w0 = p.omega0, still[3] = {0.0L, 0.0L, any(-2, 2)};
+    const real w0 = p.omega0, still[3] = {0, 0, any(-2, 2)};
     for (int s = -1; s <= 1; s += 2) {
-      const long double r = -(long double)s * p.kappa;
-      const long double v =
+      const real r = -(real)s * p.kappa;
+      const real v =
           (p.d * (p.k2 * (p.r0 - r) + p.m * r * w0 * w0) - p.c1 * w0) /
-          (p.d * p.c2 + 2.0L * p.m * r * w0);
-      const long double right[3] = {r, v, w0};
+          (p.d * p.c2 + 2 * p.m * r * w0);
+      const real right[3] = {r, v, w0};
       CHECK(is_two_fold(&p, right, s));
       CHECK(!is_two_fold(&p, right, -s));
       CHECK(is_two_fold(&p, still, s)); /* r = v = 0, any w */
     }
-    const long double v_printed =
+    const real v_printed =
         (p.d * (p.k2 / p.m * (p.kappa + p.r0) - p.kappa * w0 * w0) -
          p.c1 / p.m * w0) /
-        (p.d * p.c2 / p.m - 2.0L * p.kappa * w0);
-    const long double printed[3] = {p.kappa, v_printed, w0};
-    const long double meant[3] = {-p.kappa, v_printed, w0};
+        (p.d * p.c2 / p.m - 2 * p.kappa * w0);
+    const real printed[3] = {p.kappa, v_printed, w0};
+    const real meant[3] = {-p.kappa, v_printed, w0};
     CHECK(!is_two_fold(&p, printed, 1) && !is_two_fold(&p, printed, -1));
     CHECK(is_two_fold(&p, meant, 1));
   }
@@ -347,11 +337,11 @@ TEST(erratum_string_slip_border) {
     paper_string_t q;
     any_string(&q);
     q.delta = q.k * (i % 2 ? any(1.2, 3) : any(0.2, 0.8));
-    const long double t = tanl(any(0.1, 1.4)), lead = q.a + q.sigma;
-    const long double right = lead - q.delta / q.k / t;
-    const long double printed = lead - 1.0L / q.k / t;
+    const real t = tanl(any(0.1, 1.4)), lead = q.a + q.sigma;
+    const real right = lead - q.delta / q.k / t;
+    const real printed = lead - 1 / q.k / t;
     CHECK_NEAR(q.k * (lead - right) * t, q.delta, 1e-16L);
-    if (fabsl(q.delta - 1.0L) > 0.01L)
+    if (fabsl(q.delta - 1) > 0.01L)
       CHECK(fabsl(q.k * (lead - printed) * t - q.delta) > 0.005L);
   }
 }
@@ -363,20 +353,20 @@ TEST(erratum_string_force_in_the_three_cases) {
   for (int i = 0; i < 1000; i++) {
     paper_string_t q;
     any_string(&q);
-    const long double phi = any(0.05, 1.5), t = tanl(phi);
-    long double F, M, F_sum, M_sum, printed;
+    const real phi = any(0.05, 1.5), t = tanl(phi);
+    real F, M, F_sum, M_sum, printed;
     const int zone = paper_string(&q, phi, &F, &M);
     CHECK(zone == paper_string_quadrature(&q, phi, &F_sum, &M_sum));
-    CHECK_NEAR(F, F_sum, 1e-15L * (1.0L + fabsl(F)));
-    CHECK_NEAR(M, M_sum, 1e-14L * (1.0L + fabsl(M)));
+    CHECK_NEAR(F, F_sum, 1e-15L * (1 + fabsl(F)));
+    CHECK_NEAR(M, M_sum, 1e-14L * (1 + fabsl(M)));
     if (zone == 1) {
-      printed = -2.0L * q.a * q.k * (q.a + q.delta) * t;
+      printed = -2 * q.a * q.k * (q.a + q.delta) * t;
     } else if (zone == 2) {
-      printed = q.delta * (2.0L * q.a + q.sigma) +
-                q.delta * q.delta / (2.0L * q.k) * (1.0L - 2.0L * q.rho) / t -
+      printed = q.delta * (2 * q.a + q.sigma) +
+                q.delta * q.delta / (2 * q.k) * (1 - 2 * q.rho) / t -
                 0.5L * q.k * q.sigma * q.sigma * t;
     } else {
-      printed = 2.0L * q.a * q.delta;
+      printed = 2 * q.a * q.delta;
     }
     CHECK(fabsl(printed - F_sum) > 0.01L);
     seen[zone]++;
@@ -391,21 +381,19 @@ TEST(erratum_string_force_in_the_three_cases) {
 TEST(erratum_force_has_a_kink) {
   paper_t p;
   paper_default(&p);
-  const long double a = 2.0L / PAPER_PI * atanl(6.0L * p.kappa);
+  const real a = 2 / PAPER_PI * atanl(6 * p.kappa);
   for (int i = 0; i < 100; i++) {
-    const long double h = any(0.01, 1) * (i % 2 ? 1.0L : -1.0L);
-    const long double step = 1e-5L * fabsl(h);
-    long double F[2][3], M[2][3], slope[2], arm[2];
+    const real h = any(0.01, 1) * (i % 2 ? 1 : -1);
+    const real step = 1e-5L * fabsl(h);
+    real F[2][3], M[2][3], slope[2], arm[2];
     for (int side = 0; side < 2; side++) {
-      const long double to = side ? step : -step;
+      const real to = side ? step : -step;
       for (int j = 0; j < 3; j++)
-        paper_friction(&p, h, (long double)j * to, &F[side][j], &M[side][j]);
-      slope[side] =
-          (4.0L * F[side][1] - 3.0L * F[side][0] - F[side][2]) / (2.0L * to);
-      arm[side] =
-          (4.0L * M[side][1] - 3.0L * M[side][0] - M[side][2]) / (2.0L * to);
+        paper_friction(&p, h, (real)j * to, &F[side][j], &M[side][j]);
+      slope[side] = (4 * F[side][1] - 3 * F[side][0] - F[side][2]) / (2 * to);
+      arm[side] = (4 * M[side][1] - 3 * M[side][0] - M[side][2]) / (2 * to);
     }
-    const long double kink = p.mu * a / (18.0L * p.kappa * h);
+    const real kink = p.mu * a / (18 * p.kappa * h);
     CHECK_NEAR(slope[1], -kink, 1e-8L * fabsl(kink));
     CHECK_NEAR(slope[0], kink, 1e-8L * fabsl(kink));
     CHECK_NEAR(arm[1], arm[0], 1e-8L * fabsl(arm[0]));
@@ -419,10 +407,10 @@ TEST(erratum_regions_lie_on_h_zero) {
   paper_t p;
   paper_default(&p);
   for (int i = 0; i < 100; i++) {
-    const long double r = any(0.17, 0.2), w = any(-1.06, -1.005);
-    const long double on[3] = {r, paper_sing_v(&p, r, w), w};
-    const long double caption[3] = {r, 0.0L, w};
-    CHECK_NEAR(paper_h(&p, on), 0.0L, 1e-18L);
+    const real r = any(0.17, 0.2), w = any(-1.06, -1.005);
+    const real on[3] = {r, paper_sing_v(&p, r, w), w};
+    const real caption[3] = {r, 0, w};
+    CHECK_NEAR(paper_h(&p, on), 0, 1e-18L);
     CHECK(fabsl(on[1]) > 0.003L);
     CHECK(fabsl(paper_h(&p, caption)) > 0.002L);
   }

@@ -4,6 +4,15 @@
 
 static tf_status_t locate(sim_t *s) { return sim_step(s, LOCATED); }
 
+/* A machine of this step at a random place, at most `reach` off h = 0. */
+static tf_status_t draw(sim_t *s, double dt, double reach) {
+  *s = (sim_t){.params = moderate_params()};
+  s->params.dt = (tf_real_t)dt;
+  s->params.with_angle = true;
+  return sim_place(s, tap_uniform(0.1, 0.8), tap_uniform(-1.5, 1.5),
+                   tap_uniform(-reach, reach), TF_NO_MODE);
+}
+
 /* Off h = g = 0 the residual of a slip is what the paper's law says about F, M
  * and the slip of the report; a series cut early leaves one, and it falls with
  * the tolerance. */
@@ -13,12 +22,10 @@ TEST(located_residual_is_that_of_the_law) {
   int slips[2] = {0, 0};
   for (int j = 0; j < 2; j++)
     for (int i = 0; i < 60; i++) {
-      sim_t s = {.params = moderate_params()};
-      s.params.dt = TF_R(0.05);
+      sim_t s;
+      if (draw(&s, 0.05, 0.3) != TF_OK) continue;
       s.params.tolerance = (tf_real_t)tolerance[j];
-      if (sim_place(&s, tap_uniform(0.1, 0.8), tap_uniform(-1.5, 1.5),
-                    tap_uniform(-0.3, 0.3), TF_NO_MODE) != TF_OK)
-        continue;
+      CHECK(sim_prepare(&s) == TF_OK);
       const paper_t paper = paper_of(&s.params);
       for (int n = 0; n < 20; n++) {
         if (locate(&s) != TF_OK) break;
@@ -27,13 +34,12 @@ TEST(located_residual_is_that_of_the_law) {
         if (fabs((double)o->slip.h) + fabs((double)o->slip.g) < 0.05) continue;
         const double side = o->mode == TF_SLIP_PLUS ? 1 : -1;
         const double beyond = fmax(0, -side * (double)o->slip.h);
-        long double F, M;
-        paper_friction(&paper,
-                       beyond > 0 ? side * DBL_MIN : (long double)o->slip.h,
-                       (long double)o->slip.g, &F, &M);
-        const long double want = fabsl((long double)o->force.F - F) +
-                                 fabsl((long double)o->force.M - M) + beyond;
-        CHECK_NEAR((long double)o->residual, want,
+        real F, M;
+        paper_friction(&paper, beyond > 0 ? side * DBL_MIN : (real)o->slip.h,
+                       (real)o->slip.g, &F, &M);
+        const real want =
+            fabsl((real)o->force.F - F) + fabsl((real)o->force.M - M) + beyond;
+        CHECK_NEAR((real)o->residual, want,
                    64 * (double)TF_REAL_EPSILON * (double)s.k.contact.tyre.mu);
         worst[j] = fmax(worst[j], (double)o->residual);
         sum[j] += (double)o->residual;
@@ -54,12 +60,9 @@ TEST(located_residual_is_that_of_the_law) {
 TEST(located_event_at_the_end_of_a_step) {
   int events = 0;
   for (int i = 0; i < 100; i++) {
-    sim_t s = {.params = moderate_params()};
+    sim_t s;
     tf_real_t low = 0, high = TF_R(0.05);
-    s.params.dt = high;
-    if (sim_place(&s, tap_uniform(0.1, 0.8), tap_uniform(-1.5, 1.5),
-                  tap_uniform(-0.1, 0.1), TF_NO_MODE) != TF_OK)
-      continue;
+    if (draw(&s, 0.05, 0.1) != TF_OK) continue;
     sim_t end = s;
     const uint8_t mode = s.x.mode;
     if (locate(&end) != TF_OK || end.x.mode == mode) continue;
@@ -91,17 +94,11 @@ TEST(located_angle_is_the_integral_of_the_speed) {
   enum { PARTS = 64 };
   int steps = 0, with_event = 0;
   for (int i = 0; i < 40; i++) {
-    sim_t s = {.params = moderate_params()}, fine;
-    s.params.dt = TF_R(0.05);
-    s.params.with_angle = true;
-    fine.params = s.params;
+    sim_t s;
+    if (draw(&s, 0.05, 0.3) != TF_OK) continue;
+    sim_t fine = s;
     fine.params.dt = TF_R(0.05) / PARTS;
-    if (sim_place(&s, tap_uniform(0.1, 0.8), tap_uniform(-1.5, 1.5),
-                  tap_uniform(-0.3, 0.3), TF_NO_MODE) != TF_OK)
-      continue;
     CHECK(sim_prepare(&fine) == TF_OK);
-    fine.u = s.u;
-    fine.x = s.x;
     for (int n = 0; n < 10; n++) {
       const uint8_t before = s.x.mode;
       const tf_real_t phi = s.x.phi;
@@ -141,10 +138,10 @@ TEST(located_delassus_is_that_of_the_side_of_g) {
       continue;
     const paper_t paper = paper_of(&s.params);
     const int sign = mode == TF_STICK_PLUS ? 1 : -1;
-    const long double r = (long double)s.x.r;
-    const long double want = paper_delassus(&paper, r, sign);
-    const long double other = paper_delassus(&paper, r, -sign);
-    CHECK_NEAR((long double)s.report.delassus, want,
+    const real r = (real)s.x.r;
+    const real want = paper_delassus(&paper, r, sign);
+    const real other = paper_delassus(&paper, r, -sign);
+    CHECK_NEAR((real)s.report.delassus, want,
                32 * (double)TF_REAL_EPSILON * (fabsl(want) + fabsl(other)));
     seen[sign > 0] += fabsl(want - other) > 0.1L;
   }

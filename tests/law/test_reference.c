@@ -68,7 +68,7 @@ static int begin(run_t *run, scheme_t scheme, const reference_t *ref, double dt,
   CHECK(sim_begin(s) == TF_OK);
   /* A float does not know the side of so small an h. */
   if (!IS_DOUBLE && fabsl(ref->h) < 1e-6L)
-    return CHECK(fabsl((long double)s->report.slip.h) < 1e-6L);
+    return CHECK(fabsl((real)s->report.slip.h) < 1e-6L);
   return CHECK(s->x.mode == mode_named(ref->begins));
 }
 
@@ -99,9 +99,9 @@ static double error_of(scheme_t scheme, const reference_t *ref, int n,
       if (!CHECK(status >= TF_OK)) return INFINITY;
       *coarse += !ok_to_resolution(status);
     }
-    worst = fmax(worst, fabs((double)((long double)x->r - want->r)));
-    worst = fmax(worst, fabs((double)((long double)x->v - want->v)));
-    worst = fmax(worst, fabs((double)((long double)x->w - want->w)));
+    worst = fmax(worst, fabs((double)((real)x->r - want->r)));
+    worst = fmax(worst, fabs((double)((real)x->v - want->v)));
+    worst = fmax(worst, fabs((double)((real)x->w - want->w)));
   }
   return worst;
 }
