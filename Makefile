@@ -200,13 +200,13 @@ TWOFOLD := $(BUILD)/double/twofold
 line_needs = $(filter $(1:%=tests/line/test_%.%),$(TESTS))
 LINE := $(if $(call line_needs,hostile hil),$(VARIANTS:%=line-%))
 LINE += $(if $(call line_needs,hil),$(REALS:%=$(BUILD)/%/hil))
-LINE += $(if $(call line_needs,line device replay),line-double)
+LINE += $(if $(call line_needs,device replay),line-double)
 LINE += $(if $(call line_needs,device hil),line-keyed)
 LINE += $(if $(filter tests/cli/test_endings.py,$(TESTS)),line-double \
   $(BUILD)/double/hil)
 LINE += $(if $(filter tests/cli/test_sweep.py,$(TESTS)),$(BUILD)/float/twofold)
 LINE += $(if $(call line_needs,replay),own-scene)
-LINE += $(if $(call line_needs,streams whole),line-csv line-plotter)
+LINE += $(if $(call line_needs,streams monitor),line-csv line-plotter)
 LINE += $(if $(call line_needs,make),$(BUILD)/tests/key \
   $(BUILD)/double/constants $(BUILD)/double/hil)
 line_firmware = @MAKEFLAGS= MAKELEVEL= $(MAKE) -s --no-print-directory elf \

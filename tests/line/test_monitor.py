@@ -1,16 +1,21 @@
 #!/usr/bin/python3 -B
-"""`run --format frames` and `monitor`: the rows of a decoded stream are those of
-`run --format csv` byte for byte, what a line breaks is left out and counted,
-and nothing else is taken for a stream. A run that was cut or repeated:
-test_whole.py."""
+"""`run --format frames` and `monitor`: the rows of a decoded stream are those
+of `run --format csv` byte for byte, and nothing else is taken for a stream.
+What leaves the program is whole or says that it is not, and destroys nothing
+that was there: streams that a line broke, that were cut or joined, summaries
+that are lost, files that two programs or two options write."""
+import fcntl
+import json
 import os
 import re
 import struct
 import subprocess
+import zlib
 from pathlib import Path
 
-from boards import HEARTBEAT, REPORT, SCHEMA, STATE, says, sealed, stuffed
-from decode import frames
+from boards import (HEARTBEAT, REPORT, RUN, SCHEMA, STATE, chained, framed,
+                    program, sealed, says, stuffed)
+from decode import breaks, frames, runs
 from tap import ROOT, TWOFOLD, call, check, main, output, same, until
 
 HEADER = "t,r,v,omega,h,g,F,M,mode,choices\n"
@@ -135,21 +140,20 @@ def test_a_board_in_float():
 
 
 def test_what_is_not_a_number_is_a_row():
-    def as_sent(number, kind, payload, version=4):
-        body = struct.pack("<BBBIQ", version, kind, len(payload), number, 1000)
-        return b"\0" + sealed(stuffed(body + payload)) + b"\0"
     found = {frame[0]: frame[3] for frame in frames(
         examples("schema", "state", "report"))}
     report = bytearray(found[REPORT])
     report[8:12] = struct.pack("<f", float("nan"))
-    got, said = monitor(as_sent(0, SCHEMA, found[SCHEMA]) +
-                        as_sent(1, STATE, found[STATE]) +
-                        as_sent(2, REPORT, report), "--format", "csv", code=6)
+    got, said = monitor(
+        framed(SCHEMA, 0, 1000, found[SCHEMA]) +
+        framed(STATE, 1, 1000, found[STATE]) +
+        framed(REPORT, 2, 1000, bytes(report)), "--format", "csv", code=6)
     says(said, "values     1 rows with one that is not finite, first at step "
          "1000")
     says(got, ",nan,.*stick-,2\n$")
-    says(monitor(as_sent(0, HEARTBEAT, b"", 3), code=4)[1], "stream: its "
-         "protocol is version 3, here it is 4: build what sends it")
+    other = sealed(stuffed(struct.pack("<BBBIQ", 3, HEARTBEAT, 0, 0, 1000)))
+    says(monitor(b"\0" + other + b"\0", code=4)[1], "stream: its protocol is "
+         "version 3, here it is 4: build what sends it")
 
 
 def test_what_is_not_understood():
@@ -171,6 +175,273 @@ def test_what_is_not_understood():
     with open("/dev/full", "wb") as full:
         same(subprocess.call([TWOFOLD, "monitor", "stream", "--format", "csv"],
                              stdout=full, stderr=subprocess.DEVNULL), 4)
+
+
+def refused(*words):
+    """Of a command whose files are not two."""
+    check("two files are needed" in call(*words, code=2)[1], words)
+
+
+def flagged(*words):
+    """The frames of a run, whose steps may be."""
+    done = subprocess.run([*RUN, *words, "--format", "frames"],
+                          capture_output=True, check=False)
+    same(done.returncode in (0, 5), True)
+    return done.stdout
+
+
+def borders_of(stream):
+    """Where a frame begins."""
+    return [at + 1 for at in range(len(stream) - 1)
+            if stream[at:at + 2] == b"\0\0"]
+
+
+def test_a_run_that_was_cut_is_told():
+    """At each border of frames, where nothing else is wrong: what is before it,
+    and what is behind it without its beginning."""
+    stream = output(*RUN, "--every", "50", "--format", "frames")
+    monitor(stream, code=0)
+    borders = borders_of(stream)
+    same(len(borders) > 20, True)
+    for border in borders:
+        _, said = monitor(stream[:border], code=6)
+        # A state whose report is cut off is lost.
+        same("ends before its run" in said or "were lost" in said, True)
+        if border + 99 < len(stream):
+            monitor(stream[border:], code=6)
+    _, summary = monitor(stream[:borders[-1]], "--summary", "json", code=6)
+    same(json.loads(summary.splitlines()[-1])["exit"], 6)
+
+
+def saved(name, *words):
+    """Words by which a run goes on from what is saved there."""
+    output(*RUN[:-4], *words, "--save", name)
+    return ["--scheme", "compensated", "--from", name]
+
+
+def test_a_splice_is_told():
+    """Two runs joined at one number, where no frame is missing: others by what
+    they were asked for, or by the state that they go on from, and a part within
+    a run. That its steps are flagged is said as well."""
+    Path("table").write_text("t,torque\n0,0\n1,1e-3\n")
+    begun = saved("begun", "--scheme", "compensated", "--t-end", "0", *RUN[-2:])
+    text = Path("begun").read_text().replace("compensation-w 0",
+                                             "compensation-w 1e-19")
+    text = text[:text.index("crc32 ")]
+    Path("other").write_text(f"{text}crc32 {zlib.crc32(text.encode()):08x}\n")
+    for first, *others in (
+            ([], ["--set", "r=0.2"], ["--set", "mu=0.9"],
+             ["--accuracy", "1e-9"], ["--inputs", "table", "--between", "held"],
+             ["--every", "2"], ["--select", "random:2"],
+             ["--set", "rest=square"]),
+            (["--accuracy", "1e-9"], ["--accuracy", "1e-10"], []),
+            (begun, [*begun[:-1], "other"])):
+        one, *others = [flagged(*more) for more in (first, *others)]
+        same(len(runs(frames(one))), 1)
+        for other in others:
+            at = min(500, len(borders_of(other)) // 2)
+            spliced = other[:borders_of(other)[at]] + one[borders_of(one)[at]:]
+            same(len(runs(frames(spliced))), 2)
+            _, said = monitor(spliced, "--format", "csv", "--out", "rows",
+                              code=6)
+            same(("more than one run" in said, Path("rows").exists(),
+                  "\ndegraded " in said), (True, False, True))
+
+
+def beating(*words):
+    """A run with a heartbeat behind every 50th step, and where frames begin."""
+    sent = []
+    for kind, _, tick, payload in frames(output(*RUN, *words, "--format",
+                                                "frames")):
+        sent.append((kind, tick, payload))
+        if kind == REPORT and tick % 50 == 0:
+            sent.append((HEARTBEAT, tick, bytes(64) + struct.pack(
+                "<II", *runs([(sent[0][0], 0, 0, sent[0][2])]), 0)))
+    stream = chained(sent)
+    return stream, [0, *borders_of(stream), len(stream)]
+
+
+def test_frames_put_between_two_heartbeats_are_told():
+    """Of another start: all but schema, layouts and the end of a run; one state
+    with its report; and of a stream with many heartbeats one between two. The
+    decoder in Python agrees."""
+    def put(one, other, first, behind):
+        (stream, at), (foreign, to) = one, other
+        return (stream[:at[first]] + foreign[to[first]:to[behind]]
+                + stream[at[behind]:])
+
+    for spans in ((4, 1004, 0, 500), (600, 602, 0, 500)):
+        one, other = ((stream, [0, *borders_of(stream)]) for stream in (
+            output(*RUN, *more, "--format", "frames")
+            for more in ([], ["--set", "r=0.2"])))
+        spliced = put(one, other, *spans[:2])
+        same((breaks(one[0]), breaks(spliced)), ([], [500]))
+        monitor(one[0], code=0)
+        _, said = monitor(spliced, code=6)
+        same(f"between steps {spans[2]} and {spans[3]} frames" in said, True)
+    one, other = beating(), beating("--set", "r=0.2")
+    monitor(one[0], code=0)
+    spliced = put(one, other, 4 + 2 * 120 + 2, 4 + 2 * 121 + 2)
+    same((breaks(one[0]), breaks(spliced)), ([], [150]))
+    _, said = monitor(spliced, "--format", "csv", "--out", "rows", code=6)
+    same(("between steps 100 and 150 frames are of another run" in said,
+          Path("rows").exists()), (True, False))
+    # Where one is missing that is told, and the chain begins anew.
+    cut = put(one, (b"", [0] * 999), 300, 302)
+    same(breaks(cut), [])
+    same("were lost" in monitor(cut, code=6)[1], True)
+
+
+def test_another_session_is_another_start():
+    """But for the first one of a start."""
+    found = frames(output(*RUN, "--every", "50", "--format", "frames"))
+    schema, beat = found[0][3], found[-1][3]
+    for sessions, code in (((0, 7, 7), 0), ((7, 8), 6), ((7, 0), 6)):
+        sent = [(SCHEMA, 0, schema[:13] + struct.pack("<I", session)
+                 + schema[17:]) for session in sessions]
+        monitor(chained([*sent, (HEARTBEAT, 0, beat)]), code=code)
+
+
+def test_counts_are_those_since_the_first_heartbeat():
+    """By the counts of the board, which go round, or begin again with it: of
+    records that were dropped, and of ticks without a step."""
+    stream = output(*RUN, "--every", "50", "--format", "frames")
+    *sent, (kind, _, tick, _) = frames(stream)
+    same((kind, tick), (HEARTBEAT, 500))
+    sent = [(kind, tick, payload) for kind, _, tick, payload in sent]
+    for counts, grows in (([3, 3, 3], 0), ([3, 3, 10], 1), ([100, 0], 0),
+                          ([100, 0, 2], 1), ([2**32 - 1] * 2, 0),
+                          ([2**32 - 2, 2], 1)):
+        for where, code in ((3, 6), (15, 5)):
+            beats = [(HEARTBEAT, 500, struct.pack(
+                "<17I", 500, *(one * (at == where) for at in range(1, 16)),
+                *runs(frames(stream)))) for one in counts]
+            _, said = monitor(chained(sent + beats), "--summary", "json",
+                              code=grows * code)
+            same(json.loads(said.splitlines()[-1])["board"][
+                "dropped" if where == 3 else "skipped"], counts[-1])
+
+
+def test_an_interrupted_run_has_no_end():
+    with subprocess.Popen([RUN[0], "run", "chaos", "--t-end", "1e6",
+                           "--realtime", "--format", "frames"],
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                          bufsize=0) as run:
+        begun = run.stdout.read(2000)
+        run.terminate()
+        rest, said = run.communicate()
+    same((run.returncode, b"interrupted" in said), (4, True))
+    same("ends before its run" in monitor(begun + rest, code=6)[1], True)
+
+
+def test_a_summary_that_is_lost_is_told():
+    """/dev/full takes no byte: all was done, and nobody was told of it."""
+    stream = output(*RUN, "--format", "frames")
+    for words in (RUN[1:] + ["--out", "rows"], ["monitor", "-"],
+                  ["monitor", "-", "--summary", "json"]):
+        with open("/dev/full", "wb") as full:
+            done = subprocess.run([RUN[0], *words], input=stream, stderr=full,
+                                  stdout=subprocess.DEVNULL, check=False)
+        same((words, done.returncode), (words, 4))
+
+
+def test_rows_of_a_part_do_not_get_the_name():
+    """What was there stays, and the rows are in the part."""
+    stream = output(*RUN, "--every", "50", "--format", "frames")
+    cut = stream[:stream.index(b"\0\0", len(stream) // 2) + 1]
+    for broken in b"", cut, stream + stream, stream[len(stream) // 2:]:
+        Path("rows").write_text("kept")
+        _, said = monitor(broken, "--format", "csv", "--out", "rows",
+                          code=6 if broken else 4)
+        same(Path("rows").read_text(), "kept")
+        same("rows.part" in said or not Path("rows.part").exists(), True)
+    monitor(stream, "--format", "csv", "--out", "rows", code=0)
+    same(Path("rows").read_bytes().count(b"\n"), 12)
+
+
+def test_no_command_writes_what_it_reads():
+    Path("own.scene").write_bytes(output(RUN[0], "scene", "chaos"))
+    Path("table").write_text("t,torque\n0,0\n1,0\n")
+    output(*RUN, "--save", "stand")
+    Path("link.scene").symlink_to("own.scene")
+    for name in "own.scene", "table", "stand":
+        Path(name + ".part").write_bytes(Path(name).read_bytes())
+    before = {path: path.read_bytes() for path in Path(".").iterdir()}
+    for end in "", ".part":
+        scene, table, stand = "own.scene" + end, "table" + end, "stand" + end
+        refused("run", scene, "--out", "own.scene")
+        refused("run", scene, "--out=./own.scene")
+        refused("run", scene, "--save", "own.scene")
+        refused("run", "link.scene", "--out", "own.scene")
+        refused("sweep", scene, "--over", "mu=1:2:2", "--outcome", "rest",
+                "--out", "own.scene")
+        refused("regions", scene, "--out", "own.scene")
+        refused("diverge", scene, "--returns", "own.scene")
+        refused("run", "chaos", "--inputs", table, "--between", "held",
+                "--out", "table")
+        refused("run", "chaos", "--from=" + stand, "--out", "stand")
+    refused("diverge", "chaos", "--exits", "e", "--returns", "e.resume",
+            "--resume")
+    refused("run", "chaos", "--out", "new", "--save", "./new")
+    same({path: path.read_bytes() for path in Path(".").iterdir()}, before)
+    output(*RUN, "--out", "chaos")  # a scene of the program, not a file
+    output(*RUN, "--out", "chaos")
+
+
+def test_no_file_is_written_twice():
+    stream = output(*RUN, "--format", "frames")
+    Path("frames").write_bytes(stream)
+    Path("link").symlink_to("frames")
+    for words in (["frames", "--out", "./frames"], ["link", "--out", "frames"],
+                  ["frames", "--record", "frames"],
+                  ["frames", "--out", "new", "--record", "./new"]):
+        refused("monitor", "--format", "csv", *words)
+        same(Path("frames").read_bytes() == stream, True)
+        same(Path("new").exists(), False)
+
+
+def board(**where):
+    """A firmware of the host that ends by itself: its exit code and what it
+    says. where: its environment."""
+    done = subprocess.run([program("float", "csv")],
+                          env={**os.environ, **where}, capture_output=True,
+                          text=True, check=False)
+    return done.returncode, done.stderr
+
+
+def test_a_file_of_a_board_has_one_writer():
+    with open("stream", "w+", encoding="ascii") as other:
+        other.write("kept")
+        other.flush()
+        fcntl.lockf(other, fcntl.LOCK_EX)
+        code, said = board(TWOFOLD_PORT="stream")
+        same((code, said.splitlines()[0]),
+             (4, "host: stream: Device or resource busy"))
+        same(Path("stream").read_text(), "kept")
+    same(board(TWOFOLD_PORT="stream")[0], 0)
+    same(Path("stream").read_text()[:2], "t,")
+
+
+def test_messages_of_a_board_are_not_in_its_stream():
+    """Where standard error is closed, the line would get its number."""
+    for closed in "2>&-", "2>&- <&-":
+        code = subprocess.call(
+            ["sh", "-c", f'"{program("float", "csv")}" {closed}'],
+            env={**os.environ, "TWOFOLD_PORT": "stream"})
+        same(code, 0)
+        same("host:" in Path("stream").read_text(), False)
+
+
+def test_lateness_of_a_board_is_whole_or_what_it_was():
+    Path("late").write_text("kept")
+    Path("late.part").mkdir()
+    code, said = board(TWOFOLD_LATENESS="late", TWOFOLD_PORT="stream")
+    same((code, "host: late.part: Is a directory" in said), (4, True))
+    same(Path("late").read_text(), "kept")
+    Path("late.part").rmdir()
+    same(board(TWOFOLD_LATENESS="late", TWOFOLD_PORT="stream")[0], 0)
+    same(Path("late").read_text().splitlines()[0], "us,began,ended")
+    same(Path("late.part").exists(), False)
 
 
 main(globals(), jobs=4)

@@ -150,7 +150,7 @@ TEST(lengths_types_and_dates_are_checked) {
   CHECK(board.link.decoder.too_long == 1 && board.link.waiting == 1);
 }
 
-/* The numbers of bytes are those of test_device.py and test_whole.py. */
+/* The numbers of bytes are those of test_device.py and test_make.py. */
 TEST(records_are_as_many_as_the_line_carries) {
   board_t board;
   power_up(&board, "chaos");
