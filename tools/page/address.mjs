@@ -68,163 +68,156 @@ const clipped = (text) => (text.length > SHOWN ? `${text.slice(0, SHOWN)}…`
   : text);
 const TICK = `a whole number in [0, ${Number.MAX_SAFE_INTEGER}]`;
 
+// Why a word of an address is left out.
+class Refusal extends Error {}
+const reject = (why) => { throw new Refusal(why); };
+
 // Reads an address word by word. What is wrong with a word is told by name, and
 // the word is left out.
 class Reader {
   constructor(core) {
-    this.core = core;
-    this.told = [];
-    this.log = [];
-    this.tick = 0;
-    this.tour = null;
+    Object.assign(this, { core, told: [], log: [], scene: 0, tick: 0,
+      tour: null });
     this.given = new Map(); // words by what they say
     this.names = [];        // of the numbers that were set
   }
 
-  // Returns: { name, value, word }, or null.
-  split(word) {
-    const at = word.indexOf('=');
-    const name = at < 0 ? word : word.slice(0, at), coded = word.slice(at + 1);
-    if (at < 0) return this.refuse(word, 'expected name=value');
-    if (coded === '') return this.refuse(word, 'expected a value');
+  // Each word by one of the methods below.
+  each(words, method) {
+    for (const given of words) {
+      try {
+        this[method](given);
+      } catch (error) {
+        if (!(error instanceof Refusal)) throw error;
+        this.told.push(`${clipped(given.word)}: ${error.message}`);
+      }
+    }
+  }
+
+  split(given) {
+    const { word } = given, at = word.indexOf('=');
+    if (at < 0) reject('expected name=value');
+    const name = word.slice(0, at), coded = word.slice(at + 1);
+    if (coded === '') reject('expected a value');
     try {
       // Of a file, name and text are decoded behind the colon between them.
-      const value = name === 'file' ? coded.split(':').map(decodeURIComponent)
+      given.value = name === 'file' ? coded.split(':').map(decodeURIComponent)
         : decodeURIComponent(coded);
-      return { name, value, word };
     } catch {
-      return this.refuse(word, '% is not followed by a code');
+      reject('% is not followed by a code');
     }
+    given.name = name;
   }
 
-  refuse(word, why) {
-    this.told.push(`${clipped(word)}: ${why}`);
-    return null;
+  // What has been said before is refused.
+  once(key, word) {
+    if (this.given.has(key))
+      reject(`already given by ${clipped(this.given.get(key))}`);
+    this.given.set(key, word);
   }
 
-  // Returns: whether nothing has said this before.
-  isFirst(key, word) {
-    const before = this.given.get(key);
-    if (before !== undefined)
-      this.refuse(word, `already given by ${clipped(before)}`);
-    else this.given.set(key, word);
-    return before === undefined;
-  }
-
-  // Returns: the number of a scene, or null.
-  scene({ name, value, word }) {
+  choose({ name, value, word }) {
     const { core } = this;
-    if (!this.isFirst('scene', word)) return null;
+    this.once('scene', word);
     if (name === 'file') {
-      if (value.length !== 2) return this.refuse(word, 'expected NAME:TEXT');
+      if (value.length !== 2) reject('expected NAME:TEXT');
       const why = core.takeFile(...value);
-      return why === null ? core.ownScene : this.refuse(word, why);
+      if (why !== null) reject(why);
+      this.scene = core.ownScene;
+      return;
     }
-    const scene = core.scenes.indexOf(value);
-    return scene >= 0 && scene < core.ownScene ? scene
-      : this.refuse(word, 'unknown scene; there are ' +
-        core.scenes.slice(0, core.ownScene).join(', '));
+    const known = core.scenes.slice(0, core.ownScene);
+    if (!known.includes(value))
+      reject(`unknown scene; there are ${known.join(', ')}`);
+    this.scene = known.indexOf(value);
   }
 
-  // Returns: a number of steps, or null.
-  steps(text, word) {
+  steps(text) {
     const tick = /^\d+$/.test(text) ? Number(text) : NaN;
-    return Number.isSafeInteger(tick) ? tick
-      : this.refuse(word, `'${clipped(text)}' must be ${TICK}`);
+    if (!Number.isSafeInteger(tick))
+      reject(`'${clipped(text)}' must be ${TICK}`);
+    return tick;
   }
 
-  // A number by its text, or null.
-  number(text, word) {
+  number(text) {
     const value = this.core.number(text);
-    return typeof value === 'number' ? value
-      : this.refuse(word, `'${clipped(text)}' ${value}`);
+    if (typeof value !== 'number') reject(`'${clipped(text)}' ${value}`);
+    return value;
   }
 
-  hand({ value, word }) {
-    const parts = value.split(':');
-    if (parts.length !== 3)
-      return this.refuse(word, 'expected TICK:FORCE:TORQUE');
-    const tick = this.steps(parts[0], word);
-    const force = tick === null ? null : this.number(parts[1], word);
-    const torque = force === null ? null : this.number(parts[2], word);
+  hand(value) {
+    const [tick, force, torque, ...more] = value.split(':');
     const limit = this.core.c.state_limit();
-    if (torque === null) return null;
-    if (!(Math.abs(force) <= limit && Math.abs(torque) <= limit))
-      return this.refuse(word, `force and torque must lie in ` +
-        `[${-limit}, ${limit}]`);
-    return { tick, force, torque };
+    if (torque === undefined || more.length)
+      reject('expected TICK:FORCE:TORQUE');
+    const entry = { tick: this.steps(tick), force: this.number(force),
+      torque: this.number(torque) };
+    if (!(Math.abs(entry.force) <= limit && Math.abs(entry.torque) <= limit))
+      reject(`force and torque must lie in [${-limit}, ${limit}]`);
+    return entry;
   }
 
-  take({ value, word }) {
-    const [text, name, ...more] = value.split(':');
-    const mode = this.core.modes.indexOf(name);
-    if (mode < 0 || more.length)
-      return this.refuse(word, 'expected TICK:MODE, MODE one of ' +
-        this.core.modes.join(', '));
-    const tick = this.steps(text, word);
-    return tick === null ? null : { tick, mode };
+  take(value) {
+    const [tick, name, ...more] = value.split(':'), { modes } = this.core;
+    if (!modes.includes(name) || more.length)
+      reject(`expected TICK:MODE, MODE one of ${modes.join(', ')}`);
+    return { tick: this.steps(tick), mode: modes.indexOf(name) };
   }
 
   // A number of the set-up.
   set({ name, value, word }) {
     const { core } = this, isList = Object.hasOwn(core.lists, name);
-    if (!isList && !core.ranges.has(name))
-      return this.refuse(word, 'unknown name');
-    if (!this.isFirst(name === 'h' || name === 'v' ? 'h or v' : name, word))
-      return null;
+    if (!isList && !core.ranges.has(name)) reject('unknown name');
+    this.once(name === 'h' || name === 'v' ? 'h or v' : name, word);
     const number = isList ? core.lists[name].indexOf(value)
-      : this.number(value, word);
-    if (number === null) return null;
+      : this.number(value);
     const why = core.refusal(name, number);
-    if (why && isList) return this.refuse(word, why);
+    if (why && isList) reject(why);
     if (why) { // by name already
       this.told.push(why);
-      return null;
+      return;
     }
     core.set(name, number);
     this.names.push(name);
-    return null;
   }
 
   other(given) {
     const { name, value, word } = given;
-    if (name === 'tick') {
-      if (this.isFirst('tick', word)) this.tick = this.steps(value, word) ?? 0;
-    } else if (name === 'tour') {
-      const step = this.isFirst('tour', word) ? this.steps(value, word) : null;
-      if (step !== null && !isStep(step)) this.refuse(word, 'no such step');
-      else this.tour = step;
-    } else if (name === 'hand' || name === 'take') {
-      const entry = this[name](given);
-      if (entry && this.isFirst(`${name} ${entry.tick}`, word))
-        this.log.push(entry);
+    if (name === 'hand' || name === 'take') {
+      const entry = this[name](value);
+      this.once(`${name} ${entry.tick}`, word);
+      this.log.push(entry);
+    } else if (name === 'tick' || name === 'tour') {
+      this.once(name, word);
+      const steps = this.steps(value);
+      if (name === 'tour' && !isStep(steps)) reject('no such step');
+      this[name] = steps;
     } else this.set(given);
   }
 }
-
-const isScene = ({ name }) => name === 'scene' || name === 'file';
 
 // Returns: { scene, own, log, tick, tour, told, names }, the set-up being in
 // the core; own: the scene's values; told: what was not done, word by word;
 // names: of the numbers that the address sets.
 export function read(core, text) {
-  const reader = new Reader(core), words = text === '' ? [] : text.split('&');
-  const isWhole = text === '' || words[words.length - 1] === END;
+  const reader = new Reader(core);
+  const words = text === '' ? [END] : text.split('&');
+  const isWhole = words.at(-1) === END;
   if (isWhole) words.pop();
-  const given = words.map((word) => reader.split(word)).filter(Boolean);
-  let scene = null;
-  for (const word of given.filter(isScene))
-    scene = reader.scene(word) ?? scene;
-  scene ??= 0;
-  core.c.load(scene);
+  const all = words.map((word) => ({ word }));
+  const named = (holds) => all.filter(({ name }) => name !== undefined &&
+    holds(name));
+  const isScene = (name) => name === 'scene' || name === 'file';
+  reader.each(all, 'split');
+  reader.each(named(isScene), 'choose');
+  core.c.load(reader.scene);
   const own = Object.fromEntries(core.names.map((name) =>
     [name, core.get(name)]));
-  const others = given.filter((word) => !isScene(word));
   // The range of a parameter depends on the law.
-  for (const word of others) if (word.name === 'law') reader.set(word);
-  for (const word of others) if (word.name !== 'law') reader.other(word);
-  if (!isWhole) reader.told.push(`no '${END}' at its end: it may be cut off`);
-  const { log, tick, tour, told, names } = reader;
+  reader.each(named((name) => name === 'law'), 'set');
+  reader.each(named((name) => name !== 'law' && !isScene(name)), 'other');
+  const { scene, log, tick, tour, told, names } = reader;
+  if (!isWhole) told.push(`no '${END}' at its end: it may be cut off`);
   if (told.length > TOLD)
     told.splice(TOLD, Infinity, `and ${told.length - TOLD} more`);
   return { scene, own, log, tick, tour, told, names };

@@ -28,6 +28,37 @@ static double force, torque;
 static int offender;
 static bool begun;
 
+// The columns of a row, in the order in which core.mjs names them, and the value
+// of each at the present instant; `at` is what motion_row returns. The page views
+// a row as a Float64Array. The present one is also a snapshot, because all that
+// the motion goes on from is in it.
+#define ROW(X)                                             \
+  X(T, at.t)                                               \
+  X(R, at.r)                                               \
+  X(V, at.v)                                               \
+  X(W, at.omega)                                           \
+  X(H, at.h)                                               \
+  X(G, at.g)                                               \
+  X(F, at.F)                                               \
+  X(M, at.M)                                               \
+  X(MODE, at.mode)                                         \
+  X(CHOICES, at.choices)                                   \
+  X(SET, at.set)                                           \
+  X(STATUS, at.status)                                     \
+  X(TICK, (double)motion.state.tick)                       \
+  X(PHI, at.phi)                                           \
+  X(TABLE, table)                                          \
+  X(OMEGA0, applied.omega0)                                \
+  X(R0, applied.r0)                                        \
+  X(FORCE, applied.force)                                  \
+  X(TORQUE, applied.torque)                                \
+  X(ENERGY, tf_energy(machine, &motion.state, applied.r0)) \
+  X(DELASSUS, at.delassus)                                 \
+  X(RESIDUAL, motion.report.residual)
+#define ROW_NUMBER(name, value) ROW_##name,
+#define ROW_VALUE(name, value) value,
+enum { ROW(ROW_NUMBER) ROW_COLUMNS };
+
 static double row[ROW_COLUMNS];
 
 // Steps at which the mode or the set of consistent modes changed.
@@ -221,29 +252,7 @@ int32_t EXPORT(take)(uint32_t mode) {
 
 double *EXPORT(look)(void) {
   const motion_row_t at = motion_row(&motion);
-  const double now[ROW_COLUMNS] = {
-      [ROW_T] = at.t,
-      [ROW_R] = at.r,
-      [ROW_V] = at.v,
-      [ROW_W] = at.omega,
-      [ROW_H] = at.h,
-      [ROW_G] = at.g,
-      [ROW_F] = at.F,
-      [ROW_M] = at.M,
-      [ROW_MODE] = at.mode,
-      [ROW_CHOICES] = at.choices,
-      [ROW_SET] = at.set,
-      [ROW_STATUS] = at.status,
-      [ROW_TICK] = (double)motion.state.tick,
-      [ROW_PHI] = at.phi,
-      [ROW_TABLE] = table,
-      [ROW_OMEGA0] = applied.omega0,
-      [ROW_R0] = applied.r0,
-      [ROW_FORCE] = applied.force,
-      [ROW_TORQUE] = applied.torque,
-      [ROW_ENERGY] = tf_energy(machine, &motion.state, applied.r0),
-      [ROW_DELASSUS] = at.delassus,
-      [ROW_RESIDUAL] = motion.report.residual};
+  const double now[] = {ROW(ROW_VALUE)};
   memcpy(row, now, sizeof row);
   return row;
 }

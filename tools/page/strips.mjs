@@ -179,17 +179,8 @@ export class Strips {
   }
 
   #curve(ctx, points, y, { ink, dash }) {
-    ctx.beginPath();
-    points.forEach(([x, low, high], i) => {
-      if (i === 0) ctx.moveTo(x, y(low));
-      else ctx.lineTo(x, y(low));
-      if (high > low) ctx.lineTo(x, y(high));
-    });
-    ctx.setLineDash(dash);
-    ctx.strokeStyle = colour[ink];
-    ctx.lineWidth = 1.3;
-    ctx.stroke();
-    ctx.setLineDash([]);
+    path(ctx, points.flatMap(([x, ...ends]) => ends.map((end) => [x, y(end)])),
+      colour[ink], 1.3, dash);
   }
 
   // The opening that a pointer means.

@@ -7,10 +7,13 @@
 static uint8_t map[MAP_MOST];
 static double two_fold[TF_TWO_FOLDS][4];
 
-static uint8_t region_at(const tf_machine_t *k, const tf_input_t *input,
-                         tf_real_t r, tf_real_t v, tf_real_t w) {
-  tf_surface_t at;
-  return tf_surface_at(k, input, r, v, w, &at) == TF_OK ? at.region : NO_REGION;
+// Returns: whether the surface has a point there.
+static bool surface_at(tf_real_t r, tf_real_t w, tf_surface_t *at) {
+  const tf_machine_t *k = machine_begun();
+  const tf_input_t input = input_applied();
+  tf_real_t v = 0;
+  return k && tf_speed_for_slip(k, r, w, input.omega0, 0, &v) == TF_OK &&
+         tf_surface_at(k, &input, r, v, w, at) == TF_OK;
 }
 
 static tf_real_t part(double from, double to, uint32_t i, uint32_t count) {
@@ -21,18 +24,15 @@ static tf_real_t part(double from, double to, uint32_t i, uint32_t count) {
 // Returns: 0 where that is more than there is room for, or nothing has begun.
 const uint8_t *EXPORT(regions)(double r0, double r1, uint32_t columns,
                                double w0, double w1, uint32_t rows) {
-  const tf_machine_t *k = machine_begun();
-  if (!k || columns > MAP_MOST || rows > MAP_MOST || columns * rows > MAP_MOST)
+  if (!machine_begun() || columns > MAP_MOST || rows > MAP_MOST ||
+      columns * rows > MAP_MOST)
     return 0;
-  const tf_input_t input = input_applied();
   for (uint32_t j = 0; j < rows; j++) {
     for (uint32_t i = 0; i < columns; i++) {
-      const tf_real_t r = part(r0, r1, i, columns), w = part(w0, w1, j, rows);
-      tf_real_t v = 0;
-      map[j * columns + i] =
-          tf_speed_for_slip(k, r, w, input.omega0, 0, &v) == TF_OK
-              ? region_at(k, &input, r, v, w)
-              : NO_REGION;
+      tf_surface_t at;
+      const bool is_there =
+          surface_at(part(r0, r1, i, columns), part(w0, w1, j, rows), &at);
+      map[j * columns + i] = is_there ? at.region : NO_REGION;
     }
   }
   return map;
@@ -41,15 +41,8 @@ const uint8_t *EXPORT(regions)(double r0, double r1, uint32_t columns,
 // By how much 1 N of friction brakes the slip of a wheel that rolls forwards,
 // [m/s^2]; 0 where there is no such point.
 double EXPORT(delassus_at)(double r, double w) {
-  const tf_machine_t *k = machine_begun();
-  tf_surface_t at = {0};
-  tf_real_t v = 0;
-  if (!k) return 0;
-  const tf_input_t input = input_applied();
-  if (tf_speed_for_slip(k, r, w, input.omega0, 0, &v) != TF_OK ||
-      tf_surface_at(k, &input, r, v, w, &at) != TF_OK)
-    return 0;
-  return at.delassus;
+  tf_surface_t at;
+  return surface_at(r, w, &at) ? at.delassus : 0;
 }
 
 // Returns: how many there are.
