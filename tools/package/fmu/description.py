@@ -19,6 +19,11 @@ UNITS = {"kg": "kg=1", "m": "m=1", "s": "s=1", "N": "kg=1 m=1 s=-2",
          "m/s": "m=1 s=-1", "rad/s": "rad=1 s=-1", "rad/s^2": "rad=1 s=-2",
          "1/m": "m=-1", "1/m^2": "m=-2", "1/s": "s=-1", "1/kg": "kg=-1",
          "J": "kg=1 m=2 s=-2", "1": ""}
+# Elements of FMI 2 and 3.
+KINDS = {"real": ("Real", "Float64"), "truth": ("Boolean", "Boolean"),
+         "member": ("Enumeration", "Enumeration"),
+         "small": ("Integer", "Int32"), "seed": ("Integer", "UInt32"),
+         "count": ("Real", "UInt64")}
 FMI2_INTEGER = 2**31 - 1  # the largest number of the type
 
 
@@ -48,7 +53,7 @@ def unit_definitions(model):
 
 
 def enumerations(model):
-    """For every enumeration: name of the type, items (name, value, about)."""
+    """For every enumeration: name of the type, its items."""
     for variable in model["variables"]:
         if "members" not in variable:
             continue
@@ -56,32 +61,31 @@ def enumerations(model):
         about = (model["statuses"] if variable["name"] == "status"
                  else [None] * len(variable["members"]))
         yield TYPES[variable["name"]], [
-            (name, low + i, text)
+            tag("Item", name=name, value=low + i, description=text)
             for i, (name, text) in enumerate(zip(variable["members"], about))]
 
 
-def items(members):
-    return [tag("Item", name=name, value=value, description=about)
-            for name, value, about in members]
-
-
-def log_categories():
-    return tag("LogCategories", [tag("Category", name=name, description=about)
-                                 for name, about in CATEGORIES.items()])
-
-
-def experiment(model):
-    return tag("DefaultExperiment", startTime="0", stopTime=model["t_end"],
-               stepSize=model["dt"])
-
-
-def common(model):
-    return {"modelName": f"{MODEL} {model['scene']}",
-            "description": f"wheel on a turntable, set-valued friction; scene "
-                           f"{model['scene']}: {model['shows']}",
-            "version": model["version"], "license": "MIT",
-            "generationTool": f"twofold {model['version']}",
-            "variableNamingConvention": "structured"}
+def common(model, token_name, token, co_simulation, type_of, variables,
+           structure, version):
+    """The description of either version. type_of: makes the definition of an
+    enumeration."""
+    return document(tag(
+        "fmiModelDescription",
+        [co_simulation, unit_definitions(model),
+         tag("TypeDefinitions",
+             [type_of(name, items) for name, items in enumerations(model)]),
+         tag("LogCategories", [tag("Category", name=name, description=about)
+                               for name, about in CATEGORIES.items()]),
+         tag("DefaultExperiment", startTime="0", stopTime=model["t_end"],
+             stepSize=model["dt"]),
+         tag("ModelVariables", variables), tag("ModelStructure", structure)],
+        fmiVersion=version, **{token_name: token},
+        modelName=f"{MODEL} {model['scene']}",
+        description=f"wheel on a turntable, set-valued friction; scene "
+                    f"{model['scene']}: {model['shows']}",
+        version=model["version"], license="MIT",
+        generationTool=f"twofold {model['version']}",
+        variableNamingConvention="structured"))
 
 
 def variability(variable):
@@ -130,73 +134,48 @@ def of_value(variable, most=None):
             **bounds(variable, most), "start": start(variable)}
 
 
-def variable3(variable):
-    element = {"real": "Float64", "truth": "Boolean", "member": "Enumeration",
-               "small": "Int32", "seed": "UInt32",
-               "count": "UInt64"}[variable["kind"]]
-    return tag(element, **of_variable(variable), **of_value(variable))
+TIME = {"name": "time", "valueReference": 0, "description": "time",
+        "causality": "independent", "variability": "continuous"}
 
 
 def fmi3(model, token):
-    types = [tag("EnumerationType", items(members), name=name,
-                 description=ABOUT[name])
-             for name, members in enumerations(model)]
     outputs = [v["reference"] for v in model["variables"]
                if v["role"] == "output"]
-    time = tag("Float64", name="time", valueReference=0,
-               description="time", causality="independent",
-               variability="continuous", unit="s")
-    return document(tag(
-        "fmiModelDescription",
-        [tag("CoSimulation", modelIdentifier=MODEL,
-             canHandleVariableCommunicationStepSize="true",
-             canGetAndSetFMUState="true", canSerializeFMUState="true",
-             fixedInternalStepSize=model["dt"],
-             mightReturnEarlyFromDoStep="true", hasEventMode="true"),
-         unit_definitions(model), tag("TypeDefinitions", types),
-         log_categories(), experiment(model),
-         tag("ModelVariables",
-             [time, *(variable3(v) for v in model["variables"])]),
-         tag("ModelStructure",
-             [tag("Output", valueReference=r) for r in outputs]
-             + [tag("InitialUnknown", valueReference=r) for r in outputs])],
-        fmiVersion="3.0", instantiationToken=token, **common(model)))
-
-
-def variable2(variable):
-    element = {"real": "Real", "truth": "Boolean", "member": "Enumeration",
-               "small": "Integer", "seed": "Integer",
-               "count": "Real"}[variable["kind"]]
-    inside = tag(element, **of_value(variable, FMI2_INTEGER))
-    return tag("ScalarVariable", [inside], **of_variable(variable))
+    return common(
+        model, "instantiationToken", token,
+        tag("CoSimulation", modelIdentifier=MODEL,
+            canHandleVariableCommunicationStepSize="true",
+            canGetAndSetFMUState="true", canSerializeFMUState="true",
+            fixedInternalStepSize=model["dt"],
+            mightReturnEarlyFromDoStep="true", hasEventMode="true"),
+        lambda name, items: tag("EnumerationType", items, name=name,
+                                description=ABOUT[name]),
+        [tag("Float64", **TIME, unit="s"),
+         *(tag(KINDS[v["kind"]][1], **of_variable(v), **of_value(v))
+           for v in model["variables"])],
+        [tag(element, valueReference=r)
+         for element in ("Output", "InitialUnknown") for r in outputs], "3.0")
 
 
 def fmi2(model, token, sources):
-    types = [tag("SimpleType",
-                 [tag("Enumeration", items(members))],
-                 name=name, description=ABOUT[name])
-             for name, members in enumerations(model)]
-    outputs = [i for i, v in enumerate(model["variables"], 2)
-               if v["role"] == "output"]
-    unknowns = [tag("Unknown", index=i) for i in outputs]
-    time = tag("ScalarVariable", [tag("Real", unit="s")], name="time",
-               valueReference=0, description="time", causality="independent",
-               variability="continuous")
-    return document(tag(
-        "fmiModelDescription",
-        [tag("CoSimulation",
-             [tag("SourceFiles", [tag("File", name=n) for n in sources])],
-             modelIdentifier=MODEL,
-             canHandleVariableCommunicationStepSize="true",
-             canNotUseMemoryManagementFunctions="true",
-             canGetAndSetFMUstate="true", canSerializeFMUstate="true"),
-         unit_definitions(model), tag("TypeDefinitions", types),
-         log_categories(), experiment(model),
-         tag("ModelVariables",
-             [time, *(variable2(v) for v in model["variables"])]),
-         tag("ModelStructure", [tag("Outputs", unknowns),
-                                tag("InitialUnknowns", unknowns)])],
-        fmiVersion="2.0", guid=token, **common(model)))
+    unknowns = [tag("Unknown", index=i)
+                for i, v in enumerate(model["variables"], 2)
+                if v["role"] == "output"]
+    return common(
+        model, "guid", token,
+        tag("CoSimulation",
+            [tag("SourceFiles", [tag("File", name=n) for n in sources])],
+            modelIdentifier=MODEL,
+            canHandleVariableCommunicationStepSize="true",
+            canNotUseMemoryManagementFunctions="true",
+            canGetAndSetFMUstate="true", canSerializeFMUstate="true"),
+        lambda name, items: tag("SimpleType", [tag("Enumeration", items)],
+                                name=name, description=ABOUT[name]),
+        [tag("ScalarVariable", [tag("Real", unit="s")], **TIME),
+         *(tag("ScalarVariable",
+               [tag(KINDS[v["kind"]][0], **of_value(v, FMI2_INTEGER))],
+               **of_variable(v)) for v in model["variables"])],
+        [tag("Outputs", unknowns), tag("InitialUnknowns", unknowns)], "2.0")
 
 
 def build_description(sources):

@@ -3,6 +3,8 @@
 /// their names, and nothing of the FMU calls one, so each is declared where it
 /// is defined. A file of a version defines before it includes this one:
 ///   FMI_WORD          fmi2 or fmi3, how the names of its functions begin
+///   FMI_VERSION       the version as a text
+///   FMI_BOOLEAN       its type of truth values
 ///   FMI_PREFIX        what a program that links several FMUs statically puts
 ///                     before them; else nothing
 ///   FMI_VALUES(type)  the arguments of a list of values
@@ -47,6 +49,13 @@
     ENTER(#name, phases);                          \
     return expression;                             \
   }
+
+/// Functions for which this FMU has no use; every importer looks for them all
+/// the same. SOME: a list of n variables is among the arguments, and one of none
+/// is fine.
+#define REFUSE(name, ...) CALL(name, 0, FMU_ERROR, void *instance, __VA_ARGS__)
+#define REFUSE_SOME(name, ...) \
+  CALL(name, n > 0 ? 0u : FMU_ANY_PHASE, FMU_OK, void *instance, __VA_ARGS__)
 
 /// Reads or sets variables of one type.
 #define GET(Type, type_t)                                             \
@@ -112,5 +121,17 @@
   CALL(Deserialize##State, FMU_ANY_PHASE,                                     \
        fmu_deserialize(fmu, (const unsigned char *)bytes, size, state),       \
        void *instance, const byte_t bytes[], size_t size, void **state)
+
+FMI_EXPORT const char *FMI(GetVersion)(void) { return FMI_VERSION; }
+
+FMI_EXPORT void FMI(FreeInstance)(void *instance) { fmu_free(instance); }
+
+CALL(SetDebugLogging, FMU_ANY_PHASE,
+     fmu_set_logging(fmu, on != 0, n, categories), void *instance,
+     FMI_BOOLEAN on, size_t n, const char *const categories[])
+
+CALL(Terminate, FMI_MOVING, fmu_go_to(fmu, FMU_TERMINATED), void *instance)
+
+CALL(Reset, FMU_ANY_PHASE, fmu_reset(fmu), void *instance)
 
 #endif

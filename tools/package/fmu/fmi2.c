@@ -8,6 +8,8 @@
 #endif
 #define FMI_PREFIX FMI2_FUNCTION_PREFIX
 #define FMI_WORD fmi2
+#define FMI_VERSION "2.0"
+#define FMI_BOOLEAN int
 #define FMI_VALUES(type_t) type_t values[]
 #define FMI_COUNT n
 #define FMI_MOVING ((unsigned)FMU_STEP)
@@ -15,7 +17,6 @@
 
 // Types of the C interface, written from the text of the standard
 // (fmi-standard.org).
-typedef int fmi2_boolean_t;
 typedef const char *fmi2_string_t;
 typedef enum { FMI2_MODEL_EXCHANGE, FMI2_CO_SIMULATION } fmi2_type_t;
 typedef enum {
@@ -50,13 +51,11 @@ static void emit(const fmu_t *fmu, fmu_status_t status, const char *category,
 }
 
 FMI_EXPORT const char *FMI(GetTypesPlatform)(void) { return "default"; }
-FMI_EXPORT const char *FMI(GetVersion)(void) { return "2.0"; }
 
 FMI_EXPORT void *FMI(Instantiate)(fmi2_string_t name, fmi2_type_t type,
                                   fmi2_string_t token, fmi2_string_t resources,
                                   const fmi2_callbacks_t *callbacks,
-                                  fmi2_boolean_t visible,
-                                  fmi2_boolean_t logging) {
+                                  FMI_BOOLEAN visible, FMI_BOOLEAN logging) {
   fmu_t teller = fmu_teller("fmi2Instantiate", name, logging != 0);
   if (callbacks != NULL && callbacks->logger != NULL) {
     teller.environment = callbacks->environment;
@@ -72,16 +71,10 @@ FMI_EXPORT void *FMI(Instantiate)(fmi2_string_t name, fmi2_type_t type,
   return fmu_new(&teller, token);
 }
 
-FMI_EXPORT void FMI(FreeInstance)(void *instance) { fmu_free(instance); }
-
-CALL(SetDebugLogging, FMU_ANY_PHASE,
-     fmu_set_logging(fmu, on != 0, n, categories), void *instance,
-     fmi2_boolean_t on, size_t n, const fmi2_string_t categories[])
-
 CALL(SetupExperiment, FMU_INSTANTIATED,
      fmu_initialize(fmu, start_time, stops != 0, stop_time), void *instance,
-     fmi2_boolean_t has_tolerance, double tolerance, double start_time,
-     fmi2_boolean_t stops, double stop_time)
+     FMI_BOOLEAN has_tolerance, double tolerance, double start_time,
+     FMI_BOOLEAN stops, double stop_time)
 
 CALL(EnterInitializationMode, FMU_INSTANTIATED,
      fmu_go_to(fmu, FMU_INITIALIZATION), void *instance)
@@ -89,21 +82,17 @@ CALL(EnterInitializationMode, FMU_INSTANTIATED,
 CALL(ExitInitializationMode, FMU_INITIALIZATION, fmu_initialized(fmu, FMU_STEP),
      void *instance)
 
-CALL(Terminate, FMI_MOVING, fmu_go_to(fmu, FMU_TERMINATED), void *instance)
-
-CALL(Reset, FMU_ANY_PHASE, fmu_reset(fmu), void *instance)
-
 ACCESS(Real, double, KIND(REAL) | KIND(COUNT), double, fmu_get_real, NUMBER)
 ACCESS(Integer, int, KIND(MEMBER) | KIND(SMALL) | KIND(SEED), int64_t,
        fmu_get_whole, NUMBER)
-ACCESS(Boolean, fmi2_boolean_t, KIND(TRUTH), int64_t, fmu_get_whole, TRUTH)
+ACCESS(Boolean, FMI_BOOLEAN, KIND(TRUTH), int64_t, fmu_get_whole, TRUTH)
 
 NO_ACCESS(String, fmi2_string_t)
 
 COPIES(FMUstate, DeSerialize, char)
 
 FMI_EXPORT fmu_status_t FMI(DoStep)(void *instance, double time, double length,
-                                    fmi2_boolean_t no_restore) {
+                                    FMI_BOOLEAN no_restore) {
   ENTER("DoStep", FMU_STEP);
   fmu_step_t end;
   return fmu_step(fmu, time, length, &end);
@@ -121,7 +110,7 @@ FMI_EXPORT fmu_status_t FMI(GetRealStatus)(void *instance,
 
 FMI_EXPORT fmu_status_t FMI(GetBooleanStatus)(void *instance,
                                               fmi2_question_t question,
-                                              fmi2_boolean_t *value) {
+                                              FMI_BOOLEAN *value) {
   ENTER("GetBooleanStatus", FMU_STEP | FMU_TERMINATED);
   if (value == NULL || question != FMI2_TERMINATED)
     return fmu_error(fmu, "only fmi2Terminated can be asked");
@@ -141,19 +130,10 @@ NOT_PENDING(GetIntegerStatus, void *instance, fmi2_question_t question,
 NOT_PENDING(GetStringStatus, void *instance, fmi2_question_t question,
             fmi2_string_t *value)
 
-// What this FMU has no use for; every importer looks for it all the same.
-#define NO_DERIVATIVES(name, ...)                  \
-  FMI_EXPORT fmu_status_t FMI(name)(__VA_ARGS__) { \
-    (void)fmu_enter(instance, "fmi2" #name, 0);    \
-    return FMU_ERROR;                              \
-  }
-NO_DERIVATIVES(GetDirectionalDerivative, void *instance,
-               const uint32_t unknowns[], size_t n_unknowns,
-               const uint32_t knowns[], size_t n_knowns, const double seed[],
-               double sensitivity[])
-NO_DERIVATIVES(SetRealInputDerivatives, void *instance,
-               const uint32_t references[], size_t n, const int orders[],
-               const double values[])
-NO_DERIVATIVES(GetRealOutputDerivatives, void *instance,
-               const uint32_t references[], size_t n, const int orders[],
-               double values[])
+REFUSE(GetDirectionalDerivative, const uint32_t unknowns[], size_t n_unknowns,
+       const uint32_t knowns[], size_t n_knowns, const double seed[],
+       double sensitivity[])
+REFUSE(SetRealInputDerivatives, const uint32_t references[], size_t n,
+       const int orders[], const double values[])
+REFUSE(GetRealOutputDerivatives, const uint32_t references[], size_t n,
+       const int orders[], double values[])

@@ -1,14 +1,35 @@
 // FMI 3.0, co-simulation: each function checks the phase, translates, and
 // leaves the work to model.h.
 
-#include "fmi3.h"
+#ifndef FMI3_FUNCTION_PREFIX
+#define FMI3_FUNCTION_PREFIX
+#endif
+#define FMI_PREFIX FMI3_FUNCTION_PREFIX
+#define FMI_WORD fmi3
+#define FMI_VERSION "3.0"
+#define FMI_BOOLEAN bool
+#define FMI_VALUES(type_t) type_t values[], size_t n_values
+#define FMI_COUNT n_values
+#define FMI_MOVING ((unsigned)(FMU_EVENT | FMU_STEP))
+#include "faces.h"
+
+// Types of the C interface, written from the text of the standard
+// (fmi-standard.org).
+typedef const char *fmi3_string_t;
+typedef int fmi3_kind_t; // enumerations of which no value is used here
+
+typedef void fmi3_log_t(void *environment, fmu_status_t status,
+                        const char *category, const char *message);
+typedef void fmi3_update_t(void *environment, double time, bool may_set,
+                           bool may_get, bool finished, bool may_return,
+                           bool *wants_return, double *return_time);
+typedef void fmi3_clock_update_t(void *environment);
+typedef void fmi3_lock_t(void);
 
 static void emit(const fmu_t *fmu, fmu_status_t status, const char *category,
                  const char *text) {
   ((fmi3_log_t *)fmu->logger)(fmu->environment, status, category, text);
 }
-
-FMI_EXPORT const char *FMI(GetVersion)(void) { return "3.0"; }
 
 FMI_EXPORT void *FMI(InstantiateCoSimulation)(
     const char *name, const char *token, const char *resources, bool visible,
@@ -24,11 +45,6 @@ FMI_EXPORT void *FMI(InstantiateCoSimulation)(
   teller.early_return = early_return;
   return fmu_new(&teller, token);
 }
-
-FMI_EXPORT void FMI(FreeInstance)(void *instance) { fmu_free(instance); }
-
-CALL(SetDebugLogging, FMU_ANY_PHASE, fmu_set_logging(fmu, on, n, categories),
-     void *instance, bool on, size_t n, const fmi3_string_t categories[])
 
 FMI_EXPORT fmu_status_t FMI(EnterInitializationMode)(
     void *instance, bool has_tolerance, double tolerance, double start_time,
@@ -50,10 +66,6 @@ FMI_EXPORT fmu_status_t FMI(EnterEventMode)(void *instance) {
 }
 
 CALL(EnterStepMode, FMU_EVENT, fmu_go_to(fmu, FMU_STEP), void *instance)
-
-CALL(Terminate, FMI_MOVING, fmu_go_to(fmu, FMU_TERMINATED), void *instance)
-
-CALL(Reset, FMU_ANY_PHASE, fmu_reset(fmu), void *instance)
 
 FMI_EXPORT fmu_status_t FMI(UpdateDiscreteStates)(void *instance, bool *again,
                                                   bool *terminates,
@@ -104,3 +116,80 @@ NO_ACCESS(UInt8, uint8_t)
 NO_ACCESS(Int16, int16_t)
 NO_ACCESS(UInt16, uint16_t)
 NO_ACCESS(String, fmi3_string_t)
+
+// Model exchange, scheduled execution, clocks, arrays and derivatives.
+
+static void *no_instance(bool logging, void *environment, fmi3_log_t *logger,
+                         const char *why) {
+  if (logging && logger != NULL)
+    logger(environment, FMU_ERROR, "logStatusError", why);
+  return NULL;
+}
+
+FMI_EXPORT void *FMI(InstantiateModelExchange)(
+    const char *name, const char *token, const char *resources, bool visible,
+    bool logging, void *environment, fmi3_log_t *logger) {
+  return no_instance(logging, environment, logger,
+                     "fmi3InstantiateModelExchange: this FMU is for"
+                     " co-simulation");
+}
+
+FMI_EXPORT void *FMI(InstantiateScheduledExecution)(
+    const char *name, const char *token, const char *resources, bool visible,
+    bool logging, void *environment, fmi3_log_t *logger,
+    fmi3_clock_update_t *update, fmi3_lock_t *lock, fmi3_lock_t *unlock) {
+  return no_instance(logging, environment, logger,
+                     "fmi3InstantiateScheduledExecution: this FMU is for"
+                     " co-simulation");
+}
+
+REFUSE_SOME(GetBinary, const uint32_t references[], size_t n, size_t sizes[],
+            const uint8_t *values[], size_t n_values)
+REFUSE_SOME(SetBinary, const uint32_t references[], size_t n,
+            const size_t sizes[], const uint8_t *const values[],
+            size_t n_values)
+REFUSE_SOME(GetClock, const uint32_t references[], size_t n, bool values[])
+REFUSE_SOME(SetClock, const uint32_t references[], size_t n,
+            const bool values[])
+REFUSE(GetNumberOfVariableDependencies, uint32_t reference, size_t *n)
+REFUSE(GetVariableDependencies, uint32_t dependent, size_t elements[],
+       uint32_t independents[], size_t their_elements[], fmi3_kind_t kinds[],
+       size_t n)
+REFUSE(GetDirectionalDerivative, const uint32_t unknowns[], size_t n_unknowns,
+       const uint32_t knowns[], size_t n_knowns, const double seed[],
+       size_t n_seed, double sensitivity[], size_t n_sensitivity)
+REFUSE(GetAdjointDerivative, const uint32_t unknowns[], size_t n_unknowns,
+       const uint32_t knowns[], size_t n_knowns, const double seed[],
+       size_t n_seed, double sensitivity[], size_t n_sensitivity)
+REFUSE_SOME(GetOutputDerivatives, const uint32_t references[], size_t n,
+            const int32_t orders[], double values[], size_t n_values)
+CALL(EnterConfigurationMode, 0, FMU_ERROR, void *instance)
+CALL(ExitConfigurationMode, 0, FMU_ERROR, void *instance)
+REFUSE_SOME(GetIntervalDecimal, const uint32_t references[], size_t n,
+            double intervals[], fmi3_kind_t qualifiers[])
+REFUSE_SOME(GetIntervalFraction, const uint32_t references[], size_t n,
+            uint64_t counters[], uint64_t resolutions[],
+            fmi3_kind_t qualifiers[])
+REFUSE_SOME(GetShiftDecimal, const uint32_t references[], size_t n,
+            double shifts[])
+REFUSE_SOME(GetShiftFraction, const uint32_t references[], size_t n,
+            uint64_t counters[], uint64_t resolutions[])
+REFUSE_SOME(SetIntervalDecimal, const uint32_t references[], size_t n,
+            const double intervals[])
+REFUSE_SOME(SetIntervalFraction, const uint32_t references[], size_t n,
+            const uint64_t counters[], const uint64_t resolutions[])
+REFUSE_SOME(SetShiftDecimal, const uint32_t references[], size_t n,
+            const double shifts[])
+REFUSE_SOME(SetShiftFraction, const uint32_t references[], size_t n,
+            const uint64_t counters[], const uint64_t resolutions[])
+CALL(EnterContinuousTimeMode, 0, FMU_ERROR, void *instance)
+REFUSE(CompletedIntegratorStep, bool no_restore, bool *event, bool *terminates)
+REFUSE(SetTime, double time)
+REFUSE(SetContinuousStates, const double states[], size_t n)
+REFUSE(GetContinuousStateDerivatives, double derivatives[], size_t n)
+REFUSE(GetEventIndicators, double indicators[], size_t n)
+REFUSE(GetContinuousStates, double states[], size_t n)
+REFUSE(GetNominalsOfContinuousStates, double nominals[], size_t n)
+REFUSE(GetNumberOfEventIndicators, size_t *n)
+REFUSE(GetNumberOfContinuousStates, size_t *n)
+REFUSE(ActivateModelPartition, uint32_t clock, double time)

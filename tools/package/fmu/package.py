@@ -21,8 +21,7 @@ import description
 
 ROOT = Path(__file__).resolve().parents[3]
 HERE = Path(__file__).resolve().parent
-FACES = {"fmi2": ["fmi2.c"],
-         "fmi3": ["fmi3.c", "fmi3_absent.c", "fmi3.h"]}
+FACES = "fmi2", "fmi3"
 NOT_IN_FMU = {"describe.c", "fmu_scene.h"}
 WRITTEN = 0o100644 << 16  # a plain file that all may read
 
@@ -30,7 +29,7 @@ WRITTEN = 0o100644 << 16  # a plain file that all may read
 def sources_of(face, core):
     """The files from which one FMU is compiled, name to text: those here and
     the core in two files, because importers know no folders."""
-    others = {n for f, names in FACES.items() if f != face for n in names}
+    others = {f"{other}.c" for other in FACES if other != face}
     paths = [*sorted(HERE.glob("*.[ch]")), ROOT / "tools/motion.h",
              core / "twofold.c", core / "twofold.h"]
     return {path.name: path.read_text() for path in paths
