@@ -1,6 +1,5 @@
 /* The located step on a turntable that changes its speed: what it makes of rest
  * does not depend on where its steps end. */
-#include "reference.h"
 #include "sample.h"
 #include "sim.h"
 
@@ -36,16 +35,13 @@ static motion_t resting(int i) {
   ramp.r = tap_uniform(-0.5, 0.5);
   ramp.w = (double)p->omega0;
   ramp.alpha = tap_uniform(-3, 3);
+  tf_input_t u = {.r0 = p->r0, .omega0 = p->omega0};
+  u.alpha = (tf_real_t)ramp.alpha;
   const double F = tap_uniform(-1, 1) * (double)p->mu;
-  const double M = tap_uniform(-1, 1) * (double)(p->mu * p->kappa);
-  ref_machine_t q = {PARAMETERS_OF(real, p)};
-  ref_prepare(&q);
-  const ref_state_t at = ref_state(&q, ramp.r, 0, ramp.w);
-  const ref_rate_t free = ref_rate(&q, at, (ref_force_t){F, M});
-  const real inertia = q.m * (q.beta * q.beta + at.r * at.r);
-  ramp.force = (double)(-q.m * (free.p + q.d * ramp.alpha));
-  ramp.torque = (double)(inertia * (ramp.alpha - free.z) +
-                         q.d * q.m * (free.p + q.d * ramp.alpha));
+  load_for(p, &u, (tf_real_t)ramp.r, F,
+           tap_uniform(-1, 1) * (double)(p->mu * p->kappa));
+  ramp.force = (double)u.force;
+  ramp.torque = (double)u.torque;
   return ramp;
 }
 

@@ -2,7 +2,6 @@
  * force and the moment that keep it there are what the paper's equations ask
  * for, and it stays as long as the law has them, whichever of its two limits
  * they reach first and on whichever side. */
-#include "reference.h"
 #include "sample.h"
 
 typedef struct {
@@ -11,13 +10,9 @@ typedef struct {
 
 /* F and M under which r rests and w follows the turntable: the reference's
  * rates are affine in both, and M does not act on p. */
-static hold_t hold(const paper_t *p, const tf_input_t *u, real r, real w) {
-  ref_machine_t q = {PARAMETERS_OF(real, p), .knots = 2};
-  const real force = wide(u->force), torque = wide(u->torque);
-  q.knot[0] = (ref_knot_t){0, w, force, torque};
-  q.knot[1] = (ref_knot_t){1, w + wide(u->alpha), force, torque};
-  ref_prepare(&q);
-  const ref_state_t x = {.r = r, .piece = 1};
+static hold_t hold(const tf_params_t *p, const tf_input_t *u, tf_real_t r) {
+  const ref_machine_t q = reference_of(p, u);
+  const ref_state_t x = {.r = wide(r), .piece = 1};
   const ref_rate_t none = ref_rate(&q, x, (ref_force_t){0, 0});
   const ref_rate_t by_F = ref_rate(&q, x, (ref_force_t){1, 0});
   const ref_rate_t by_M = ref_rate(&q, x, (ref_force_t){0, 1});
@@ -49,14 +44,14 @@ TEST(pinned_wheel_stays_as_long_as_the_law_has_its_force) {
     u.alpha = uniform(-3, 3);
     const real size = 3 + p.mu + p.k2 + p.m * (4 + p.omega0 * p.omega0);
     const real slack = 1e4L * EPSILON * size * (1 + fabsl(1 / sinl(p.gamma)));
-    hold_t by = hold(&p, &u, wide(x.r), wide(u.omega0));
+    hold_t by = hold(&q, &u, x.r);
     for (int n = 0; n < 40 && margin(&p, by) > slack; n++) {
       const hold_t before = by;
       const tf_real_t start = x.r;
-      const real half = wide(u.omega0) + wide(u.alpha) * wide(k.dt) / 2;
-      const hold_t midway = hold(&p, &u, wide(x.r), half);
-      u.omega0 += u.alpha * k.dt;
-      by = hold(&p, &u, wide(x.r), wide(u.omega0));
+      u.omega0 += u.alpha * k.dt / 2;
+      const hold_t midway = hold(&q, &u, x.r);
+      u.omega0 += u.alpha * k.dt / 2;
+      by = hold(&q, &u, x.r);
       const tf_status_t status = tf_step_located(&k, &x, &u, &report);
       const bool rests = x.mode == TF_PINNED && x.r == start;
       if (status == TF_OK && rests) CHECK(margin(&p, by) >= -slack);

@@ -1,7 +1,6 @@
 /* Equilibrium: a step that leaves r as it was there returns TF_OK. Out of it a
  * step that is too short to move r stalls. */
 #include "common.h"
-#include "reference.h"
 
 typedef tf_status_t (*step_t)(const tf_machine_t *, tf_state_t *,
                               const tf_input_t *, tf_report_t *);
@@ -26,9 +25,8 @@ static tf_params_t any_params(void) {
  * rest position and the torque answer it. */
 static void balance(const tf_params_t *p, const tf_state_t *x, tf_force_t by,
                     tf_input_t *u) {
-  ref_machine_t q = {PARAMETERS_OF(real, p)};
-  q.r0 = wide(x->r);
-  ref_prepare(&q);
+  u->r0 = x->r;
+  const ref_machine_t q = reference_of(p, u);
   const ref_state_t at = ref_state(&q, q.r0, 0, wide(x->w));
   const ref_rate_t rate =
       ref_rate(&q, at, (ref_force_t){wide(by.F), wide(by.M)});

@@ -4,7 +4,6 @@
  * motion one of first order, and at h = g = 0, where all else is as small,
  * another motion. */
 #include "../../src/moreau/scheme.h"
-#include "../reference/reference.h"
 #include "same_state.h"
 #include "sim.h"
 
@@ -34,31 +33,10 @@ static motion_t any_motion(tf_tyre_law_t law) {
   return m;
 }
 
-static ref_machine_t reference_of(const motion_t *m) {
-  static const ref_law_t laws[TF_TYRE_LAWS] = {[TF_TYRE_JUMP] = REF_JUMP,
-                                               [TF_TYRE_COULOMB] = REF_COULOMB,
-                                               [TF_TYRE_SMOOTH] = REF_SMOOTH,
-                                               [TF_TYRE_STRING] = REF_STRING,
-                                               [TF_TYRE_NONE] = REF_FREE};
-  const tf_params_t *p = &m->params;
-  ref_machine_t q = {PARAMETERS_OF(ref_real_t, p),
-                     .epsilon = p->epsilon,
-                     .k = p->k,
-                     .delta = p->delta,
-                     .sigma = p->sigma,
-                     .rho = p->rho,
-                     .a = p->a,
-                     .law = laws[p->law],
-                     .knots = 2};
-  for (int i = 0; i < 2; i++)
-    q.knot[i] = (ref_knot_t){i, p->omega0 + i * m->alpha, m->force, m->torque};
-  ref_prepare(&q);
-  return q;
-}
-
 /* The true end of a motion that keeps its mode; false where it does not. */
 static bool true_end(const motion_t *m, ref_mode_t mode, tf_state_t *end) {
-  const ref_machine_t q = reference_of(m);
+  const tf_input_t u = sim_under(m, duration).u;
+  const ref_machine_t q = reference_of(&m->params, &u);
   ref_orbit_t orbit = {.tolerance = 1e-13L};
   ref_state_t x = ref_state(&q, m->r, m->v, m->w);
   if (mode > REF_SLIP_MINUS) x = ref_on_surface(&q, x);

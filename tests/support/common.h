@@ -87,6 +87,42 @@ static inline paper_t paper_of(const tf_params_t *p) {
   return (paper_t){PARAMETERS_OF(real, p)};
 }
 
+/* The reference of a machine under its inputs; the turntable goes on at alpha
+ * for a second. A law that the reference lacks is that of the paper. */
+static inline ref_machine_t reference_of(const tf_params_t *p,
+                                         const tf_input_t *u) {
+  static const ref_law_t laws[TF_TYRE_LAWS] = {[TF_TYRE_JUMP] = REF_JUMP,
+                                               [TF_TYRE_COULOMB] = REF_COULOMB,
+                                               [TF_TYRE_SMOOTH] = REF_SMOOTH,
+                                               [TF_TYRE_STRING] = REF_STRING,
+                                               [TF_TYRE_NONE] = REF_FREE};
+  const real w = wide(u->omega0), F = wide(u->force), M = wide(u->torque);
+  ref_machine_t q = {PARAMETERS_OF(real, p), .law = laws[p->law], .knots = 2};
+  q.r0 = wide(u->r0);
+  q.epsilon = wide(p->epsilon);
+  q.k = wide(p->k);
+  q.delta = wide(p->delta);
+  q.sigma = wide(p->sigma);
+  q.rho = wide(p->rho);
+  q.a = wide(p->a);
+  q.knot[0] = (ref_knot_t){0, w, F, M};
+  q.knot[1] = (ref_knot_t){1, w + wide(u->alpha), F, M};
+  ref_prepare(&q);
+  return q;
+}
+
+/* The loads under which friction of F and M holds the wheel at h = g = 0. */
+static inline void load_for(const tf_params_t *p, tf_input_t *u, tf_real_t r,
+                            real F, real M) {
+  u->force = u->torque = 0;
+  const ref_machine_t q = reference_of(p, u);
+  const ref_state_t at = {.r = wide(r), .piece = 1};
+  const ref_rate_t off = ref_rate(&q, at, (ref_force_t){F, M});
+  const real inertia = q.m * (q.beta * q.beta + at.r * at.r);
+  u->force = (tf_real_t)(-q.m * off.p);
+  u->torque = (tf_real_t)(q.d * q.m * off.p - inertia * off.z);
+}
+
 static inline tf_machine_t prepared(const tf_params_t *params) {
   tf_machine_t machine;
   memset(&machine, 0, sizeof machine);

@@ -51,20 +51,15 @@ static int draw_slow_escape(sim_t *s, int i, unsigned mode, real torque) {
   tf_params_t p = any_params(i);
   p.dt = log_uniform(1e-2, 0.3);
   *s = sim_of(&p);
-  const real r = tap_uniform(-0.6, 0.6), w = wide(p.omega0);
-  const real sine = wide(s->k.sin_gamma), cosine = wide(s->k.cos_gamma);
   const real F = tap_uniform(-0.9, 0.9) * wide(p.mu);
-  const real kappa = (mode == TF_STICK_PLUS ? 1 : -1) * wide(p.kappa);
+  const int side = mode == TF_STICK_PLUS ? 1 : -1;
   const paper_t paper = paper_of(&p);
-  s->x.r = (tf_real_t)r;
+  s->x.r = uniform(-0.6, 0.6);
   s->x.w = p.omega0;
   s->x.mode = (uint8_t)mode;
-  s->u.force = (tf_real_t)(-wide(p.k2) * (wide(p.r0) - r) -
-                           wide(p.m) * r * w * w - F * sine);
-  s->u.torque = (tf_real_t)(wide(p.c1) * w -
-                            F * (r * cosine - wide(p.d) * sine) - kappa * F);
+  load_for(&p, &s->u, s->x.r, F, (real)side * wide(p.kappa) * F);
   s->u.torque += (tf_real_t)torque;
-  return paper_delassus(&paper, r, mode == TF_STICK_PLUS ? 1 : -1) < 0;
+  return paper_delassus(&paper, wide(s->x.r), side) < 0;
 }
 
 /* A stick whose g has the wrong sign by rounding, and comes back, goes on as

@@ -64,15 +64,6 @@ static real end_of_rest(const rest_t *c) {
   return 2 * length;
 }
 
-/* Loads by which friction has this force and moment. */
-static void load(rest_t *c, tf_real_t F, tf_real_t M) {
-  c->u.force = c->u.torque = 0;
-  const rates_t free = rates_at(&c->k, &c->u, c->r, 0, 0, c->omega);
-  c->u.force = (free.pinning.F - F) * c->k.sin_gamma;
-  c->u.torque = -(M + F * c->r * c->k.cos_gamma) - c->k.d * c->u.force -
-                free.dz * c->k.m * (c->k.beta2 + c->r * c->r);
-}
-
 static rest_t any_rest(int n) {
   rest_t c;
   memset(&c, 0, sizeof c);
@@ -84,8 +75,9 @@ static rest_t any_rest(int n) {
   c.omega = c.u.omega0;
   c.r = uniform(-0.5, 0.5);
   c.length = TF_R(0.25);
-  const tf_real_t F = uniform(-1, 1) * c.params.mu;
-  load(&c, F, uniform(-1, 1) * c.params.mu * c.params.kappa);
+  const real F = wide(uniform(-1, 1) * c.params.mu);
+  load_for(&c.params, &c.u, c.r, F,
+           wide(uniform(-1, 1) * c.params.mu * c.params.kappa));
   return c;
 }
 

@@ -4,7 +4,6 @@
 #include <stdbool.h>
 
 #include "codim2_field.h"
-#include "reference.h"
 #include "same_state.h"
 
 #define BIT(mode) ((unsigned)TF_MODE_BIT(mode))
@@ -43,16 +42,6 @@ static void asked_mode_is_taken_if_consistent(const tf_machine_t *machine,
     CHECK(other.set == none.set);
     if (!(none.set & BIT(asked))) CHECK(other.mode == none.mode);
   }
-}
-
-static ref_machine_t reference_of(const tf_params_t *params,
-                                  const tf_input_t *u) {
-  ref_machine_t q = {PARAMETERS_OF(real, params), .knots = 2};
-  const real w = wide(u->omega0), force = wide(u->force);
-  q.knot[0] = (ref_knot_t){0, w, force, wide(u->torque)};
-  q.knot[1] = (ref_knot_t){1, w + wide(u->alpha), force, wide(u->torque)};
-  ref_prepare(&q);
-  return q;
 }
 
 /* A state on h = 0 and the reference's view of it. */
@@ -121,9 +110,8 @@ TEST(begin_finds_the_mode) {
     const bool moment = i % 6 > 0;
     p.law = moment ? TF_TYRE_JUMP : TF_TYRE_COULOMB;
     const tf_machine_t machine = prepared(&p);
-    ref_machine_t q = {PARAMETERS_OF(real, &p),
-                       .law = moment ? REF_JUMP : REF_COULOMB};
-    ref_prepare(&q);
+    const tf_input_t u = tf_input_default(&machine);
+    const ref_machine_t q = reference_of(&p, &u);
     if (!on_the_surface(&machine, &q, &c)) continue;
     CHECK(moment || c.at.A > 0);
     judge_contact(&machine, &c);
