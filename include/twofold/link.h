@@ -27,16 +27,14 @@
 
 TF_BEGIN_C
 
-/// Bytes of the session before the data of a command, and of the tag behind.
+/// Bytes of the session before the data of a command, of the tag, and its key.
 #define TF_SESSION_BYTES 4u
 #define TF_TAG_BYTES 8u
-/// Bytes of a key.
 #define TF_KEY_BYTES 16u
 /// Where the data of a command have to be for tf_command_seal.
 #define TF_COMMAND_AT (TF_FRAME_AT + TF_SESSION_BYTES)
-/// Longest data that a board of this real type takes: those of TF_UP_RESTORE.
+/// Longest data that a board of this real type takes, and longest payload.
 #define TF_COMMAND_DATA (8 + TF_STATE_BYTES)
-/// Longest payload that it takes.
 #define TF_COMMAND_BYTES (TF_SESSION_BYTES + TF_COMMAND_DATA + TF_TAG_BYTES)
 /// Longest data that a frame has room for.
 #define TF_COMMAND_MOST (TF_FRAME_PAYLOAD - TF_SESSION_BYTES - TF_TAG_BYTES)

@@ -273,18 +273,9 @@ static int restore(const tf_link_t *link, tf_simulation_t *simulation,
 // Whether the data of a command are as long as its type wants. Of an input and
 // a state to restore they may be missing.
 static int judge_length(const tf_link_t *link, const tf_command_t *command) {
-  static const uint8_t wanted[] = {5 * REAL_SIZE,
-                                   1 + REAL_SIZE,
-                                   5,
-                                   0,
-                                   0,
-                                   0,
-                                   0,
-                                   8 + TF_STATE_BYTES,
-                                   0,
-                                   0,
-                                   4,
-                                   4};
+  enum { INPUT_SIZE = 5 * REAL_SIZE, SET_SIZE = 1 + REAL_SIZE };
+  static const uint8_t wanted[] = {INPUT_SIZE, SET_SIZE,        5, 0, 0, 0,
+                                   0,          TF_COMMAND_DATA, 0, 0, 4, 4};
   const uint8_t last = link->every > 0 ? TF_UP_EVERY : TF_UP_DEADMAN;
   if (command->type < TF_UP_INPUT || command->type > last)
     return TF_ANSWER_UNKNOWN;

@@ -1,5 +1,5 @@
-/* The random numbers of a chip that no emulator here has, from its own driver on
- * registers made of memory: a look at one lets the hardware go on. */
+/* The random numbers of a chip that no emulator here has, from its own driver
+ * on registers made of memory: a look at one lets the hardware go on. */
 #include "tap.h"
 
 #define TWOFOLD_PORT_REGISTER_H
