@@ -92,7 +92,7 @@ static bool take_block(monitor_t *monitor, size_t length) {
   while (tf_decoder_block(&seen->decoder, at, length, &taken, &frame)) {
     at += taken;
     length -= taken;
-    cli_receiver_chain(&seen->receiver, &frame);
+    const bool completes = cli_seen_frame(seen, &frame, &row);
     if (frame.type == TF_DOWN_ANSWER) {
       cli_session_row_t done;
       const char *text = cli_board_commands_answer(&monitor->commands, &frame,
@@ -102,8 +102,6 @@ static bool take_block(monitor_t *monitor, size_t length) {
       }
     }
     cli_session_frame(&monitor->record, &frame);
-    const bool completes = cli_receiver_take(&seen->receiver, &frame, &row);
-    cli_seen_frame(seen, frame.type, completes ? &row : NULL);
     if (!completes) {
       continue;
     }

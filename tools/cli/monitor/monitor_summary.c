@@ -72,8 +72,9 @@ static void note_report(cli_seen_t *seen, const cli_csv_t *row) {
   tf_tally_count(&seen->reported, receiver->tick, receiver->status);
 }
 
-void cli_seen_frame(cli_seen_t *seen, uint8_t type, const cli_csv_t *row) {
+bool cli_seen_frame(cli_seen_t *seen, const tf_frame_t *frame, cli_csv_t *row) {
   const cli_receiver_t *receiver = &seen->receiver;
+  const bool completes = cli_receiver_take(&seen->receiver, frame, row);
   const tf_heartbeat_t *beat = &receiver->heartbeat;
   seen->missed += (uint32_t)(counted(&seen->decoder) - seen->last_counted);
   seen->last_counted = counted(&seen->decoder);
@@ -81,7 +82,7 @@ void cli_seen_frame(cli_seen_t *seen, uint8_t type, const cli_csv_t *row) {
     seen->heard = true;
     seen->before = seen->is_device ? missing_so_far(seen) : 0;
   }
-  seen->is_open = receiver->ends && type != TF_DOWN_HEARTBEAT;
+  seen->is_open = receiver->ends && frame->type != TF_DOWN_HEARTBEAT;
   if (receiver->has_heartbeat) {
     note_told(&seen->dropped, beat->dropped);
     note_told(&seen->skipped, beat->skipped);
@@ -93,12 +94,11 @@ void cli_seen_frame(cli_seen_t *seen, uint8_t type, const cli_csv_t *row) {
                              .stalled = beat->stalled};
     seen->counted = most(&seen->counted, &told);
   }
-  if (type == TF_DOWN_REPORT && row != NULL) {
+  if (completes) { // it is a report
     note_report(seen, row);
-  }
-  if (row != NULL) {
     note_row(seen, row);
   }
+  return completes;
 }
 
 uint64_t cli_seen_missing(const cli_seen_t *seen) {

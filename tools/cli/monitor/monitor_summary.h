@@ -38,9 +38,9 @@ typedef struct {
   bool is_open;   ///< the stream has an end, which has not come yet
 } cli_seen_t;
 
-/// Takes note of a frame that the receiver has taken, which a board that stands
-/// still may repeat. row: in, the row that the frame completes, or NULL.
-void cli_seen_frame(cli_seen_t *seen, uint8_t type, const cli_csv_t *row);
+/// Takes a frame, which a board that stands still may repeat.
+/// row, returns: as cli_receiver_take.
+bool cli_seen_frame(cli_seen_t *seen, const tf_frame_t *frame, cli_csv_t *row);
 
 /// Frames that were lost, broken or dropped, and states without their report.
 uint64_t cli_seen_missing(const cli_seen_t *seen);

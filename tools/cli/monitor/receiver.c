@@ -65,7 +65,7 @@ static void note_run(cli_receiver_t *receiver, uint64_t tick, uint32_t run) {
 
 // The chain is known from number 0 on, or from a heartbeat, up to a frame that
 // is missing, which the decoder counts.
-void cli_receiver_chain(cli_receiver_t *receiver, const tf_frame_t *frame) {
+static void note_chain(cli_receiver_t *receiver, const tf_frame_t *frame) {
   receiver->knows_chain &= frame->sequence == receiver->next;
   receiver->next = frame->sequence + 1u;
   receiver->breaks = false;
@@ -171,6 +171,7 @@ bool cli_receiver_take(cli_receiver_t *receiver, const tf_frame_t *frame,
                        cli_csv_t *row) {
   const bool is_row =
       frame->type == TF_DOWN_STATE || frame->type == TF_DOWN_REPORT;
+  note_chain(receiver, frame);
   if (is_row && !receiver->has_schema) {
     // A report belongs to the state before it, which counts for both.
     receiver->incomplete += frame->type != TF_DOWN_REPORT || !receiver->early;

@@ -44,10 +44,7 @@ typedef struct {
   uint64_t unknown;    ///< frames of unknown type or length
 } cli_receiver_t;
 
-/// Takes note of a frame as it came, in its decoder's buffer.
-void cli_receiver_chain(cli_receiver_t *receiver, const tf_frame_t *frame);
-
-/// row: out, written if the frame completes a row.
+/// frame: in, in its decoder's buffer. row: out, written if it completes a row.
 /// Returns: whether it does.
 bool cli_receiver_take(cli_receiver_t *receiver, const tf_frame_t *frame,
                        cli_csv_t *row);

@@ -22,7 +22,8 @@ typedef struct {
   const char *failed; ///< why the replay is not the simulation, or NULL
 } cli_replay_t;
 
-/// Reads a record. replay: in/out, empty. path: in, kept. scheme: in/out, NULL: the board's.
+/// Reads a record. replay: in/out, empty. path: in, kept. scheme: in/out,
+/// NULL: the board's.
 int cli_replay_read(cli_replay_t *replay, const char *path,
                     const cli_scheme_t **scheme);
 

@@ -27,13 +27,6 @@ static size_t last_line(uint64_t rows, uint32_t crc, char out[LINE_ROOM]) {
       out, LINE_ROOM, "# %" PRIu64 " rows, crc32 %08" PRIx32 "\n", rows, crc);
 }
 
-cli_session_row_t cli_session_row(const tf_frame_t *frame) {
-  cli_session_row_t row = {
-      .tick = frame->tick, .type = frame->type, .length = frame->length};
-  memcpy(row.data, frame->payload, frame->length);
-  return row;
-}
-
 static void put_line(cli_session_file_t *file, const char *line,
                      size_t length) {
   file->crc = cli_crc(file->crc, line, length);
@@ -73,7 +66,9 @@ void cli_session_frame(cli_session_file_t *file, const tf_frame_t *frame) {
   if (!file->is_open) {
     return;
   }
-  const cli_session_row_t row = cli_session_row(frame);
+  cli_session_row_t row = {
+      .tick = frame->tick, .type = frame->type, .length = frame->length};
+  memcpy(row.data, frame->payload, frame->length);
   if (frame->type == (begins ? TF_DOWN_SCHEMA : TF_DOWN_EXPIRED)) {
     put_row(file, &row, begins ? CLI_RECORD_SCHEMA : "inputs expired");
     file->state.length = 0;

@@ -1,6 +1,7 @@
-/// What happened to a board, as a file of `monitor --record` that `run --replay`
-/// reads: the schema, the commands that took effect, inputs that expired, and
-/// the last state, by which a replay is found to be the same throughout.
+/// What happened to a board, as a file of `monitor --record` that
+/// `run --replay` reads: the schema, the commands that took effect, inputs that
+/// expired, and the last state, by which a replay is found to be the same
+/// throughout.
 #pragma once
 
 #include "../host/output.h"
@@ -12,8 +13,6 @@ typedef struct {
   uint8_t type, length;
   uint8_t data[TF_FRAME_PAYLOAD]; ///< of a command without its session and tag
 } cli_session_row_t;
-
-cli_session_row_t cli_session_row(const tf_frame_t *frame);
 
 /// The file while it is written.
 typedef struct {
