@@ -1,12 +1,8 @@
 /* Equilibrium: a step that leaves r as it was there returns TF_OK. Out of it a
  * step that is too short to move r stalls. */
-#include "common.h"
+#include "sim.h"
 
-typedef tf_status_t (*step_t)(const tf_machine_t *, tf_state_t *,
-                              const tf_input_t *, tf_report_t *);
-
-static const step_t steps[] = {tf_step, tf_step_located};
-#define KINDS (sizeof steps / sizeof *steps)
+static const scheme_t schemes[] = {MOREAU, LOCATED};
 
 /* One machine in four has a multiple of pi/4 for gamma. */
 static tf_params_t any_params(void) {
@@ -23,30 +19,49 @@ static tf_params_t any_params(void) {
 
 /* Inputs under which the force keeps (r, 0, w) in equilibrium: the spring's
  * rest position and the torque answer it. */
-static void balance(const tf_params_t *p, const tf_state_t *x, tf_force_t by,
-                    tf_input_t *u) {
-  u->r0 = x->r;
-  const ref_machine_t q = reference_of(p, u);
-  const ref_state_t at = ref_state(&q, q.r0, 0, wide(x->w));
-  const ref_rate_t rate =
-      ref_rate(&q, at, (ref_force_t){wide(by.F), wide(by.M)});
+static void balance(sim_t *s, tf_real_t F, tf_real_t M) {
+  s->u.r0 = s->x.r;
+  const ref_machine_t q = reference_of(&s->params, &s->u);
+  const ref_state_t at = ref_state(&q, q.r0, 0, wide(s->x.w));
+  const ref_rate_t rate = ref_rate(&q, at, (ref_force_t){wide(F), wide(M)});
   const real inertia = q.m * (q.beta * q.beta + q.r0 * q.r0);
-  u->r0 = (tf_real_t)(q.r0 - q.m * rate.p / q.k2);
-  u->torque = (tf_real_t)(q.d * q.m * rate.p - inertia * rate.z);
+  s->u.r0 = (tf_real_t)(q.r0 - q.m * rate.p / q.k2);
+  s->u.torque = (tf_real_t)(q.d * q.m * rate.p - inertia * rate.z);
+}
+
+/* In equilibrium on the circle r = d tan(gamma), where the wheel rolls without
+ * slipping, under any force of stick. */
+static void roll(sim_t *s) {
+  const tf_params_t *p = &s->params;
+  const tf_real_t F = uniform(-0.9, 0.9) * p->mu;
+  const tf_real_t M = p->law == TF_TYRE_COULOMB ? 0 : p->kappa * F;
+  s->x.r = p->d * (tf_real_t)tan((double)p->gamma);
+  CHECK(tf_speed_for_slip(&s->k, s->x.r, s->x.w, s->u.omega0, 0, &s->x.v) ==
+        TF_OK);
+  const bool back = tf_slip(&s->k, s->x.r, s->x.v, s->x.w, s->u.omega0).g < 0;
+  s->x.mode = back ? TF_STICK_MINUS : TF_STICK_PLUS;
+  balance(s, F, back ? -M : M);
+}
+
+/* In equilibrium under the force of a slip. */
+static void slide(sim_t *s) {
+  const tf_slip_t at = tf_slip(&s->k, s->x.r, 0, s->x.w, s->u.omega0);
+  const tf_force_t by =
+      tf_tyre_force(&s->k.contact.tyre, at.h < 0 ? -1 : 1, at.h, at.g);
+  balance(s, by.F, by.M);
+  CHECK(sim_begin(s) == TF_OK);
 }
 
 /* How many steps in an equilibrium leave r as it was; none may be told to
  * move. The residue of the rounded inputs may drive it off in time. */
-static long steps_in_equilibrium(const tf_machine_t *k, tf_state_t x,
-                                 const tf_input_t *u) {
+static long steps_in_equilibrium(const sim_t *start) {
   long still = 0;
-  for (size_t s = 0; s < KINDS; s++) {
-    tf_state_t y = x;
+  for (int i = 0; i < 2; i++) {
+    sim_t s = *start;
     for (int n = 0; n < 3; n++) {
-      const tf_real_t r = y.r;
-      tf_report_t report;
-      const tf_status_t status = steps[s](k, &y, u, &report);
-      if (y.mode != x.mode || y.r != r) break;
+      const tf_real_t r = s.x.r;
+      const tf_status_t status = sim_step(&s, schemes[i]);
+      if (s.x.mode != start->x.mode || s.x.r != r) break;
       CHECK(status == TF_OK);
       still++;
     }
@@ -54,44 +69,24 @@ static long steps_in_equilibrium(const tf_machine_t *k, tf_state_t x,
   return still;
 }
 
-static tf_state_t placed(double omega) {
-  return (tf_state_t){
-      .r = uniform(-0.5, 0.5), .w = (tf_real_t)omega, .mode = TF_NO_MODE};
-}
-
-/* Slip somewhere, or stick on the circle r = d tan(gamma), where the wheel
- * rolls without slipping. Some of them stand still. */
+/* Slip somewhere, or stick. Some of them stand still. */
 static void judge_equilibria(bool slips, int least_share) {
   long still = 0, of = 0;
   for (int i = 0; i < samples(4000); i++) {
     tf_params_t p = any_params();
     p.dt = log_uniform(1e-6, 1e-3);
     p.k2 += TF_R(0.1);
-    const tf_machine_t k = prepared(&p);
-    tf_input_t u = tf_input_default(&k);
-    tf_state_t x = placed((double)p.omega0 * tap_uniform(-2, 3));
-    const double r = (double)p.d * tan((double)p.gamma);
-    tf_report_t report;
-    tf_force_t by;
-    if (!slips) {
-      if (fabs(r) > 5 || fabs(sin((double)p.gamma)) < 0.05) continue;
-      x.r = (tf_real_t)r;
-      CHECK(tf_speed_for_slip(&k, x.r, x.w, u.omega0, 0, &x.v) == TF_OK);
-    }
-    const tf_slip_t slip = tf_slip(&k, x.r, x.v, x.w, u.omega0);
-    if (slips) {
-      if (fabs((double)slip.h) < 1e-3) continue;
-      by = tf_tyre_force(&k.contact.tyre, slip.h < 0 ? -1 : 1, slip.h, slip.g);
-    } else {
-      const tf_real_t kappa = p.law == TF_TYRE_COULOMB ? 0 : p.kappa;
-      by.F = uniform(-0.9, 0.9) * p.mu;
-      by.M = slip.g < 0 ? -kappa * by.F : kappa * by.F;
-      x.mode = slip.g < 0 ? TF_STICK_MINUS : TF_STICK_PLUS;
-    }
-    balance(&p, &x, by, &u);
-    if (slips) CHECK(tf_begin(&k, &x, &u, &report) == TF_OK);
-    still += steps_in_equilibrium(&k, x, &u);
-    of += 3 * (long)KINDS;
+    sim_t s = sim_of(&p);
+    s.x.r = uniform(-0.5, 0.5);
+    s.x.w = p.omega0 * uniform(-2, 3);
+    const tf_slip_t at = tf_slip(&s.k, s.x.r, 0, s.x.w, p.omega0);
+    if (slips ? fabs((double)at.h) < 1e-3
+              : fabs((double)p.d * tan((double)p.gamma)) > 5 ||
+                    fabs(sin((double)p.gamma)) < 0.05)
+      continue;
+    slips ? slide(&s) : roll(&s);
+    still += steps_in_equilibrium(&s);
+    of += 6;
   }
   CHECK(least_share * still > of);
 }
@@ -110,13 +105,11 @@ TEST(step_too_short_to_move_the_slider_stalls) {
     p.k2 = uniform(0.01, 0.1);
     p.r0 = TF_R(0.3) + p.m * rate / p.k2;
     p.dt = (tf_real_t)sqrtl(EPSILON / (1e4L * wide(rate))) * uniform(0.3, 3);
-    const tf_machine_t k = prepared(&p);
-    const tf_input_t u = tf_input_default(&k);
-    for (size_t s = 0; s < KINDS; s++) {
-      tf_state_t x = {.r = TF_R(0.3)};
-      tf_report_t report;
-      CHECK(steps[s](&k, &x, &u, &report) == TF_STALLED);
-      CHECK(x.r == TF_R(0.3) && x.v > 0);
+    for (int n = 0; n < 2; n++) {
+      sim_t s = sim_of(&p);
+      s.x = (tf_state_t){.r = TF_R(0.3)};
+      CHECK(sim_step(&s, schemes[n]) == TF_STALLED);
+      CHECK(s.x.r == TF_R(0.3) && s.x.v > 0);
     }
   }
 }
@@ -135,20 +128,14 @@ TEST(smooth_law_in_equilibrium_is_not_told_to_move) {
     p.k2 = 1;
     p.gamma = uniform(0.3, 2.8);
     p.dt = IS_DOUBLE ? log_uniform(1e-7, 1e-4) : log_uniform(1e-4, 1e-2);
-    const tf_machine_t k = prepared(&p);
-    tf_input_t u = tf_input_default(&k);
-    tf_state_t x = {.r = p.d * (tf_real_t)tan((double)p.gamma), .mode = 0};
-    if (fabsl(wide(x.r)) > 3) continue;
-    CHECK(tf_speed_for_slip(&k, x.r, x.w, u.omega0, 0, &x.v) == TF_OK);
-    const tf_slip_t slip = tf_slip(&k, x.r, x.v, x.w, u.omega0);
-    tf_force_t by = {uniform(-0.9, 0.9) * p.mu, 0};
-    by.M = slip.g < 0 ? -p.kappa * by.F : p.kappa * by.F;
-    balance(&p, &x, by, &u);
+    if (fabs((double)p.d * tan((double)p.gamma)) > 3) continue;
+    sim_t s = sim_of(&p);
+    roll(&s);
+    s.x.mode = TF_SLIP_PLUS;
     for (int n = 0; n < 200; n++) {
-      const tf_real_t r = x.r;
-      tf_report_t report;
-      const tf_status_t status = tf_step(&k, &x, &u, &report);
-      if (n < 100 || x.r != r) continue;
+      const tf_real_t r = s.x.r;
+      const tf_status_t status = sim_step(&s, MOREAU);
+      if (n < 100 || s.x.r != r) continue;
       still++;
       stalled += status == TF_STALLED;
     }

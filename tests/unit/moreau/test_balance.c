@@ -119,17 +119,15 @@ TEST(no_step_creates_energy) {
 /* A spring that swings by phi a step, beside a disc that stands still. */
 static tf_status_t swinging(double phi, double theta, double stretch) {
   tf_params_t p = tf_scenes[0]->params;
-  tf_report_t report;
   p.law = TF_TYRE_NONE;
   p.c1 = p.c2 = p.d = p.r0 = 0;
   p.m = p.beta = 1;
   p.dt = TF_R(0x1p-7);
   p.k2 = (tf_real_t)(phi * phi * 0x1p14);
   p.theta = (tf_real_t)theta;
-  const tf_machine_t k = prepared(&p);
-  const tf_input_t u = tf_input_default(&k);
-  tf_state_t x = {.r = (tf_real_t)stretch};
-  return tf_step(&k, &x, &u, &report);
+  sim_t s = sim_of(&p);
+  s.x = (tf_state_t){.r = (tf_real_t)stretch};
+  return sim_step(&s, MOREAU);
 }
 
 TEST(a_turn_beyond_a_right_angle_is_coarse) {
@@ -145,17 +143,14 @@ TEST(a_turn_beyond_a_right_angle_is_coarse) {
 /* Outer forces may turn a motion that has next to no energy. */
 TEST(a_reversal_is_not_coarse) {
   tf_params_t p = tf_scenes[0]->params;
-  tf_report_t report;
   p.law = TF_TYRE_NONE;
-  p.k2 = 0;
+  p.k2 = p.r0 = 0;
   p.dt = TF_R(1e-3);
-  const tf_machine_t k = prepared(&p);
-  tf_input_t u = tf_input_default(&k);
-  u.r0 = 0;
-  u.force = -1;
-  tf_state_t x = {.v = TF_R(1e-5)};
-  CHECK(tf_step(&k, &x, &u, &report) == TF_OK);
-  CHECK(x.v < 0);
+  sim_t s = sim_of(&p);
+  s.u.force = -1;
+  s.x = (tf_state_t){.v = TF_R(1e-5)};
+  CHECK(sim_step(&s, MOREAU) == TF_OK);
+  CHECK(s.x.v < 0);
 }
 
 /* The end of a slip of size R that has h = g = 0 within reach, and its course,

@@ -90,6 +90,13 @@ TEST(a_step_ends_where_the_scheme_says) {
   CHECK(worst <= 20 * EPSILON);
 }
 
+/* r, v, w by both members of each pair. */
+static void whole(const sim_t *s, real x[3]) {
+  x[0] = wide(s->x.r) + wide(s->low.r);
+  x[1] = wide(s->x.v) + wide(s->low.v);
+  x[2] = wide(s->x.w) + wide(s->low.w);
+}
+
 /* The compensated step solves (6) with the parameters as they were given and
  * with M = s kappa F to twice the digits: what is left out of the inertia or of
  * that product would be an epsilon of the change of velocity. Slow machines
@@ -109,33 +116,28 @@ TEST(compensated_changes_have_twice_the_digits) {
     q.theta = 1;
     q.dt = TF_R(0.01);
     q.omega0 = 0;
-    tf_compensated_t k;
-    CHECK(tf_prepare_compensated(&k, &q, NULL) == TF_OK);
-    const tf_input_t u = {.torque = uniform(-9, 9), .force = uniform(-9, 9)};
-    tf_state_t x = {.r = uniform(0.3, 1), .w = uniform(-1e-3, 1e-3)};
-    tf_compensation_t low = {0, 0, 0, 0};
-    tf_report_t report;
+    sim_t s = sim_of(&q);
+    real at[3], to[3], end[3];
+    s.u.torque = uniform(-9, 9);
+    s.u.force = uniform(-9, 9);
+    s.x.r = uniform(0.3, 1);
+    s.x.w = uniform(-1e-3, 1e-3);
     const tf_real_t h = i % 2 ? 0 : TF_R(1e-3);
-    CHECK(tf_speed_for_slip_compensated(&k, &x, &low, 0, h) == TF_OK);
-    x.mode = TF_NO_MODE;
-    CHECK(tf_begin(&k.machine, &x, &u, &report) == TF_OK);
-    const real at[3] = {wide(x.r) + wide(low.r), wide(x.v) + wide(low.v),
-                        wide(x.w) + wide(low.w)};
-    const scheme_step_t scheme = scheme_step(&q, &u, at);
-    if (tf_step_compensated(&k, &x, &low, &u, &report) != TF_OK ||
-        report.mode == TF_PINNED)
-      continue;
-    const bool stick = !tf_mode_is_slip(report.mode);
-    const real s = report.mode == TF_STICK_MINUS ? -1 : 1;
-    const real F = wide(report.force.F), M = wide(report.force.M);
+    CHECK(tf_speed_for_slip_compensated(&s.pairs, &s.x, &s.low, 0, h) == TF_OK);
+    CHECK(sim_begin(&s) == TF_OK);
+    whole(&s, at);
+    const scheme_step_t scheme = scheme_step(&q, &s.u, at);
+    if (sim_step(&s, COMPENSATED) != TF_OK || s.x.mode == TF_PINNED) continue;
+    const bool stick = !tf_mode_is_slip(s.x.mode);
+    const real side = s.x.mode == TF_STICK_MINUS ? -1 : 1;
+    const real F = wide(s.report.force.F), M = wide(s.report.force.M);
     /* Through h = g = 0 the force of a step is a mean, not that of a stick. */
-    if (stick && fabsl(M - s * wide(q.kappa) * F) > 4 * EPSILON * fabsl(M))
+    if (stick && fabsl(M - side * wide(q.kappa) * F) > 4 * EPSILON * fabsl(M))
       continue;
-    real end[3];
-    scheme_end(&scheme, F, stick ? s * wide(q.kappa) * F : M, end);
-    const real v = wide(x.v) + wide(low.v), w = wide(x.w) + wide(low.w);
+    scheme_end(&scheme, F, stick ? side * wide(q.kappa) * F : M, end);
+    whole(&s, to);
     const real size = fabsl(end[1] - at[1]) + fabsl(end[2] - at[2]);
-    const real off = fabsl(v - end[1]) + fabsl(w - end[2]);
+    const real off = fabsl(to[1] - end[1]) + fabsl(to[2] - end[2]);
     if (size < 0.02L) continue; /* below what long double resolves of it */
     worst[stick] = fmaxl(worst[stick], off / size);
     sticks += stick;
@@ -157,22 +159,18 @@ TEST(a_determinant_that_overflows_is_refused) {
     p.k2 = TF_R(1e15);
     p.dt = p.theta = 1;
     p.d = 0;
-    tf_compensated_t k;
-    CHECK(tf_prepare_compensated(&k, &p, NULL) == TF_OK);
+    sim_t s = sim_of(&p);
+    s.u = (tf_input_t){.omega0 = 1};
     for (int i = 0; i < 400; i++) {
-      const tf_input_t u = {.omega0 = 1};
-      tf_state_t x = {.r = log_uniform(1, 1e8), .w = log_uniform(1e-3, 10)};
-      tf_state_t twin = x;
-      tf_compensation_t low = {0, 0, 0, 0};
-      tf_report_t report;
-      const real at[3] = {wide(x.r), 0, wide(x.w)};
-      const scheme_step_t scheme = scheme_step(&p, &u, at);
+      s.x = (tf_state_t){.r = log_uniform(1, 1e8), .w = log_uniform(1e-3, 10)};
+      sim_t pairs = s;
+      const real at[3] = {wide(s.x.r), 0, wide(s.x.w)};
+      const scheme_step_t scheme = scheme_step(&p, &s.u, at);
       const bool over = !(scheme.det <= (real)TF_REAL_MAX);
       if (fabsl(scheme.det / (real)TF_REAL_MAX - 1) < 1e-3L) continue;
-      const tf_status_t status = tf_step(&k.machine, &x, &u, &report);
+      const tf_status_t status = sim_step(&s, MOREAU);
       CHECK((status == TF_STEP_TOO_LONG) == over);
-      CHECK(tf_step_compensated(&k, &twin, &low, &u, &report) == status ||
-            !over);
+      CHECK(sim_step(&pairs, COMPENSATED) == status || !over);
       overflows += over;
     }
   }
