@@ -45,7 +45,7 @@ static inline tf_real_t up_to(draw_t *d, tf_real_t size, unsigned halvings) {
   return x;
 }
 
-static inline tf_real_t of_any_sign(draw_t *d, tf_real_t x) {
+static inline tf_real_t of_drawn_sign(draw_t *d, tf_real_t x) {
   return one_of(d, 2) ? -x : x;
 }
 
@@ -110,7 +110,7 @@ static inline void strain(draw_t *d, tf_params_t *p) {
     const tf_parameter_range_t *range =
         &tf_parameter_ranges[below(d, DRAWN_PARAMETERS)];
     tf_real_t x = up_to(d, range->high, 60);
-    if (range->low < 0) x = of_any_sign(d, x);
+    if (range->low < 0) x = of_drawn_sign(d, x);
     if (one_of(d, 8)) x = one_of(d, 2) ? range->low : range->high;
     if (x < range->low) x = range->low;
     *(tf_real_t *)(void *)((char *)p + range->offset) = x;
@@ -145,11 +145,11 @@ static inline tf_state_t any_state(draw_t *d, const tf_machine_t *k,
                                    const tf_input_t *u) {
   tf_state_t x = {.phi = 0};
   const tf_real_t far = between(d, -1, 1);
-  const tf_real_t h = one_of(d, 3) ? 0 : of_any_sign(d, up_to(d, 1, 30));
+  const tf_real_t h = one_of(d, 3) ? 0 : of_drawn_sign(d, up_to(d, 1, 30));
   x.seed = drawn(d);
   x.r = one_of(d, 16) ? 0 : between(d, TF_R(-0.7), TF_R(0.7));
   x.w = u->omega0;
-  if (!one_of(d, 8)) x.w += of_any_sign(d, up_to(d, 2, 24));
+  if (!one_of(d, 8)) x.w += of_drawn_sign(d, up_to(d, 2, 24));
   if (one_of(d, 4) || tf_speed_for_slip(k, x.r, x.w, u->omega0, h, &x.v))
     x.v = one_of(d, 2) ? k->d * (x.w - u->omega0) : far;
   x.mode = (uint8_t)below(d, TF_MODES + 1);

@@ -1,32 +1,29 @@
 /* Trajectory hashes: one number per scene and scheme over 1e5 steps, the same
  * for every compiler, optimisation level and target of a real type. A hash
  * changes only in a commit that says which arithmetic changed and why. */
+#include "population.h"
 #include "scene_named.h"
 #include "sim.h"
 
-/* FNV-1a over the bits of r, v, w and phi (-0 counted as 0: no two targets
- * differ in it, but a printed trajectory cannot show it), mode and set. */
-static uint64_t mix(uint64_t hash, const void *data, size_t size) {
-  const unsigned char *byte = data;
-  for (size_t i = 0; i < size; i++) hash = (hash ^ byte[i]) * 0x100000001B3u;
-  return hash;
-}
-
+/* Over the bits of r, v, w and phi, mode and set. A printed trajectory cannot
+ * show the sign of 0, so that it does not count. */
 static uint64_t trajectory_hash(const tf_scene_t *scene, tf_rule_t rule,
                                 scheme_t scheme) {
   tf_params_t p = scene->params;
-  uint64_t hash = 0xCBF29CE484222325u;
+  draw_t d = population(0);
   p.rule = rule;
   sim_t s = sim_at_start(scene, &p, 1);
   for (int i = 1; i <= 100000; i++) {
     s.u = tf_scene_input(scene, &s.k, (uint64_t)i);
     CHECK(sim_step(&s, scheme) >= 0);
-    const tf_real_t bits[4] = {s.x.r + 0, s.x.v + 0, s.x.w + 0, s.x.phi + 0};
-    const unsigned char modes[2] = {s.report.mode, s.report.set};
-    hash = mix(hash, bits, sizeof bits);
-    hash = mix(hash, modes, sizeof modes);
+    mix_real(&d, s.x.r);
+    mix_real(&d, s.x.v);
+    mix_real(&d, s.x.w);
+    mix_real(&d, s.x.phi);
+    mix_small(&d, s.report.mode);
+    mix_small(&d, s.report.set);
   }
-  return hash;
+  return d.hash;
 }
 
 static const struct {

@@ -86,10 +86,6 @@ static tf_status_t balanced(sim_t *s) {
   return status;
 }
 
-static sim_t begun(const motion_t *m, int n) {
-  return sim_under(m, duration / n);
-}
-
 static tf_status_t turn(sim_t *s, const motion_t *m, taken_t taken) {
   sim_turn(s, m);
   const uint64_t tick = s->x.tick;
@@ -125,7 +121,7 @@ static void has_order_two(const char *name, taken_t taken, tf_tyre_law_t law,
     int kept = 0;
     for (; kept < 3; kept++) {
       const int n = (IS_DOUBLE ? 50 : 12) << kept;
-      run[kept] = begun(&m, n);
+      run[kept] = sim_under(&m, duration / n);
       if ((run[kept].x.mode > TF_SLIP_MINUS) != sticks ||
           !keeps_mode(&run[kept], &m, n, taken))
         break;
@@ -170,7 +166,7 @@ TEST(pinned_wheel_takes_its_energy_from_the_turntable) {
     m.w = (double)m.params.omega0;
     const int n = 50;
     const bool pairs = i % 2;
-    sim_t s = begun(&m, n);
+    sim_t s = sim_under(&m, duration / n);
     const real d = wide(s.k.d), dt = wide(s.k.dt);
     const real first = wide(tf_energy(&s.k, &s.x, s.u.r0));
     const tf_real_t start = s.x.r;
@@ -206,7 +202,7 @@ TEST(friction_of_a_step_works_against_the_turntable_of_the_theta_point) {
   for (int i = 0; i < samples(4000); i++) {
     motion_t m = any_motion(TF_TYRE_JUMP);
     m.params.theta = uniform(0.5, 1);
-    sim_t s = begun(&m, 100);
+    sim_t s = sim_under(&m, duration / 100);
     s.u.omega0 += s.u.alpha * s.k.dt;
     const end_state_t from = {s.x.r, s.x.v, s.x.w};
     if (sim_step(&s, MOREAU) != TF_OK) continue;
