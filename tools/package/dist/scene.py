@@ -109,7 +109,7 @@ RESTORE = """\
 DEFINED = (
     r"^#define (\w+)",
     r"^(?!typedef)(?:[A-Za-z_].*?\W)??(?!__)(\w+)\(",
-    r"^static const [^=({;]*?(\w+)(?:\[\w*\])*\s=",
+    r"^(?:static|TF_API) const [^=({;]*?(\w+)(?:\[\w*\])*\s=",
     r"^typedef .*?(\w+);", r"^\} (\w+);", r"^(?:struct|union|enum) (\w+) \{",
     r"^typedef \w+ \*?\(\*(\w+)\)")
 # Of a public header, what is another one for a scene.
