@@ -143,14 +143,14 @@ TEST(another_command_of_a_number_that_waits_is_old) {
 }
 
 /* A clear that is dated, or carries anything, is refused like any command: what
- * waits goes on waiting. */
+ * waits goes on waiting. What found no room has no answer. */
 TEST(refused_clear_keeps_the_queue) {
   static const uint64_t dates[] = {1, 1000, (uint64_t)1 << 32,
                                    (uint64_t)1 << 63, UINT64_MAX};
   const uint8_t data[TF_COMMAND_DATA] = {0};
   board_t board;
   power_up(&board, "chaos");
-  for (int i = 0; i < TF_LINK_QUEUE; i++)
+  for (int i = 0; i <= TF_LINK_QUEUE; i++)
     send(&board, TF_UP_STOP, 60000, NULL, 0);
   for (unsigned i = 0; i < 5 + TF_COMMAND_DATA; i++) {
     const bool is_dated = i < 5;
@@ -159,9 +159,9 @@ TEST(refused_clear_keeps_the_queue) {
     CHECK(board.link.waiting == TF_LINK_QUEUE);
     CHECK_TOLD(&board, 0, is_dated ? TF_ANSWER_FAR : TF_ANSWER_LENGTH);
   }
-  CHECK(board.link.ignored == 0);
+  CHECK(board.link.ignored == 1);
   send_plain(&board, TF_UP_CLEAR);
-  CHECK(board.link.waiting == 1 && board.link.ignored == TF_LINK_QUEUE);
+  CHECK(board.link.waiting == 1 && board.link.ignored == 1 + TF_LINK_QUEUE);
 }
 
 /* Numbers that a board counts, or draws, begin sessions that differ as they do,

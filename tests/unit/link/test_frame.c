@@ -163,8 +163,10 @@ TEST(long_runs_stay_in_the_buffer) {
   CHECK(!tf_decoder_block(&decoder, wire, size, &taken, &frame));
   CHECK(taken == size && decoder.too_long == 2);
   size = make(wire, 4, 8); /* the longest that fits */
-  CHECK(tf_decoder_block(&decoder, wire, size, &taken, &frame));
-  CHECK(taken == size && is_as_made(&frame, 8));
+  CHECK(!tf_decoder_block(&decoder, wire, size - 1, &taken, &frame));
+  CHECK(taken == size - 1); /* and its end in a block of its own */
+  CHECK(tf_decoder_block(&decoder, wire + taken, 1, &taken, &frame));
+  CHECK(taken == 1 && is_as_made(&frame, 8));
   for (size_t i = TF_DECODER_SIZE(8); i < sizeof buffer; i++)
     CHECK(buffer[i] == 0xA5);
 }
