@@ -4,7 +4,7 @@ import { instantiate, textAt } from './libc.mjs';
 
 export const ROW = ['t', 'r', 'v', 'omega', 'h', 'g', 'F', 'M', 'mode',
   'choices', 'set', 'status', 'tick', 'phi', 'table', 'omega0', 'r0', 'force',
-  'torque', 'energy', 'delassus', 'residual'];
+  'torque', 'energy'];
 export const AT = Object.fromEntries(ROW.map((name, i) => [name, i]));
 export const COLUMNS = ROW.length;
 

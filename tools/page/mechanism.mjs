@@ -18,12 +18,9 @@ export class Mechanism {
 
   // What does not change while a motion runs.
   begin(core) {
-    const get = (name) => core.get(name);
-    this.d = get('d');
-    this.gamma = get('gamma');
-    this.mu = get('mu');
-    this.kappa = get('kappa');
-    this.size = Math.hypot(this.d, Math.abs(get('r')), get('r0')) || 1;
+    for (const name of ['d', 'gamma', 'mu', 'kappa'])
+      this[name] = core.get(name);
+    this.size = Math.hypot(this.d, core.get('r'), core.get('r0')) || 1;
     this.reach = roundUp(this.size * 0.05);
     this.middle = NaN;
     this.sheet.isStale = true;

@@ -28,33 +28,31 @@ static double force, torque;
 static int offender;
 static bool begun;
 
-// The columns of a row, in the order in which core.mjs names them, and the value
-// of each at the present instant; `at` is what motion_row returns. The page views
-// a row as a Float64Array. The present one is also a snapshot, because all that
-// the motion goes on from is in it.
-#define ROW(X)                                             \
-  X(T, at.t)                                               \
-  X(R, at.r)                                               \
-  X(V, at.v)                                               \
-  X(W, at.omega)                                           \
-  X(H, at.h)                                               \
-  X(G, at.g)                                               \
-  X(F, at.F)                                               \
-  X(M, at.M)                                               \
-  X(MODE, at.mode)                                         \
-  X(CHOICES, at.choices)                                   \
-  X(SET, at.set)                                           \
-  X(STATUS, at.status)                                     \
-  X(TICK, (double)motion.state.tick)                       \
-  X(PHI, at.phi)                                           \
-  X(TABLE, table)                                          \
-  X(OMEGA0, applied.omega0)                                \
-  X(R0, applied.r0)                                        \
-  X(FORCE, applied.force)                                  \
-  X(TORQUE, applied.torque)                                \
-  X(ENERGY, tf_energy(machine, &motion.state, applied.r0)) \
-  X(DELASSUS, at.delassus)                                 \
-  X(RESIDUAL, motion.report.residual)
+// The columns of a row, in the order in which core.mjs names them, and the
+// value of each at the present instant; `at` is what motion_row returns. The
+// page views a row as a Float64Array. The present one is also a snapshot,
+// because all that the motion goes on from is in it.
+#define ROW(X)                       \
+  X(T, at.t)                         \
+  X(R, at.r)                         \
+  X(V, at.v)                         \
+  X(W, at.omega)                     \
+  X(H, at.h)                         \
+  X(G, at.g)                         \
+  X(F, at.F)                         \
+  X(M, at.M)                         \
+  X(MODE, at.mode)                   \
+  X(CHOICES, at.choices)             \
+  X(SET, at.set)                     \
+  X(STATUS, at.status)               \
+  X(TICK, (double)motion.state.tick) \
+  X(PHI, at.phi)                     \
+  X(TABLE, table)                    \
+  X(OMEGA0, applied.omega0)          \
+  X(R0, applied.r0)                  \
+  X(FORCE, applied.force)            \
+  X(TORQUE, applied.torque)          \
+  X(ENERGY, tf_energy(machine, &motion.state, applied.r0))
 #define ROW_NUMBER(name, value) ROW_##name,
 #define ROW_VALUE(name, value) value,
 enum { ROW(ROW_NUMBER) ROW_COLUMNS };
@@ -135,10 +133,10 @@ double EXPORT(get)(uint32_t number) {
 // Any number is taken: ranges are begin's. Returns: whether there is such a
 // number in a set-up and, if it is one of a list, in the list.
 bool EXPORT(set)(uint32_t number, double value) {
-  static const uint64_t below[SETUP_NUMBERS] = {[SETUP_LAW] = TF_TYRE_LAWS,
-                                                [SETUP_RULE] = TF_RULES,
-                                                [SETUP_REST] = TF_REST_LAWS,
-                                                [SETUP_SEED] = 1ull << 32};
+  static const double below[SETUP_NUMBERS] = {[SETUP_LAW] = TF_TYRE_LAWS,
+                                              [SETUP_RULE] = TF_RULES,
+                                              [SETUP_REST] = TF_REST_LAWS,
+                                              [SETUP_SEED] = 0x1p32};
   tf_real_t *real = real_at(number);
   if (real != NULL) {
     *real = value;
@@ -273,8 +271,6 @@ void EXPORT(restore)(void) {
                     .choices = (uint8_t)row[ROW_CHOICES],
                     .force = {row[ROW_F], row[ROW_M]},
                     .slip = {row[ROW_H], row[ROW_G]},
-                    .delassus = row[ROW_DELASSUS],
-                    .residual = row[ROW_RESIDUAL],
                     .status = (tf_status_t)(int32_t)row[ROW_STATUS]};
   applied = tf_scene_input(&scene, machine,
                            motion.state.tick); // for its alpha

@@ -51,8 +51,8 @@
   }
 
 /// Functions for which this FMU has no use; every importer looks for them all
-/// the same. SOME: a list of n variables is among the arguments, and one of none
-/// is fine.
+/// the same. SOME: a list of n variables is among the arguments, and an empty
+/// one is fine.
 #define REFUSE(name, ...) CALL(name, 0, FMU_ERROR, void *instance, __VA_ARGS__)
 #define REFUSE_SOME(name, ...) \
   CALL(name, n > 0 ? 0u : FMU_ANY_PHASE, FMU_OK, void *instance, __VA_ARGS__)
