@@ -6,17 +6,6 @@ static double max3(double a, double b, double c) {
   return fmax(fabs(a), fmax(fabs(b), fabs(c)));
 }
 
-/* `chaos` at its start, with steps of this length. */
-static sim_t chaos(double dt) {
-  const tf_scene_t *scene = tf_scenes[0];
-  sim_t s = {.params = scene->params};
-  s.params.dt = (tf_real_t)dt;
-  CHECK(sim_place(&s, (double)scene->r, (double)scene->omega, (double)scene->h,
-                  TF_SLIP_PLUS) == TF_OK);
-  CHECK(s.x.mode == TF_SLIP_PLUS);
-  return s;
-}
-
 /* The whole cycle of `chaos` up to the two-fold, event by event: entry of
  * stick- at codimension two, its end at the turning point of the spring, entry
  * of the lower sliding region, arrival at the two-fold (A changes sign). Times
@@ -29,7 +18,9 @@ TEST(cycle_converges_up_to_the_two_fold) {
   const int sizes = IS_DOUBLE ? 5 : 3;
   const double rounding = IS_DOUBLE ? 1e-6 : 5e-3;
   for (int i = 0; i < sizes; i++) {
-    sim_t s = chaos(dts[i]);
+    tf_params_t p = tf_scenes[0]->params;
+    p.dt = (tf_real_t)dts[i];
+    sim_t s = sim_at_start(tf_scenes[0], &p, 0);
     int event = 0;
     for (long n = 1; (double)n * dts[i] < 2.1 && event < 4; n++) {
       const uint8_t before = s.x.mode;

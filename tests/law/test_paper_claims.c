@@ -51,33 +51,30 @@ TEST(sliding_region_flows_into_the_two_fold_in_finite_time) {
  * 0, the side of the other sliding region. */
 TEST(windings_grow_until_the_other_sliding_side) {
   if (!IS_DOUBLE) SKIP("the first windings are below the rounding of float");
-  const tf_machine_t machine = prepared(&tf_scenes[0]->params);
-  const tf_input_t input = tf_input_default(&machine);
   for (int i = 0; i < 6; i++) {
     const int place = i / 2;
     const tf_real_t from = TF_R(0.1858) - TF_R(0.0001) * (tf_real_t)place;
     const tf_real_t slip = i % 2 ? TF_R(-1e-9) : TF_R(1e-9);
-    tf_state_t x = {.r = from,
-                    .w = TF_R(-1.037) -
-                         TF_R(10.2442529) * (from - (tf_real_t)PAPER_R_STAR)};
-    tf_report_t report;
+    sim_t s = sim_of(&tf_scenes[0]->params);
+    const tf_report_t *o = &s.report;
+    s.x.r = from;
+    s.x.w = TF_R(-1.037) - TF_R(10.2442529) * (from - (tf_real_t)PAPER_R_STAR);
     tf_real_t peak = 0, before = 0;
     int windings = 0;
-    CHECK(tf_begin_with_slip(&machine, &x, &input, slip, &report) == TF_OK);
-    CHECK(report.mode == (i % 2 ? TF_SLIP_MINUS : TF_SLIP_PLUS));
-    for (int k = 0; k < 5000 && tf_mode_is_slip(report.mode); k++) {
-      if (report.mode == TF_SLIP_PLUS && report.slip.h > peak)
-        peak = report.slip.h;
-      const unsigned was = report.mode;
-      CHECK(tf_step_located(&machine, &x, &input, &report) >= 0);
-      if (was != TF_SLIP_PLUS || report.mode == TF_SLIP_PLUS) continue;
+    CHECK(tf_begin_with_slip(&s.k, &s.x, &s.u, slip, &s.report) == TF_OK);
+    CHECK(o->mode == (i % 2 ? TF_SLIP_MINUS : TF_SLIP_PLUS));
+    for (int k = 0; k < 5000 && tf_mode_is_slip(o->mode); k++) {
+      if (o->mode == TF_SLIP_PLUS && o->slip.h > peak) peak = o->slip.h;
+      const unsigned was = o->mode;
+      CHECK(sim_step(&s, LOCATED) >= 0);
+      if (was != TF_SLIP_PLUS || o->mode == TF_SLIP_PLUS) continue;
       CHECK(peak > before);
       before = peak;
       peak = 0;
       windings++;
     }
     printf("# %d windings, the last of %.3g m/s\n", windings, (double)before);
-    CHECK(windings >= 4 && !tf_mode_is_slip(report.mode));
-    CHECK(report.slip.g <= 0);
+    CHECK(windings >= 4 && !tf_mode_is_slip(o->mode));
+    CHECK(o->slip.g <= 0);
   }
 }
