@@ -8,6 +8,8 @@
 
 #define SESSION_ROUNDS 8u
 #define REAL_SIZE TF_REAL_BYTES
+#define INPUT_SIZE (5 * REAL_SIZE)
+#define SET_SIZE (1 + REAL_SIZE)
 
 TF_API void tf_link_open(tf_link_t *link, const tf_scene_t *scene,
                          const tf_params_t *params) {
@@ -273,7 +275,6 @@ static int restore(const tf_link_t *link, tf_simulation_t *simulation,
 // Whether the data of a command are as long as its type wants. Of an input and
 // a state to restore they may be missing.
 static int judge_length(const tf_link_t *link, const tf_command_t *command) {
-  enum { INPUT_SIZE = 5 * REAL_SIZE, SET_SIZE = 1 + REAL_SIZE };
   static const uint8_t wanted[] = {INPUT_SIZE, SET_SIZE,        5, 0, 0, 0,
                                    0,          TF_COMMAND_DATA, 0, 0, 4, 4};
   const uint8_t last = link->every > 0 ? TF_UP_EVERY : TF_UP_DEADMAN;
