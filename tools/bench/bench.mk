@@ -7,8 +7,7 @@
 #   QUICK=1              of peers and schemes every fourth setting, once
 #   ROUNDS=5             of the peers
 
-BENCH := $(filter-out %/count.c,\
-  $(wildcard tools/bench/*.c tools/bench/stability/*.c))
+BENCH := $(filter-out %/count.c,$(wildcard tools/bench/*.c))
 BENCHES := $(VARIANTS:%=$(BUILD)/%/bench)
 define bench_rules
 $(BUILD)/$(1)/bench: $$(call objects_of_$(1),$(BENCH)) \
@@ -53,6 +52,16 @@ $(PEER_LIBRARY): tools/bench/peers/shared.c tools/bench/problem.c \
 	@$(CC) -shared -fPIC -Wl,-Bsymbolic $(PEER_FLAGS) -Wno-missing-prototypes \
 	  -Wno-missing-declarations $^ -lm -o $@
 
+# For the cells of stability: the Python package, in place.
+BENCH_PYTHON := $(BUILD)/python/twofold/_twofold.so
+PYTHON_PARTS := $(wildcard $(addprefix tools/package/dist/python/,*.[ch] \
+  twofold/*.py))
+$(BENCH_PYTHON): $(BUILD)/dist/c/twofold.c $(PYTHON_PARTS) tools/motion.h
+	@echo '  LINK  $@'
+	@mkdir -p $(@D) && cp $(filter %.py,$^) $(@D)
+	@$(CC) -shared -fPIC -std=c99 -O3 -fno-math-errno -Itools -I$(<D) \
+	  $(filter-out $<,$(filter %.c,$^)) -lm -o $@
+
 BENCH_NEEDS := $(BENCHES) $(if $(filter double,$(VARIANTS)),$(PEERS) \
   $(PEER_LIBRARY) $(BUILD)/double/twofold)
 .PHONY: bench keep-bench bench-ensemble stability size
@@ -62,7 +71,7 @@ run_bench = @BUILD='$(BUILD)' CC='$(CC)' OPT='$(OPT)' EXTRA='$(EXTRA)' \
   QUICK='$(QUICK)' ROUNDS='$(ROUNDS)' tools/run bench
 bench: ## error against cost, peers, stability (or ONLY=...)
 stability: ## stiff and extreme cases: where a run is stable
-bench stability: $(BENCH_NEEDS)
+bench stability: $(BENCH_NEEDS) $(BENCH_PYTHON)
 	$(run_bench) $(if $(filter bench,$@),$(ONLY),$@)
 size: ## flash, RAM, stack, cost of every board (or ONLY=uno)
 	$(run_bench) sizes $(ONLY)

@@ -43,6 +43,6 @@ static inline tf_status_t run_step(run_t *run) {
 scheme_t scheme_named(const char *name);
 
 /// The commands of the program, each with the arguments that follow its name.
-#define BENCH_COMMANDS(X) X(sweep) X(single) X(ensemble) X(stability) X(map)
+#define BENCH_COMMANDS(X) X(sweep) X(single) X(ensemble)
 #define BENCH_MAIN(name) int name##_main(int argc, char **argv);
 BENCH_COMMANDS(BENCH_MAIN)

@@ -10,7 +10,7 @@ import pandas as pd
 
 import driven
 from measure import (BUILD, CC, COLUMNS, KEY, QUICK, REALS, bench, counted,
-                     counts_here, csv, say, swept, timed)
+                     counts_here, say, swept, timed)
 
 HERE = Path("tools/bench/peers")
 WORK = BUILD / "peers"
@@ -42,7 +42,7 @@ def has(language: str, compiler: str, header: str, *flags: str) -> bool:
 def rivals() -> list[Path]:
     """The programs of the peers, of libraries where they are installed: then
     they must build."""
-    found, cxx = [WORK / "hand", WORK / "whole"], os.environ.get("CXX") or "g++"
+    found, cxx = [WORK / "hand"], os.environ.get("CXX") or "g++"
     for name, what, package, is_here in (
             ("sundials", "CVODE, ARKODE", "libsundials-dev",
              has("c", CC, "cvode/cvode.h")
@@ -155,20 +155,3 @@ def ensemble() -> pd.DataFrame:
                       f"ratio {ratio[0]} ({ratio[1]} to {ratio[2]}), "
                       f"alone {alone}"]]
     return pd.DataFrame(rows, columns=COLUMNS)
-
-
-def mapped() -> pd.DataFrame:
-    """What a run says and how far it ends from the motion, over its step and
-    one parameter."""
-    return csv(bench("double", "map"), [*KEY, "error", "verdict"])
-
-
-def stability() -> pd.DataFrame:
-    """Every cell: the error is the largest energy in units of what the machine
-    was given. Ends the program where a promise of the core is broken."""
-    texts = driven.side_by_side(lambda real: bench(real, "stability"), REALS)
-    cells = csv("".join(texts), [*KEY, "error", "verdict"])
-    broken = cells.verdict.isin(["non_finite", "touched"])
-    if broken.any():
-        sys.exit(f"a promise is broken:\n{cells[broken]}")
-    return cells
