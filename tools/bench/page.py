@@ -112,7 +112,6 @@ class Page:
     """The tables, as the page shows them."""
 
     def __init__(self) -> None:
-        self.of: set[str] = set()
         self.results = results()
 
     def section(self, name: str) -> pd.DataFrame:
@@ -120,7 +119,6 @@ class Page:
         of, rows = self.results
         if name not in of:
             raise NotMeasured
-        self.of.add(of[name])
         return rows[rows.section == name]
 
     def table(self, name: str) -> pd.DataFrame:
@@ -128,9 +126,7 @@ class Page:
         path = OUT / f"{name}.csv"
         if not path.exists():
             raise NotMeasured
-        (of,), rows = load(path)
-        self.of.add(of)
-        return rows
+        return load(path)[1]
 
     def scenes(self) -> pd.DataFrame:
         """What a scene needs, in float."""
@@ -198,10 +194,6 @@ class Page:
         """The cost of some solvers as a share of that of others."""
         return self.cheapest(problem, level, own, unit)[0] / \
             self.cheapest(problem, level, rivals, unit)[0]
-
-    def peers(self) -> pd.DataFrame:
-        """All solvers, of each its best width or step."""
-        return to_levels(self.section("peers"), PEERED)
 
     def kilohertz(self) -> pd.DataFrame:
         """A step of 1 ms: instructions and error."""
@@ -282,48 +274,22 @@ def joined(numbers: Iterable[float], form: str = ",.0f") -> str:
                       for x in numbers)
 
 
-def to_levels(rows: pd.DataFrame, problems: tuple[str, ...]) -> pd.DataFrame:
-    """Thousands of instructions to each error; of what was not counted times
-    by the least time. `?`: too many to be counted, `-`: never."""
-    rows = rows[~rows.solver.str.contains("float|same|kHz|segments|order")
-                & rows.problem.isin(problems)]
-    name = rows.solver.str.split().str[0]
-    counted = rows.instructions.notna().groupby(name).transform("any")
-    # In units of the least time, in thousandths.
-    least_time = rows.groupby(["problem", "error"]).ns.transform("min")
-    rows = rows.assign(
-        name=name.where(counted, name + ", times the least time"),
-        cost=rows.instructions.where(counted, 1e3 * rows.ns / least_time))
-    best = rows.groupby(["name", "problem", "error"], sort=False)[
-        ["cost", "ns"]].min()
-    best["text"] = [f"{n / 1e3:,.0f}" if n > 0 else "?" if ns > 0 else "-"
-                    for n, ns in zip(best.cost, best.ns)]
-    text = best.groupby(["name", "problem"], sort=False).text.agg(" / ".join)
-    return text.unstack().loc[rows.name.unique(), list(problems)].reset_index()
-
-
 def whole(table: pd.DataFrame) -> pd.DataFrame:
     """Numbers without a point, `-` for none."""
     return table.applymap(lambda n: "-" if pd.isna(n) else
                           n if isinstance(n, str) else f"{n:.0f}")
 
 
-MADE = ("scenes", "races", "peers", "stiff", "kilohertz", "phases", "ensemble",
-        "verdicts", "boards", "worst")
+MADE = ("scenes", "races", "stiff", "kilohertz", "phases", "ensemble", "boards",
+        "worst")
 
 
 def write() -> None:
-    """All tables of this build, and the cores that they are of."""
-    parts, page, made = {}, Page(), {}
+    """All tables of this build."""
+    parts, page = {}, Page()
     for name in MADE:
-        page.of.clear()
         try:
-            parts[name] = getattr(page, name, lambda: page.table(name))()
+            parts[name] = getattr(page, name)()
         except NotMeasured:
             continue
-        for core in page.of:
-            made.setdefault(core, []).append(name)
-    parts["made"] = pd.DataFrame(
-        [[core, ", ".join(names)] for core, names in made.items()],
-        columns=["core", "tables"])
     tables.write(OUT / "tables.md", parts)
