@@ -94,7 +94,7 @@ static void print_row(const problem_t *problem, const solver_t *s,
                                                            : "ok");
 }
 
-static void time_all(const solver_t *solvers, int n, const char *only) {
+static void time_all(const solver_t *solvers, int n) {
   int most = 0;
   for (int s = 0; s < n; s++)
     if (settings(&solvers[s]) > most) most = settings(&solvers[s]);
@@ -104,8 +104,7 @@ static void time_all(const solver_t *solvers, int n, const char *only) {
       for (int s = 0; s < n; s++) {
         const double setting = setting_of(&solvers[s], s, i);
         if (i < settings(&solvers[s]) &&
-            takes(j, &problem, &solvers[s], setting) &&
-            (!only || strcmp(only, solvers[s].name) == 0))
+            takes(j, &problem, &solvers[s], setting))
           print_row(&problem, &solvers[s], setting);
       }
     }
@@ -122,9 +121,8 @@ __attribute__((noinline)) void solve_counted(const problem_t *problem,
   __asm__ volatile("" ::: "memory"); // a tail call would leave the frame
 }
 
-static void count_all(const solver_t *solvers, int n, const char *only) {
+static void count_all(const solver_t *solvers, int n) {
   for (int s = 0; s < n; s++) {
-    if (only && strcmp(only, solvers[s].name) != 0) continue;
     for (int j = 0; j < PROBLEMS; j++) {
       const problem_t problem = problem_number(j);
       double spent = 0;
@@ -143,12 +141,11 @@ static void count_all(const solver_t *solvers, int n, const char *only) {
 }
 
 int harness_main(int argc, char **argv, const solver_t *solvers, int n) {
-  const char *const only = argc == 3 ? argv[2] : NULL;
-  if (argc < 2 || argc > 3) return 2;
+  if (argc != 2) return 2;
   if (strcmp(argv[1], "time") == 0)
-    time_all(solvers, n, only);
+    time_all(solvers, n);
   else if (strcmp(argv[1], "count") == 0)
-    count_all(solvers, n, only);
+    count_all(solvers, n);
   else if (strcmp(argv[1], "problems") == 0)
     for (int i = 0; i < PROBLEMS; i++) {
       const problem_t p = problem_number(i);

@@ -32,8 +32,7 @@ struct solver {
 /// setting (`time`: the median time of a few runs in a row), or runs each once
 /// for callgrind, which dumps its counter after every call of `solve_counted`,
 /// and prints `problem,solver,dial` (`count`), or prints `problem,length [s]`
-/// (`problems`). A further argument: only the solver of this name. The settings
-/// are the same every time. Returns: an exit code.
+/// (`problems`). The settings are the same every time. Returns: an exit code.
 int harness_main(int argc, char **argv, const solver_t *solvers, int n);
 
 /// Steps of about dt that fill the problem.

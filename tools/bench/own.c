@@ -150,7 +150,7 @@ int main(int argc, char **argv) {
       code = commands[i].run(argc - 1, argv + 1);
   if (code == 2)
     fputs(
-        "bench: sweep time|count|problems [SOLVER], single, ensemble; see "
+        "bench: sweep time|count|problems, single, ensemble; see "
         "tools/bench/*.c\n",
         stderr);
   return code;
