@@ -1,7 +1,7 @@
 #!/usr/bin/python3 -B
 """`twofold diverge`: the same bytes whatever the shards, exits from the
-two-fold where and as often as declared, refusals that say why and leave no file, whole
-cycles on disk after an interrupt, the same bytes after a kill."""
+two-fold where and as often as declared, refusals that say why and leave no
+file, whole cycles on disk after an interrupt, the same bytes after a kill."""
 import signal
 import subprocess
 from pathlib import Path

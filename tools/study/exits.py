@@ -146,4 +146,5 @@ def count(work: Path, kept: Path) -> dict[str, object]:
                 rows(run, kind)[column].dropna() for run in (a, b)))}
             for a, b, kind, column, title in COMPARED]),
         "machines": two_folds(MACHINES).rename(
-            columns=lambda name: name.replace("two_", "two-").replace("_", " "))}
+            columns=lambda name: name.replace("two_", "two-")
+            .replace("_", " "))}

@@ -50,8 +50,8 @@ bool cli_inputs_add(cli_inputs_t *inputs, const cli_input_row_t *row);
 /// table without rows, which changes nothing.
 int cli_inputs_of_scene(cli_inputs_t *inputs, const tf_scene_t *scene);
 
-/// Reads a table from text: CSV with the header `t,...`; lines that begin with #
-/// are comments.
+/// Reads a table from text: CSV with the header `t,...`; lines that begin with
+/// # are comments.
 /// inputs: in/out; linear is set by the caller. name: in, kept, for messages.
 int cli_inputs_parse(cli_inputs_t *inputs, const char *name, const char *text,
                      size_t size);

@@ -15,31 +15,33 @@ ROOMS = ("Makefile", ".ci", "include", "src", "port", "tests", "tools")
 MOST_BYTES = 100000
 # What commands make and git has all the same: the built page.
 LARGE = {"docs/page/index.html"}
-# What stands beside the core is weight that users and heirs carry. Lines, and
-# files where there is a second number, that a room may have.
-SIZES = {name: [*map(int, numbers)] for name, *numbers in map(
+# What stands beside the core is weight that users and heirs carry. Lines that a
+# room may have, those it is to come down to, and how many files it may have.
+SIZES = {name: (*map(int, numbers), 10**6)[:3] for name, *numbers in map(
     str.split, """
-src               9700   55
-include           1650   16
-tools/cli        10000
-tools/board       1200
-tools/package     5200
-tools/page        4000
-tools/bench       3200
-tools/study       3800
-tools/verify      4200
-tests            23000
-""".strip().splitlines())}
+room              most   goal  files
+src              10150   9700     55
+include           1740   1650     16
+tools/cli        14060  10000
+tools/board       1345   1200
+tools/package     5690   5200
+tools/page        4300   4000
+tools/bench       3805   3200
+tools/study       4000   3800
+tools/verify      5765   4200
+tests            26890  23000
+""".strip().splitlines()[1:])}
 # Words that a document may have, and all of them together.
 WORDS = {name: int(most) for name, most in map(str.split, """
 README.md              700
-docs/TUTORIAL.md      1400
+docs/README.md         200
+docs/TUTORIAL.md      1450
 docs/USE.md           2500
 docs/PORTS.md         2500
 docs/PROTOCOL.md      3500
-DESIGN.md             6000
+DESIGN.md             6950
 docs/SCHEMES.md       2000
-docs/BENCH.md         1500
+docs/BENCH.md         2000
 docs/VERIFICATION.md  1800
 docs/PAPER.md         3500
 docs/FINDINGS.md      2500
@@ -97,13 +99,14 @@ def texts_at(room):
 def judge_sizes():
     """Returns what there is, as text."""
     said = []
-    for room, most in SIZES.items():
+    for room, (most, goal, files) in SIZES.items():
         texts = texts_at(room)
-        there = [sum(text.count("\n") for text in texts), len(texts)]
-        for what, many, limit in zip(("lines", "files"), there, most):
-            said.append(f"{room} {many} of {limit} {what}")
-            if many > limit:
-                wrong(f"{room}: {many} {what}, at most {limit}")
+        lines = sum(text.count("\n") for text in texts)
+        said.append(f"{room} {lines} lines (goal {goal})")
+        if lines > most:
+            wrong(f"{room}: {lines} lines, at most {most}")
+        if len(texts) > files:
+            wrong(f"{room}: {len(texts)} files, at most {files}")
     documents = {str(path): len(path.read_text("utf-8").split())
                  for path in [*Path().glob("*.md"), *Path("docs").glob("*.md")]}
     documents.pop("CONTRIBUTING.md", 0)  # of one screen
