@@ -44,9 +44,9 @@ static size_t step_twins(const tf_input_t *u) {
   twins.alone += tf_ensemble_step(&twins.machine, twins.state_blocks, twins.n,
                                   u, twins.report_blocks);
   twins.steps += twins.n;
-  const tf_state_t x = tf_ensemble_get(twins.state_blocks, twins.n);
-  const tf_report_t report = tf_ensemble_report(twins.report_blocks, twins.n);
-  CHECK(same_state(&beyond, &x) && same_report(&unsaid, &report));
+  const tf_state_t last = tf_ensemble_get(twins.state_blocks, twins.n);
+  const tf_report_t told = tf_ensemble_report(twins.report_blocks, twins.n);
+  CHECK(same_state(&beyond, &last) && same_report(&unsaid, &told));
   for (size_t i = 0; i < twins.n; i++) {
     const tf_status_t status =
         tf_step(&twins.machine, &twins.states[i], u, &twins.reports[i]);

@@ -29,9 +29,9 @@ static ref_rate_t reference_rate(const problem_t *problem, point_t y,
       .knot = {{.omega0 = omega0},
                {far, omega0 + far * wide(problem->alpha), 0, 0}}};
   ref_prepare(&k);
-  const ref_slip_t slip = {y.h, g};
-  const ref_state_t x =
-      ref_from_slip(&k, (ref_state_t){.r = y.r, .t = y.t, .piece = 1}, slip);
+  const ref_slip_t slip = {wide(y.h), wide(g)};
+  const ref_state_t x = ref_from_slip(
+      &k, (ref_state_t){.r = wide(y.r), .t = wide(y.t), .piece = 1}, slip);
   if (c.side)
     return ref_rate(&k, x,
                     ref_slip_force(&k, slip, ref_piece_at(&k, slip, c.side)));

@@ -147,7 +147,7 @@ static tf_schema_t schema_of(const cli_setup_t *setup,
                        .scene = setup->scene->name,
                        .build = "twofold " TF_VERSION ", host",
                        .seed = setup->seed,
-                       .scheme = scheme->code,
+                       .scheme = (uint8_t)scheme->code,
                        .ends = true};
 }
 
