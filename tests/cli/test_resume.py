@@ -141,6 +141,11 @@ def test_what_differs():
         Path("forged").write_bytes(
             changed + b"crc32 %08x\n" % zlib.crc32(changed))
         says(3, texts, *goes_on, "forged")
+    spelled = text.replace(b"rate              20 ", b"rate 0x1.4p4 ")
+    Path("spelled").write_bytes(
+        spelled + b"crc32 %08x\n" % zlib.crc32(spelled))
+    check(spelled != text, "the state has a rate of 20 1/s")
+    same(says(0, "", *goes_on, "spelled"), says(0, "", *goes_on, "at"))
     for wrong in (text + b"junk\0", text.replace(b"jump", b"none")):
         Path("forged").write_bytes(wrong + b"crc32 %08x\n" % (
             zlib.crc32(wrong) if wrong[-1] == 0 else zlib.crc32(text)))

@@ -124,7 +124,7 @@ class Runs:
         one. Inputs by hand are held from there on."""
         self.run(tick - 1, "--save", self.state, driven=tick)
         text = Path(self.state).read_text().rsplit("crc32", 1)[0]
-        rate = "0" if mode == "pinned" else "1000000000"
+        rate = "0" if mode == "pinned" else "1e9"
         for rule, start in ((self.rule, None), ("slip+", None), ("slip-", None),
                             ("persist", None), ("persist", mode),
                             *((f"random:{i}", "pinned") for i in range(64))):

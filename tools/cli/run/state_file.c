@@ -193,22 +193,28 @@ static const char *value_in(const char *scene, const char *key,
   return cli_trim(value);
 }
 
-// One function prints both scenes, so equal values have equal bits.
+// One function prints both scenes, so equal values have equal text.
 static int compare_scene(const reader_t *reader, const cli_setup_t *setup) {
   static const char *const words[] = {"law", "rule", "rest", "with-angle",
                                       "profile"};
   const size_t count = TF_PARAMETERS + sizeof words / sizeof words[0];
-  char text[CLI_STATE_BYTES], there_room[VALUE_ROOM], here_room[VALUE_ROOM];
-  cli_buffer_t printed = {text, 0, sizeof text, false};
+  char theirs[CLI_STATE_BYTES], ours[CLI_STATE_BYTES];
+  char there_room[VALUE_ROOM], here_room[VALUE_ROOM];
+  cli_buffer_t as_read = {theirs, 0, sizeof theirs, false};
+  cli_buffer_t as_set = {ours, 0, sizeof ours, false};
+  cli_scene_file_t file;
   if (strncmp(reader->at, "scene\n", 6) != 0) {
     return no_state(reader, "no file of --save");
   }
-  cli_scene_print(setup->scene, &setup->params, &printed);
+  const char *text = reader->at + 6;
+  CLI_TRY(cli_scene_parse(&file, reader->path, text, strlen(text)));
+  cli_scene_print(&file.scene, &file.scene.params, &as_read);
+  cli_scene_print(setup->scene, &setup->params, &as_set);
   for (size_t i = 0; i < count; i++) {
     const char *key = i < TF_PARAMETERS ? tf_parameter_ranges[i].name
                                         : words[i - TF_PARAMETERS];
-    const char *there = value_in(reader->at, key, there_room);
-    const char *here = value_in(text, key, here_room);
+    const char *there = value_in(theirs, key, there_room);
+    const char *here = value_in(ours, key, here_room);
     if (strcmp(there, here) != 0) {
       return i + 1 < count ? differs(reader, key, there, here)
                            : differs(reader, "the profile of the turntable",
