@@ -56,14 +56,14 @@ typedef struct {
 /// The start of a scene.
 static inline motion_start_t motion_start(const tf_scene_t *scene,
                                           uint32_t seed) {
-  const motion_start_t start = {.state = {.r = scene->r,
-                                          .v = scene->v,
-                                          .w = scene->omega,
-                                          .seed = seed,
-                                          .mode = TF_NO_MODE},
-                                .h = scene->h,
-                                .from_h = !scene->v_is_given};
-  return start;
+  const motion_start_t own = {.state = {.r = scene->r,
+                                        .v = scene->v,
+                                        .w = scene->omega,
+                                        .seed = seed,
+                                        .mode = TF_NO_MODE},
+                              .h = scene->h,
+                              .from_h = !scene->v_is_given};
+  return own;
 }
 
 /// Begins a motion whose machine is prepared. input: at tick 0.
@@ -71,19 +71,19 @@ static inline motion_start_t motion_start(const tf_scene_t *scene,
 static inline tf_status_t motion_begin(motion_t *motion, motion_scheme_t scheme,
                                        const motion_start_t *start,
                                        const tf_input_t *input) {
-  const tf_machine_t *machine = &motion->machine.machine;
+  const tf_machine_t *k = &motion->machine.machine;
   tf_state_t x = start->state;
   tf_compensation_t low = {0, 0, 0, 0};
   tf_status_t status =
       start->from_h
-          ? tf_begin_with_slip(machine, &x, input, start->h, &motion->report)
-          : tf_begin(machine, &x, input, &motion->report);
+          ? tf_begin_with_slip(k, &x, input, start->h, &motion->report)
+          : tf_begin(k, &x, input, &motion->report);
   if (status < 0) return status;
   if (start->from_h && scheme == MOTION_COMPENSATED) {
     // It succeeds where tf_begin_with_slip does.
     (void)tf_speed_for_slip_compensated(&motion->machine, &x, &low,
                                         input->omega0, start->h);
-    status = tf_begin(machine, &x, input, &motion->report);
+    status = tf_begin(k, &x, input, &motion->report);
   }
   motion->state = x;
   motion->low = low;
@@ -93,13 +93,13 @@ static inline tf_status_t motion_begin(motion_t *motion, motion_scheme_t scheme,
 /// One step. Returns: as tf_step and the like; < 0: the state is untouched.
 static inline tf_status_t motion_step(motion_t *motion, motion_scheme_t scheme,
                                       const tf_input_t *input) {
-  const tf_compensated_t *machine = &motion->machine;
+  const tf_compensated_t *k = &motion->machine;
   if (scheme == MOTION_COMPENSATED)
-    return tf_step_compensated(machine, &motion->state, &motion->low, input,
+    return tf_step_compensated(k, &motion->state, &motion->low, input,
                                &motion->report);
   motion->low = (tf_compensation_t){0, 0, 0, 0};
   return (scheme == MOTION_LOCATED ? tf_step_located : tf_step)(
-      &machine->machine, &motion->state, input, &motion->report);
+      &k->machine, &motion->state, input, &motion->report);
 }
 
 /// A step that ends in a mode: the rule's own, or one from that mode on, or by
@@ -120,11 +120,12 @@ static inline tf_status_t motion_take(motion_t *motion, motion_scheme_t scheme,
                               status == TF_BAD_PARAMETER;
        i--) {
     const unsigned to = i == TF_MODES ? mode : i;
-    for (uint32_t draw = 0; (modes >> to & 1u) != 0 && draw < 64; draw++) {
+    for (uint32_t attempt = 0; (modes >> to & 1u) != 0 && attempt < 64;
+         attempt++) {
       *motion = before;
-      motion->state.mode = (uint8_t)(draw == 0 ? to : TF_PINNED);
-      motion->state.seed = draw;
-      contact->rule = draw == 0 ? TF_RULE_PERSIST : TF_RULE_RANDOM;
+      motion->state.mode = (uint8_t)(attempt == 0 ? to : TF_PINNED);
+      motion->state.seed = attempt;
+      contact->rule = attempt == 0 ? TF_RULE_PERSIST : TF_RULE_RANDOM;
       contact->exit_threshold = to == TF_PINNED ? 0 : UINT64_MAX;
       if (motion_step(motion, scheme, input) < 0 || motion->report.mode != to)
         continue;
@@ -149,7 +150,7 @@ typedef struct {
 static inline motion_row_t motion_row(const motion_t *motion) {
   const tf_state_t *x = &motion->state;
   const tf_report_t *report = &motion->report;
-  const motion_row_t row = {
+  const motion_row_t out = {
       .t = (double)x->tick * (double)motion->machine.machine.dt,
       .r = x->r,
       .v = x->v,
@@ -164,7 +165,7 @@ static inline motion_row_t motion_row(const motion_t *motion) {
       .set = report->set,
       .choices = report->choices,
       .status = (int8_t)report->status};
-  return row;
+  return out;
 }
 
 #endif

@@ -159,9 +159,9 @@ static tf_direction_t direction_of(const tf_two_fold_t *at, tf_real_t value,
                                    tf_real_t mu) {
   tf_direction_t out = {.value = value};
   const tf_real_t size = magnitude(plus) + magnitude(minus);
-  const tf_real_t unit = plus < 0 ? -size : size;
-  out.plus = plus / unit;
-  out.minus = minus / unit;
+  const tf_real_t signed_size = plus < 0 ? -size : size;
+  out.plus = plus / signed_size;
+  out.minus = minus / signed_size;
   out.sticks = out.minus >= 0;
   out.lambda = out.sticks ? mu * (out.plus - out.minus) : 0;
   out.velocity = (tf_rate_t){out.plus * at->plus.r + out.minus * at->minus.r,

@@ -216,7 +216,7 @@ static bool may_be_in(const search_t *search, const quadrant_t *q,
 static bool may_be_better(const search_t *search, bool attracts,
                           const limit_direction_t *best) {
   if (search->leaves) return attracts || !best->is_attractor;
-  return search->upwards ? attracts & !best->exists : attracts;
+  return search->upwards ? attracts & (best->exists == false) : attracts;
 }
 
 // Whether the angular rate surely has this sign where T has a value in a cell:

@@ -28,13 +28,13 @@ typedef enum {
 #define CLI_CSV_NAME(name, unit, value) #name ","
 #define CLI_CSV_UNIT(name, unit, value) #name " " unit
 #define CLI_CSV_NEXT_UNIT(name, unit, value) ", " #name " " unit
-#define CLI_CSV_ONE(name, unit, value) +1
+#define CLI_CSV_INDEX(name, unit, value) CLI_CSV_##name,
 
 /// The header without its newline, the units, and how many numbers.
 #define CLI_CSV_HEADER \
   CLI_CSV_NUMBERS(CLI_CSV_NAME, CLI_CSV_NAME) "mode,choices"
 #define CLI_CSV_UNITS CLI_CSV_NUMBERS(CLI_CSV_UNIT, CLI_CSV_NEXT_UNIT)
-#define CLI_CSV_COLUMNS (0 CLI_CSV_NUMBERS(CLI_CSV_ONE, CLI_CSV_ONE))
+enum { CLI_CSV_NUMBERS(CLI_CSV_INDEX, CLI_CSV_INDEX) CLI_CSV_COLUMNS };
 
 typedef struct {
   double column[CLI_CSV_COLUMNS];

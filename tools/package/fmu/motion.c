@@ -151,7 +151,7 @@ void fmu_observe(fmu_motion_t *motion) {
   whole[FMU_MODE] = row.mode;
   whole[FMU_CHOICES] = row.choices;
   whole[FMU_SET] = row.set;
-  whole[FMU_STATUS] = row.status;
+  whole[FMU_STATUS] = (int64_t)motion->now.report.status;
   whole[FMU_TICK] = (int64_t)motion->now.state.tick;
   whole[FMU_EVENTS] = (int64_t)motion->events;
   whole[FMU_DEGRADED] = (int64_t)tally->degraded;
