@@ -7,8 +7,7 @@
 
 /* The draws keep their bits under any options, as the core does. */
 #include "../../src/num/rounding.h"
-#include "twofold/simulation.h"
-#include "twofold/step.h"
+#include "twofold.h"
 
 typedef struct {
   uint64_t state, hash;

@@ -72,7 +72,7 @@ class Board:
         """Skips a test where a tool of the board is missing, or fails it where
         the board is required."""
         for tool in [*self.fact("CC").split(), *self.fact("RUN").split()[:1]]:
-            if not shutil.which(tool):
+            if not shutil.which(ROOT / tool if "/" in tool else tool):
                 lacks(self.name, f"{tool} (Debian: apt-get install "
                                  f"{self.fact('PACKAGES')})")
         # Where the emulator is more than a program: a command that says what
