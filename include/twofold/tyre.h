@@ -39,7 +39,7 @@ typedef struct {
   tf_real_t mu;                        ///< friction force at h -> 0 [N]
   tf_real_t kappa;                     ///< moment / force at h -> 0 [m]
   tf_real_t inv_18_kappa, inv_6_kappa; ///< 1 / (18 kappa) and so on [1/m]
-  tf_real_t T_anchor[TF_TYRE_ANCHORS]; ///< T(tan(k pi/16)), [8] = 6 kappa
+  tf_real_t T_anchor[TF_TYRE_ANCHORS]; ///< T(tan(n pi/16)), [8] = 6 kappa
   tf_real_t T_series[TF_TYRE_TERMS];   ///< T(y) = y sum c_n y^(2n) near y = 0
   tf_real_t epsilon;                   ///< width of the smoothed sign [m/s]
   tf_real_t k;                         ///< string: stiffness / mu

@@ -26,7 +26,7 @@ static unsigned select_lane(const tf_machine_t *k, const tf_state_block_t *b,
       .set = (uint8_t)work->set[i],
       .attracting = (uint8_t)work->attracting[i],
       .near_stick = work->nearer_minus[i] ? TF_STICK_MINUS : TF_STICK_PLUS,
-      .h_limit = {work->h_limit[0][i], work->h_limit[1][i]}};
+      .departure = {work->departure[0][i], work->departure[1][i]}};
   return tf_contact_choose(&k->contact, &solutions, b->mode[i], b->tick[i],
                            b->seed[i]);
 }

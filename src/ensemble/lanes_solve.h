@@ -30,7 +30,7 @@ typedef struct {
   mask_t above[TF_LANES], below[TF_LANES]; // sign of g+; neither: both
   tf_real_t root[2][TF_LANES];             // x of stick+, stick-
   tf_real_t tau[2][TF_LANES]; // tf_contact_modes_t, as what follows
-  tf_real_t h_limit[2][TF_LANES];
+  tf_real_t departure[2][TF_LANES];
   mask_t set[TF_LANES], attracting[TF_LANES];
   mask_t nearer_minus[TF_LANES];              // near_stick is stick-
   tf_real_t pin_F[TF_LANES], pin_M[TF_LANES]; // pinning force
@@ -159,8 +159,8 @@ static void enumerate_all(work_t *restrict work) {
     work->attracting[i] = when(stick_attracts(&h)) & stick;
     work->root[0][i] = work->root[1][i] = root.x;
     work->tau[0][i] = work->tau[1][i] = flip_sign(minus, 1);
-    work->h_limit[0][i] = h.at_upper;
-    work->h_limit[1][i] = h.at_lower;
+    work->departure[0][i] = h.at_upper;
+    work->departure[1][i] = h.at_lower;
     work->pin_F[i] = work->pin_M[i] = 0;
     work->rare[i] |= (one & when(has_extremum_inside(&h))) | (~one & root.rare);
   }
@@ -235,8 +235,8 @@ static void slips_of(int from, const group_t *restrict group,
     const tf_real_t h_down = pick(down, h_end, pick(s_down, m1, m0));
     const tf_real_t size =
         magnitude(p0) + magnitude(p1) + magnitude(m0) + magnitude(m1);
-    work->h_limit[0][i] = pick(both, h_up, work->h_limit[0][i]);
-    work->h_limit[1][i] = pick(both, h_down, work->h_limit[1][i]);
+    work->departure[0][i] = pick(both, h_up, work->departure[0][i]);
+    work->departure[1][i] = pick(both, h_down, work->departure[1][i]);
     work->tau[0][i] =
         pick(both, pick(up, root.x, flip_sign(s_up, 1)), work->tau[0][i]);
     work->tau[1][i] =

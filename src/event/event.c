@@ -2,7 +2,7 @@
 #include "../model/rates.h"
 #include "trajectory.h"
 
-// What the parts of the located step ask of a trajectory and do to it.
+// The rates, the state and the forces of a trajectory, and its moves.
 
 TF_API rates_t tf_trajectory_rates(const trajectory_t *path) {
   return rates_at(path->motion.machine, path->motion.input, path->now.r,

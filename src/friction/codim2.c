@@ -37,7 +37,7 @@ static void add_exit(const tf_contact_t *contact, const codim2_field_t *field,
   out->sign_g[sign_h] = best.sign_g;
   out->solutions.set |= (uint8_t)bit;
   if (best.is_attractor) out->solutions.attracting |= (uint8_t)bit;
-  out->solutions.h_limit[sign_h] = with_sign(sign_h, best.speed);
+  out->solutions.departure[sign_h] = with_sign(sign_h, best.speed);
 }
 
 // The stick with the sign s of g, if the law has the force that keeps h at 0

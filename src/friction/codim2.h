@@ -78,7 +78,7 @@ TF_API codim2_course_t tf_codim2_course(const tf_contact_t *contact,
 
 // The consistent modes at h = g = 0 under a law with a moment. Of the slips on
 // one side of h = 0 it is the one that attracts, then the one that grows
-// faster. `attracting` has the slips that attract as well, h_limit their s',
+// faster. `attracting` has the slips that attract as well, departure their s',
 // and near_stick is the faster stick.
 #define tf_codim2_modes TF_LINK(tf_codim2_modes)
 TF_API void tf_codim2_modes(const tf_contact_t *contact,

@@ -81,8 +81,8 @@ TF_API tf_status_t tf_contact_prepare(tf_contact_t *contact, tf_tyre_law_t law,
   return TF_OK;
 }
 
-// What is asked of an inclusion off the common path of a step, as functions:
-// small rather than fast.
+// Enumeration and Newton's method off the common path of a step: functions that
+// are small rather than fast.
 
 TF_API void tf_enumerate(const inclusion_t *in, unsigned signs,
                          tf_contact_modes_t *out) {
@@ -119,8 +119,8 @@ TF_API multipliers_t tf_multipliers_to(const tf_form_t *h, const tf_form_t *g,
 }
 
 // A contact of any mechanism, by the parts of which tf_step is made: inclusion
-// and enumeration, the law of slip, what follows h = g = 0. prepared.c has its
-// constants, select.c the choice.
+// and enumeration, the law of slip, what follows h = g = 0. select.c has the
+// choice.
 
 // The inclusion of a step: without a moment there is no y.
 static inclusion_t inclusion_under(const tf_contact_t *contact,

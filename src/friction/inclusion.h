@@ -243,7 +243,7 @@ TF_INLINE void solve_slip(const inclusion_t *in, sign_t side, slip_ends_t at,
   const bool with_plus = with_sign(side, at.h_plus) > 0;
   if (!in->has_moment) { // both s are one law
     out->tau[side] = 1;
-    out->h_limit[side] = at.h_plus;
+    out->departure[side] = at.h_plus;
     if (with_plus) out->set |= bit;
     return;
   }
@@ -257,7 +257,7 @@ TF_INLINE void solve_slip(const inclusion_t *in, sign_t side, slip_ends_t at,
     h_end = slip_end_at(tau, at.h_plus, at.h_minus, h_bend);
   }
   out->tau[side] = tau;
-  out->h_limit[side] = h_end;
+  out->departure[side] = h_end;
   if (with_sign(side, h_end) > 0) out->set |= bit;
 }
 
@@ -270,8 +270,8 @@ TF_INLINE void enumerate_one_sign(const inclusion_t *in, sign_t s,
   out->attracting =
       (uint8_t)(stick_attracts(&h) ? TF_MODE_BIT(stick_with(s)) : 0);
   out->tau[0] = out->tau[1] = unit(s);
-  out->h_limit[0] = h.at_upper;
-  out->h_limit[1] = h.at_lower;
+  out->departure[0] = h.at_upper;
+  out->departure[1] = h.at_lower;
   if (plus != minus && !has_two_roots(&h, plus)) return;
   out->x[s] = root_within(h.c0, h.c1, h.c2);
   out->set |= (uint8_t)TF_MODE_BIT(stick_with(s));

@@ -10,7 +10,8 @@
 #define SLIPS (TF_MODE_BIT(TF_SLIP_PLUS) | TF_MODE_BIT(TF_SLIP_MINUS))
 #define STICKS (TF_MODE_BIT(TF_STICK_PLUS) | TF_MODE_BIT(TF_STICK_MINUS))
 
-// The sign of h or of g: also the index of what there is for each of both.
+// The sign of h or of g. It is also the index of an array that has an entry for
+// each sign.
 typedef enum { PLUS, MINUS } sign_t;
 
 TF_INLINE sign_t sign_of(tf_real_t x) { return x < 0 ? MINUS : PLUS; }

@@ -74,7 +74,7 @@ static unsigned rule_exit(tf_rule_t rule, uint64_t exit_threshold, unsigned set,
 static unsigned fastest_of(unsigned slips,
                            const tf_contact_modes_t *solutions) {
   const bool plus_is_faster =
-      magnitude(solutions->h_limit[0]) >= magnitude(solutions->h_limit[1]);
+      magnitude(solutions->departure[0]) >= magnitude(solutions->departure[1]);
   if (has(slips, TF_SLIP_PLUS) && (plus_is_faster || slips != SLIPS))
     return TF_SLIP_PLUS;
   return TF_SLIP_MINUS;

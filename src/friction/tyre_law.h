@@ -7,7 +7,7 @@
 #include "mode_set.h"
 #include "twofold/contact.h"
 
-// cos(k pi/16); sin(k pi/16) is the same table read backwards.
+// cos(n pi/16); sin(n pi/16) is the same table read backwards.
 static const tf_real_t anchor_cos[TF_TYRE_ANCHORS] = {
     TF_R(1.0),
     TF_R(0.98078528040323044913),
@@ -19,7 +19,7 @@ static const tf_real_t anchor_cos[TF_TYRE_ANCHORS] = {
     TF_R(0.19509032201612826785),
     TF_R(0.0)};
 
-// tan((2k+1) pi/32): borders between the anchors below pi/4.
+// tan((2n+1) pi/32): borders between the anchors below pi/4.
 static const tf_real_t border[4] = {
     TF_R(0.098491403357164253077), TF_R(0.30334668360734239168),
     TF_R(0.53451113595079172950), TF_R(0.82067879082866033097)};

@@ -115,8 +115,8 @@ static void count_accepted(tf_decoder_t *decoder, const tf_frame_t *frame) {
   decoder->frames++;
 }
 
-// The counter of what is wrong with the bytes of the buffer; NULL: they are a
-// frame, without COBS.
+// Undoes COBS in the buffer. Returns: the counter of the fault that its bytes
+// have; NULL where they are a frame.
 static uint32_t *fault_of(tf_decoder_t *decoder) {
   uint8_t *code = decoder->buffer;
   const size_t stuffed = (size_t)decoder->used - TF_FRAME_CRC; // if so many

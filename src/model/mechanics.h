@@ -74,11 +74,10 @@ TF_INLINE tf_real_t slip_terms(const tf_machine_t *k, tf_real_t r, tf_real_t v,
 // epsilon/2, and a step that moves v and w by no more than their size,
 //   w and omega0 are off by u |w| and u |omega0|, and v by u |v|;
 //   the sums and products that form v+ and w+ add 4 u of each;
-
 //   z, d z, r z, p and the two products of h or g add u each.
 // h and g are (p, q) rotated, so that this is at most 2 (1 + 4 + 3) u times the
-// sum of their terms. Whoever asks whether a state is at h = 0 or g = 0 asks
-// for this bound, so that a state means the same to all of them.
+// sum of their terms. Every test of h = 0 or g = 0 uses this bound, so that a
+// state means the same to all of them.
 #define SLIP_ROUNDINGS (32 * TF_REAL_EPSILON)
 TF_INLINE tf_real_t slip_rounding(const tf_machine_t *k, tf_real_t r,
                                   tf_real_t v, tf_real_t w, tf_real_t omega0) {

@@ -112,8 +112,8 @@ TF_INLINE void surface_modes(const tf_machine_t *k, const rates_t *a, sign_t s,
   *out = (consistent_modes_t){.lambda = {0, 0}};
   solutions->set = (uint8_t)(plus << TF_SLIP_PLUS | minus << TF_SLIP_MINUS);
   solutions->near_stick = (uint8_t)stick;
-  solutions->h_limit[0] = h_rate.plus;
-  solutions->h_limit[1] = h_rate.minus;
+  solutions->departure[0] = h_rate.plus;
+  solutions->departure[1] = h_rate.minus;
   if (a->A[s] > 0) solutions->attracting = (uint8_t)TF_MODE_BIT(stick);
   if (plus != minus) return;
   solutions->set |= (uint8_t)TF_MODE_BIT(stick);

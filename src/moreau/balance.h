@@ -74,7 +74,7 @@ TF_INLINE bool is_midpoint(const tf_machine_t *k) {
   return k->theta == TF_R(0.5);
 }
 
-// midpoint: is_midpoint(k), which loops over lanes ask once.
+// midpoint: is_midpoint(k), formed once for all lanes.
 TF_INLINE balance_t balance_of(const tf_machine_t *k, bool midpoint,
                                const tf_input_t *u, end_state_t from,
                                end_state_t end, tf_real_t F) {
@@ -91,7 +91,6 @@ TF_INLINE balance_t balance_of(const tf_machine_t *k, bool midpoint,
                        : created_by_theta(k, r, v, w, dv, dw);
   // -h of slip_from_pq, written out for 1 % of a step: F on the arm r_t, the
   // turntable of the theta point under the wheel as it moves.
-
   const tf_real_t omega0 = speed_at_theta(k, u);
   b.friction = k->dt * F *
                (slider_speed(k, vt, wt - omega0) * k->sin_gamma +

@@ -1,5 +1,6 @@
-// One step of the Moreau-Jean theta scheme, from its start to its end, and the
-// ends that are rare.
+// One step of the Moreau-Jean theta scheme, from its start to its end, stage by
+// stage, and its rare ends. tf_step and tf_step_compensated differ in what they
+// start with and in how they store the end.
 #ifndef TF_SCHEME_H
 #define TF_SCHEME_H
 
@@ -75,10 +76,6 @@ TF_API balanced_end_t tf_balanced_end(const tf_machine_t *k,
                                       const tf_state_t *state,
                                       const tf_input_t *input, unsigned mode,
                                       tf_force_t force);
-
-// One step of the Moreau-Jean theta scheme, from its start to its end, stage by
-// stage. tf_step and tf_step_compensated differ in what they start with and in
-// how they store the end.
 
 // Validation.
 TF_INLINE bool may_step(const tf_state_t *state, const tf_input_t *input) {

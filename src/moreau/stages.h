@@ -185,7 +185,7 @@ TF_RARE unsigned select_mode(const tf_machine_t *k, const tf_state_t *state,
   const tf_contact_modes_t solutions = {.set = (uint8_t)set,
                                         .attracting = (uint8_t)attracting,
                                         .near_stick = (uint8_t)near_stick,
-                                        .h_limit = {h_plus, h_minus}};
+                                        .departure = {h_plus, h_minus}};
   return tf_contact_choose(&k->contact, &solutions, state->mode, state->tick,
                            state->seed);
 }
@@ -195,8 +195,8 @@ TF_RARE unsigned select_mode(const tf_machine_t *k, const tf_state_t *state,
 TF_INLINE unsigned choose_mode(const tf_machine_t *k, const tf_state_t *state,
                                const tf_contact_modes_t *s) {
   if (continues(s->set, s->attracting, state->mode)) return state->mode;
-  return select_mode(k, state, s->set, s->near_stick, s->h_limit[0],
-                     s->h_limit[1], s->attracting);
+  return select_mode(k, state, s->set, s->near_stick, s->departure[0],
+                     s->departure[1], s->attracting);
 }
 
 // End in slip on one side of h = 0, (9): the force is predicted from the start,

@@ -75,8 +75,8 @@ TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
 }
 
 // A step beside two halves of it: how far both ends lie apart is the estimate
-// of its error. Nothing that one step has by itself tells a step that is too
-// long from one that is not (docs/SCHEMES.md has what was tried).
+// of its error. No quantity of one step alone separates steps that are
+// too long from others (docs/SCHEMES.md lists what was tried).
 
 // The end of two halves. The draw of a random exit is that of the whole step:
 // set_step_length() keeps its chance, and both halves have the tick of the

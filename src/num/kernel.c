@@ -41,13 +41,13 @@ TF_API void tf_sine_cosine(tf_real_t x, tf_real_t *sine, tf_real_t *cosine) {
                                     TF_R(-1.0) / TF_R(87178291200.0),
                                     TF_R(1.0) / TF_R(20922789888000.0)};
   const tf_real_t quarter_turns = x * TF_R(0.63661977236758134308);
-  const int k =
+  const int turns =
       (int)(quarter_turns + (quarter_turns < 0 ? TF_R(-0.5) : TF_R(0.5)));
   const tf_real_t y =
-      (x - (tf_real_t)k * HALF_PI_HIGH) - (tf_real_t)k * HALF_PI_LOW;
+      (x - (tf_real_t)turns * HALF_PI_HIGH) - (tf_real_t)turns * HALF_PI_LOW;
   const tf_real_t s = y * polynomial(sin_c, 9, y * y);
   const tf_real_t c = polynomial(cos_c, 9, y * y);
-  const int quadrant = k & 3;
+  const int quadrant = turns & 3;
   const tf_real_t sin_x = (quadrant & 1) ? c : s;
   const tf_real_t cos_x = (quadrant & 1) ? s : c;
   *sine = (quadrant & 2) ? -sin_x : sin_x;

@@ -20,7 +20,7 @@ typedef struct {
 
 TF_INLINE tf_real_t value_at(const series_t *s, int degree, tf_real_t t) {
   tf_real_t sum = s->c[degree];
-  for (int k = degree - 1; k >= 0; k--) sum = sum * t + s->c[k];
+  for (int n = degree - 1; n >= 0; n--) sum = sum * t + s->c[n];
   return sum;
 }
 
@@ -28,7 +28,7 @@ TF_INLINE tf_real_t value_at(const series_t *s, int degree, tf_real_t t) {
 TF_INLINE tf_real_t change_beyond_line(const series_t *s, int degree,
                                        tf_real_t length) {
   tf_real_t sum = magnitude(s->c[degree]);
-  for (int k = degree - 1; k > 1; k--) sum = sum * length + magnitude(s->c[k]);
+  for (int n = degree - 1; n > 1; n--) sum = sum * length + magnitude(s->c[n]);
   return sum * length * length;
 }
 

@@ -87,7 +87,7 @@ TEST(exits_of_any_field_are_those_of_a_search) {
       const bool attracts = out.solutions.attracting & bit;
       const exit_t want = search(&c.at, slip == 0 ? 1 : -1);
       const real got = (out.solutions.set & bit)
-                           ? fabsl(wide(out.solutions.h_limit[slip]))
+                           ? fabsl(wide(out.solutions.departure[slip]))
                            : 0;
       const real size = 1 + wide(c.params.mu) * (1 + wide(c.params.kappa));
       if (attracts != want.attracts || fabsl(got - want.growth) > 1e-3L * size)

@@ -312,7 +312,7 @@ TEST(one_or_three_solutions) {
     for (int slip = 0; slip < 2; slip++) {
       const double to = slip == 0 ? c1 : -c1;
       CHECK(out.tau[slip] == (s ? -1 : 1));
-      CHECK_NEAR((double)out.h_limit[slip], (double)in.h.c0 + to,
+      CHECK_NEAR((double)out.departure[slip], (double)in.h.c0 + to,
                  4 * (double)TF_REAL_EPSILON);
     }
     if (out.set & stick)

@@ -26,8 +26,8 @@ static unsigned answer(const question_t *q, uint64_t tick, uint32_t seed) {
   solutions.set = (uint8_t)q->set;
   solutions.attracting = (uint8_t)q->attracting;
   solutions.near_stick = (uint8_t)q->near;
-  solutions.h_limit[0] = TF_R(2.0);
-  solutions.h_limit[1] = q->minus_is_faster ? TF_R(-3.0) : TF_R(-1.0);
+  solutions.departure[0] = TF_R(2.0);
+  solutions.departure[1] = q->minus_is_faster ? TF_R(-3.0) : TF_R(-1.0);
   const tf_contact_t contact = {.rule = q->rule,
                                 .exit_threshold = q->threshold};
   return tf_contact_choose(&contact, &solutions, q->mode, tick, seed);
