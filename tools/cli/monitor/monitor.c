@@ -16,7 +16,6 @@
 #include "../text/message.h"
 #include "../text/summary.h"
 #include "board_command.h"
-#include "monitor_summary.h"
 
 #define WAIT 100 // for bytes, and between two attempts to open a device [ms]
 #define BLOCK 65536
@@ -31,7 +30,7 @@ typedef struct {
   cli_source_t source;
   cli_output_t output;
   cli_session_file_t record;
-  cli_seen_t seen;
+  cli_receiver_t receiver;
   cli_live_t *live; ///< the picture, or NULL
   bool begun;       ///< what stands before the rows is written
   bool at_end;      ///< of a file or a pipe
@@ -41,8 +40,8 @@ typedef struct {
 } monitor_t;
 
 static void write_title(const monitor_t *monitor, char title[TITLE_ROOM]) {
-  const tf_decoder_t *decoder = &monitor->seen.decoder;
-  const cli_receiver_t *receiver = &monitor->seen.receiver;
+  const tf_decoder_t *decoder = &monitor->receiver.decoder;
+  const cli_receiver_t *receiver = &monitor->receiver;
   const tf_heartbeat_t *beat = &receiver->heartbeat;
   const int used = snprintf(
       title, TITLE_ROOM,
@@ -71,7 +70,7 @@ static bool begin_rows(monitor_t *monitor) {
   return (!monitor->args->provenance ||
           cli_output_lines(
               &monitor->output, lines,
-              cli_received_provenance(&monitor->seen.receiver, lines))) &&
+              cli_received_provenance(&monitor->receiver, lines))) &&
          cli_output_lines(&monitor->output, as->header, strlen(as->header));
 }
 
@@ -82,21 +81,21 @@ static bool take_block(monitor_t *monitor, size_t length) {
   cli_csv_t row;
   char line[CLI_ROW_ROOM];
   const cli_stream_t *as = monitor->as;
-  cli_seen_t *seen = &monitor->seen;
-  seen->bytes += length;
-  seen->is_device = monitor->source.is_device;
+  cli_receiver_t *receiver = &monitor->receiver;
+  receiver->bytes += length;
+  receiver->is_device = monitor->source.is_device;
   if (monitor->args->format == CLI_FORMAT_FRAMES && !monitor->at_end &&
       !cli_output_lines(&monitor->output, at, length)) {
     return false;
   }
-  while (tf_decoder_block(&seen->decoder, at, length, &taken, &frame)) {
+  while (tf_decoder_block(&receiver->decoder, at, length, &taken, &frame)) {
     at += taken;
     length -= taken;
-    const bool completes = cli_seen_frame(seen, &frame, &row);
+    const bool completes = cli_receiver_take(receiver, &frame, &row);
     if (frame.type == TF_DOWN_ANSWER) {
       cli_session_row_t done;
       const char *text = cli_board_commands_answer(&monitor->commands, &frame,
-                                                   &seen->receiver, &done);
+                                                   receiver, &done);
       if (text != NULL) {
         cli_session_command(&monitor->record, &done, text);
       }
@@ -120,7 +119,7 @@ static bool take_block(monitor_t *monitor, size_t length) {
 static bool take_end(monitor_t *monitor) {
   monitor->at_end = true;
   monitor->block[0] = 0;
-  monitor->seen.bytes--;
+  monitor->receiver.bytes--;
   return take_block(monitor, 1);
 }
 
@@ -156,12 +155,12 @@ static int send_commands(monitor_t *monitor) {
   uint8_t wire[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)];
   const double now = cli_now();
   const size_t length =
-      cli_board_commands_next(commands, &monitor->seen.receiver, now, wire);
+      cli_board_commands_next(commands, &monitor->receiver, now, wire);
   if (length > 0 && !cli_source_write(&monitor->source, wire, length)) {
     return cli_message(CLI_STOPPED, "%s: %s", monitor->source.name,
                        strerror(monitor->source.error));
   }
-  if (cli_board_commands_late(commands, &monitor->seen.receiver, now)) {
+  if (cli_board_commands_late(commands, &monitor->receiver, now)) {
     return cli_message(CLI_STOPPED,
                        "--send %s: no answer; does the board take commands?",
                        commands->list[commands->next].text);
@@ -235,34 +234,34 @@ static int open_both(monitor_t *monitor) {
 // right, they may still be of more than one run, or of a part of one. With
 // --follow a board may be started again.
 static const char *fault_of(monitor_t *monitor) {
-  const cli_seen_t *seen = &monitor->seen;
-  if (cli_seen_missing(seen) > 0) {
+  const cli_receiver_t *receiver = &monitor->receiver;
+  if (cli_receiver_missing(receiver) > 0) {
     return "frames were lost or broken, as is counted";
   }
-  if (seen->decoder.restarts > 0 && !monitor->args->follow) {
+  if (receiver->decoder.restarts > 0 && !monitor->args->follow) {
     return "the sender was started again, or frames came twice: these are rows "
            "of more than one run";
   }
-  if (seen->receiver.other_runs > 0 && !monitor->args->follow) {
+  if (receiver->other_runs > 0 && !monitor->args->follow) {
     (void)snprintf(monitor->where, sizeof monitor->where,
                    "between steps %" PRIu64 " and %" PRIu64
                    " frames are of another run: these are rows of more than "
                    "one run",
-                   seen->receiver.between[0], seen->receiver.between[1]);
+                   receiver->between[0], receiver->between[1]);
     return monitor->where;
   }
-  return monitor->at_end && seen->is_open
+  return monitor->at_end && receiver->ends && !receiver->ended
              ? "ends before its run: the heartbeat that ends it has not come"
              : NULL;
 }
 
 static int judge_stream(monitor_t *monitor, int code) {
-  const cli_seen_t *seen = &monitor->seen;
-  const tf_tally_t flagged = cli_seen_flagged(seen);
+  const cli_receiver_t *receiver = &monitor->receiver;
+  const tf_tally_t flagged = cli_receiver_flagged(receiver);
   const char *fault = fault_of(monitor);
   CLI_TRY(code);
   CLI_TRY(monitor->commands.refused > 0 ? CLI_REFUSED : CLI_DONE);
-  const tf_decoder_t *decoder = &seen->decoder;
+  const tf_decoder_t *decoder = &receiver->decoder;
   if (decoder->frames == 0 && decoder->bad_version > 0) {
     return cli_message(CLI_STOPPED,
                        "%s: its protocol is version %u, here it is %d: build "
@@ -277,10 +276,10 @@ static int judge_stream(monitor_t *monitor, int code) {
   if (fault != NULL) {
     return cli_message(CLI_DAMAGED, "%s: %s", monitor->source.name, fault);
   }
-  if (seen->not_finite > 0) {
+  if (receiver->not_finite > 0) {
     return CLI_DAMAGED;
   }
-  return seen->skipped.more > 0 ? CLI_FLAGGED : cli_tally_code(&flagged);
+  return receiver->skipped > 0 ? CLI_FLAGGED : cli_tally_code(&flagged);
 }
 
 static int perform(monitor_t *monitor) {
@@ -305,7 +304,7 @@ static int perform(monitor_t *monitor) {
   // A file of rows that are not all of one stream does not get its name, by
   // which it would say that they are.
   const bool is_whole =
-      monitor->seen.decoder.frames > 0 && fault_of(monitor) == NULL;
+      monitor->receiver.decoder.frames > 0 && fault_of(monitor) == NULL;
   const int whole = is_whole ? code : CLI_DAMAGED;
   int closed = whole;
   if (monitor->as != NULL) {
@@ -315,13 +314,13 @@ static int perform(monitor_t *monitor) {
   closed = cli_session_close(&monitor->record, closed);
   code = closed == whole ? code : closed;
   cli_source_close(&monitor->source);
-  monitor->seen.source = monitor->source.name;
+  monitor->receiver.source = monitor->source.name;
   if (monitor->args->summary == 0) {
-    cli_seen_print(&monitor->seen);
+    cli_receiver_print(&monitor->receiver);
   }
   code = judge_stream(monitor, code);
   if (monitor->args->summary != 0) {
-    cli_seen_put(&monitor->seen, code);
+    cli_receiver_put(&monitor->receiver, code);
   }
   return code;
 }
@@ -377,7 +376,8 @@ int cli_monitor(const cli_args_t *args) {
   monitor.as =
       args->format != CLI_NOT_GIVEN ? &cli_streams[args->format] : NULL;
   CLI_TRY(take_commands(&monitor.commands, args));
-  tf_decoder_init(&monitor.seen.decoder, monitor.buffer, sizeof monitor.buffer);
+  tf_decoder_init(&monitor.receiver.decoder, monitor.buffer,
+                  sizeof monitor.buffer);
   cli_catch_signals();
   return perform(&monitor);
 }

@@ -1,11 +1,5 @@
 // Both forms of the summary have the same counts. What a board has not told is
 // left out of the text and is null in JSON.
-//
-// A file of frames and a pipe begin where the sender began: everything in them
-// that is not a frame is damage. A line does not: whoever starts to listen
-// hears half a frame first, and states that mean nothing before the schema.
-
-#include "monitor_summary.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -15,100 +9,7 @@
 #include "../text/message.h"
 #include "../text/number.h"
 #include "../text/summary.h"
-
-// The decoder counts modulo 2^32: so does this sum, and a frame adds far less.
-static uint32_t counted(const tf_decoder_t *decoder) {
-  return decoder->lost + decoder->bad + decoder->too_long +
-         decoder->bad_version;
-}
-
-static uint64_t missing_so_far(const cli_seen_t *seen) {
-  return seen->missed +
-         (uint32_t)(counted(&seen->decoder) - seen->last_counted) +
-         seen->receiver.incomplete;
-}
-
-// A count that went back is that of a board that was started again, and counts
-// from 0; one that went on may have passed 2^32.
-static void note_told(cli_told_t *count, uint32_t told) {
-  const uint32_t more = told - count->last;
-  if (count->is_known) {
-    count->more += more <= UINT32_MAX / 2 ? more : told;
-  }
-  count->is_known = true;
-  count->last = told;
-}
-
-static void note_row(cli_seen_t *seen, const cli_csv_t *row) {
-  bool finite = true;
-  for (size_t i = 0; i < CLI_CSV_COLUMNS; i++) {
-    finite = finite && isfinite(row->column[i]);
-  }
-  if (!finite && seen->not_finite++ == 0) {
-    seen->first_tick = seen->receiver.tick;
-  }
-}
-
-static tf_tally_t most(const tf_tally_t *a, const tf_tally_t *b) {
-  tf_tally_t tally = *a;
-  tally.degraded = a->degraded > b->degraded ? a->degraded : b->degraded;
-  tally.fell_back = a->fell_back > b->fell_back ? a->fell_back : b->fell_back;
-  tally.coarse = a->coarse > b->coarse ? a->coarse : b->coarse;
-  tally.stalled = a->stalled > b->stalled ? a->stalled : b->stalled;
-  return tally;
-}
-
-static void note_report(cli_seen_t *seen, const cli_csv_t *row) {
-  const cli_receiver_t *receiver = &seen->receiver;
-  const bool repeats = seen->has_report && seen->tick == receiver->tick;
-  seen->has_report = true;
-  seen->tick = receiver->tick;
-  if (repeats) {
-    return;
-  }
-  if (cli_tally_reserved(&seen->reported) == 0) {
-    seen->first = row->column[0];
-  }
-  tf_tally_count(&seen->reported, receiver->tick, receiver->status);
-}
-
-bool cli_seen_frame(cli_seen_t *seen, const tf_frame_t *frame, cli_csv_t *row) {
-  const cli_receiver_t *receiver = &seen->receiver;
-  const bool completes = cli_receiver_take(&seen->receiver, frame, row);
-  const tf_heartbeat_t *beat = &receiver->heartbeat;
-  seen->missed += (uint32_t)(counted(&seen->decoder) - seen->last_counted);
-  seen->last_counted = counted(&seen->decoder);
-  if (receiver->has_schema && !seen->heard) {
-    seen->heard = true;
-    seen->before = seen->is_device ? missing_so_far(seen) : 0;
-  }
-  seen->is_open = receiver->ends && frame->type != TF_DOWN_HEARTBEAT;
-  if (receiver->has_heartbeat) {
-    note_told(&seen->dropped, beat->dropped);
-    note_told(&seen->skipped, beat->skipped);
-    // A board that was started again counts from 0, and what it reported before
-    // holds.
-    const tf_tally_t told = {.degraded = beat->degraded,
-                             .fell_back = beat->fell_back,
-                             .coarse = beat->coarse,
-                             .stalled = beat->stalled};
-    seen->counted = most(&seen->counted, &told);
-  }
-  if (completes) { // it is a report
-    note_report(seen, row);
-    note_row(seen, row);
-  }
-  return completes;
-}
-
-uint64_t cli_seen_missing(const cli_seen_t *seen) {
-  return missing_so_far(seen) + seen->receiver.has_state - seen->before +
-         seen->dropped.more;
-}
-
-tf_tally_t cli_seen_flagged(const cli_seen_t *seen) {
-  return most(&seen->counted, &seen->reported);
-}
+#include "receiver.h"
 
 static void print_board(const tf_heartbeat_t *beat) {
   cli_say("board      %" PRIu32 " steps, %" PRIu32 " overruns, %" PRIu32
@@ -128,9 +29,8 @@ static void print_board(const tf_heartbeat_t *beat) {
   }
 }
 
-void cli_seen_print(const cli_seen_t *seen) {
-  const cli_receiver_t *receiver = &seen->receiver;
-  const tf_decoder_t *decoder = &seen->decoder;
+void cli_receiver_print(const cli_receiver_t *receiver) {
+  const tf_decoder_t *decoder = &receiver->decoder;
   if (receiver->has_schema) {
     cli_say("sender     %s, scene %s, %s, dt = %g s, ", receiver->build,
             receiver->scene, receiver->is_float ? "float" : "double",
@@ -139,7 +39,7 @@ void cli_seen_print(const cli_seen_t *seen) {
   }
   cli_say("frames     %" PRIu32 " in %" PRIu64 " bytes, %" PRIu64
           " rows, %" PRIu64 " without a match, %" PRIu64 " unknown\n",
-          decoder->frames, seen->bytes, receiver->rows,
+          decoder->frames, receiver->bytes, receiver->rows,
           receiver->incomplete + receiver->has_state, receiver->unknown);
   cli_say("line       %" PRIu32 " lost, %" PRIu32 " broken, %" PRIu32
           " too long, %" PRIu32 " of another version, %" PRIu32
@@ -149,11 +49,10 @@ void cli_seen_print(const cli_seen_t *seen) {
   if (receiver->has_heartbeat) {
     print_board(&receiver->heartbeat);
   }
-  if (seen->has_report || receiver->has_heartbeat) {
-    const tf_tally_t tally = cli_seen_flagged(seen);
-    cli_tally_print(
-        &tally, "first reported",
-        cli_tally_reserved(&seen->reported) > 0 ? seen->first : (double)NAN);
+  if (receiver->rows > 0 || receiver->has_heartbeat) {
+    const tf_tally_t tally = cli_receiver_flagged(receiver);
+    cli_tally_print(&tally, "first reported",
+                    receiver->has_first ? receiver->first : (double)NAN);
   }
   if (receiver->has_schema && receiver->rows > 0) {
     cli_say("last       step %" PRIu64
@@ -161,10 +60,10 @@ void cli_seen_print(const cli_seen_t *seen) {
             receiver->tick, receiver->state[0], receiver->state[1],
             receiver->state[2], tf_mode_name(receiver->mode));
   }
-  if (seen->not_finite > 0) {
+  if (receiver->not_finite > 0) {
     cli_say("values     %" PRIu64
             " rows with one that is not finite, first at step %" PRIu64 "\n",
-            seen->not_finite, seen->first_tick);
+            receiver->not_finite, receiver->first_tick);
   }
 }
 
@@ -180,10 +79,9 @@ static void put_sender(const cli_receiver_t *receiver) {
   cli_put_double("dt", receiver->dt);
 }
 
-static void put_line(const cli_seen_t *seen) {
-  const cli_receiver_t *receiver = &seen->receiver;
-  const tf_decoder_t *decoder = &seen->decoder;
-  cli_put_count("bytes", seen->bytes);
+static void put_line(const cli_receiver_t *receiver) {
+  const tf_decoder_t *decoder = &receiver->decoder;
+  cli_put_count("bytes", receiver->bytes);
   cli_put_count("frames", decoder->frames);
   cli_put_count("rows", receiver->rows);
   cli_put_count("unmatched", receiver->incomplete + receiver->has_state);
@@ -194,8 +92,8 @@ static void put_line(const cli_seen_t *seen) {
   cli_put_count("other_version", decoder->bad_version);
   cli_put_count("restarts", decoder->restarts);
   cli_put_count("other_runs", receiver->other_runs);
-  cli_put_count("missing", cli_seen_missing(seen));
-  cli_put_count("not_finite", seen->not_finite);
+  cli_put_count("missing", cli_receiver_missing(receiver));
+  cli_put_count("not_finite", receiver->not_finite);
 }
 
 static void put_board(const cli_receiver_t *receiver) {
@@ -231,18 +129,18 @@ static void put_last(const cli_receiver_t *receiver) {
   cli_say("\"mode\": \"%s\"}, ", tf_mode_name(receiver->mode));
 }
 
-void cli_seen_put(const cli_seen_t *seen, int code) {
-  const tf_tally_t tally = cli_seen_flagged(seen);
+void cli_receiver_put(const cli_receiver_t *receiver, int code) {
+  const tf_tally_t tally = cli_receiver_flagged(receiver);
   cli_say("{");
   cli_put_word("version", TF_VERSION);
   cli_put_word("commit", cli_commit);
   cli_put_word("command", "monitor");
-  cli_put_text("source", seen->source);
-  put_sender(&seen->receiver);
-  put_line(seen);
-  put_board(&seen->receiver);
+  cli_put_text("source", receiver->source);
+  put_sender(receiver);
+  put_line(receiver);
+  put_board(receiver);
   cli_tally_put(&tally);
-  put_last(&seen->receiver);
+  put_last(receiver);
   cli_put_exit(code);
 }
 

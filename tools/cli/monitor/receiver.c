@@ -3,6 +3,7 @@
 
 #include "receiver.h"
 
+#include <math.h>
 #include <string.h>
 
 // Where the step stands in a schema, after what does not depend on the type.
@@ -56,10 +57,10 @@ static void note_other(cli_receiver_t *receiver, uint64_t tick) {
 
 // Of a run all schemas and heartbeats have one hash.
 static void note_run(cli_receiver_t *receiver, uint64_t tick, uint32_t run) {
-  if (receiver->breaks || (receiver->knows_run && receiver->run != run)) {
+  const bool is_first = !receiver->has_schema && !receiver->has_heartbeat;
+  if (receiver->breaks || (!is_first && receiver->run != run)) {
     note_other(receiver, tick);
   }
-  receiver->knows_run = true;
   receiver->run = run;
 }
 
@@ -112,6 +113,9 @@ static bool take_schema(cli_receiver_t *receiver, const tf_frame_t *frame) {
   at = reals_at(receiver, at + SCHEMA_DT, &receiver->dt, 1);
   at = text_at(at, end, receiver->scene);
   (void)text_at(at, end, receiver->build);
+  if (!receiver->has_schema && receiver->is_device) {
+    receiver->before = receiver->missed + receiver->incomplete;
+  }
   if (frame->tick == 0 || !receiver->has_schema) {
     receiver->base = 0;
   } else if (before < receiver->dt || before > receiver->dt) {
@@ -129,6 +133,27 @@ static void take_state(cli_receiver_t *receiver, const tf_frame_t *frame) {
   receiver->has_state = true;
 }
 
+static void note_row(cli_receiver_t *receiver, const cli_csv_t *row) {
+  bool finite = true;
+  for (size_t i = 0; i < CLI_CSV_COLUMNS; i++) {
+    finite = finite && isfinite(row->column[i]);
+  }
+  if (!finite && receiver->not_finite++ == 0) {
+    receiver->first_tick = receiver->tick;
+  }
+  const bool repeats =
+      receiver->rows++ > 0 && receiver->last_reported == receiver->tick;
+  receiver->last_reported = receiver->tick;
+  if (repeats) {
+    return;
+  }
+  if (receiver->status > TF_OK && !receiver->has_first) {
+    receiver->has_first = true;
+    receiver->first = row->column[0];
+  }
+  tf_tally_count(&receiver->reported, receiver->tick, receiver->status);
+}
+
 static bool take_report(cli_receiver_t *receiver, const tf_frame_t *frame,
                         cli_csv_t *row) {
   const uint8_t *at = reals_at(receiver, frame->payload, receiver->report, 6);
@@ -142,7 +167,6 @@ static bool take_report(cli_receiver_t *receiver, const tf_frame_t *frame,
   receiver->has_state = false;
   receiver->mode = at[0];
   receiver->choices = at[2];
-  receiver->rows++;
   const double t = receiver->base + (double)receiver->tick * receiver->dt;
   *row = (cli_csv_t){
       {receiver->is_float ? (double)(float)t : t, receiver->state[0],
@@ -151,7 +175,44 @@ static bool take_report(cli_receiver_t *receiver, const tf_frame_t *frame,
       receiver->is_float,
       receiver->mode,
       receiver->choices};
+  note_row(receiver, row);
   return true;
+}
+
+static uint64_t larger(uint64_t a, uint64_t b) { return a > b ? a : b; }
+
+static tf_tally_t most(const tf_tally_t *a, const tf_tally_t *b) {
+  return (tf_tally_t){.degraded = larger(a->degraded, b->degraded),
+                      .fell_back = larger(a->fell_back, b->fell_back),
+                      .coarse = larger(a->coarse, b->coarse),
+                      .stalled = larger(a->stalled, b->stalled)};
+}
+
+// By how much a count of the board grew. One that went back is that of a board
+// that was started again, and counts from 0; one that went on may have passed
+// 2^32.
+static uint32_t growth(uint32_t before, uint32_t now) {
+  const uint32_t more = now - before;
+  return more <= UINT32_MAX / 2 ? more : now;
+}
+
+static void take_heartbeat(cli_receiver_t *receiver, const tf_frame_t *frame) {
+  tf_heartbeat_t *beat = &receiver->heartbeat;
+  const tf_heartbeat_t before = *beat;
+  tf_read_heartbeat(frame->payload, beat);
+  note_run(receiver, frame->tick, beat->run);
+  if (receiver->has_heartbeat) {
+    receiver->dropped += growth(before.dropped, beat->dropped);
+    receiver->skipped += growth(before.skipped, beat->skipped);
+  }
+  receiver->has_heartbeat = true;
+  receiver->vouched = frame->tick;
+  // What a board reported before it was started again holds.
+  const tf_tally_t told = {.degraded = beat->degraded,
+                           .fell_back = beat->fell_back,
+                           .coarse = beat->coarse,
+                           .stalled = beat->stalled};
+  receiver->told = most(&receiver->told, &told);
 }
 
 // Bytes of a payload of fixed length; 0 where the length depends on the data.
@@ -167,10 +228,30 @@ static unsigned length_of(const cli_receiver_t *receiver, uint8_t type) {
              : 0;
 }
 
+// The decoder counts modulo 2^32: so does this sum, and a frame adds far less.
+static uint32_t newly_damaged(const cli_receiver_t *receiver) {
+  const tf_decoder_t *decoder = &receiver->decoder;
+  return decoder->lost + decoder->bad + decoder->too_long +
+         decoder->bad_version - receiver->counted;
+}
+
+uint64_t cli_receiver_missing(const cli_receiver_t *receiver) {
+  return receiver->missed + newly_damaged(receiver) + receiver->incomplete +
+         receiver->has_state - receiver->before + receiver->dropped;
+}
+
+tf_tally_t cli_receiver_flagged(const cli_receiver_t *receiver) {
+  return most(&receiver->told, &receiver->reported);
+}
+
 bool cli_receiver_take(cli_receiver_t *receiver, const tf_frame_t *frame,
                        cli_csv_t *row) {
   const bool is_row =
       frame->type == TF_DOWN_STATE || frame->type == TF_DOWN_REPORT;
+  const uint32_t damaged = newly_damaged(receiver);
+  receiver->missed += damaged;
+  receiver->counted += damaged;
+  receiver->ended = frame->type == TF_DOWN_HEARTBEAT;
   note_chain(receiver, frame);
   if (is_row && !receiver->has_schema) {
     // A report belongs to the state before it, which counts for both.
@@ -193,10 +274,7 @@ bool cli_receiver_take(cli_receiver_t *receiver, const tf_frame_t *frame,
     case TF_DOWN_REPORT:
       return take_report(receiver, frame, row);
     case TF_DOWN_HEARTBEAT:
-      tf_read_heartbeat(frame->payload, &receiver->heartbeat);
-      note_run(receiver, frame->tick, receiver->heartbeat.run);
-      receiver->vouched = frame->tick;
-      receiver->has_heartbeat = true;
+      take_heartbeat(receiver, frame);
       return false;
     case TF_DOWN_ANSWER:
     case TF_DOWN_EXPIRED:
