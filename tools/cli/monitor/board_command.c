@@ -1,7 +1,7 @@
 // Commands to a board. Names and numbers are checked before anything is opened;
-// ranges are checked by the board, which knows its parameters. A number is
-// converted to the real type of the board when it is sent: it is rounded once,
-// from its decimals.
+// ranges are checked by the board, which knows its parameters. The real type of
+// the board is not known yet, so a number is converted to both: it is rounded
+// once, from its decimals.
 
 #include "board_command.h"
 
@@ -10,6 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../host/host.h"
+#include "../host/key.h"
 #include "../run/row.h"
 #include "../setup/setup.h"
 #include "../text/message.h"
@@ -18,30 +20,49 @@
 #define PATIENCE 3.0    // for an answer [s]
 #define ANSWER_BYTES 8u // of every answer; one about a parameter has more
 
-static int refuse(const char *text, const char *why) {
-  return cli_message(CLI_USAGE, "--send %s: %s", text, why);
+static void add(cli_session_row_t *row, uint64_t value, size_t bytes) {
+  (void)tf_wire_put(row->data + row->length, value, bytes);
+  row->length = (uint8_t)(row->length + bytes);
 }
 
-static int read_set(cli_board_command_t *command, const char *rest) {
+static void add_whole(cli_board_command_t *command, uint64_t value,
+                      size_t bytes) {
+  add(&command->row[false], value, bytes);
+  add(&command->row[true], value, bytes);
+}
+
+static bool add_number(cli_board_command_t *command, const char *text,
+                       const char **why) {
+  const float narrow = strtof(text, NULL);
+  const double wide = strtod(text, NULL);
+  uint32_t four = 0;
+  uint64_t eight = 0;
+  tf_real_t value = 0;
+  memcpy(&four, &narrow, sizeof four);
+  memcpy(&eight, &wide, sizeof eight);
+  add(&command->row[false], eight, sizeof eight);
+  add(&command->row[true], four, sizeof four);
+  return cli_read_real(text, &value, why);
+}
+
+// Each of these reads what stands behind the name of a command. Returns: what is
+// wrong with it, or NULL.
+
+static const char *read_set(cli_board_command_t *command, const char *rest) {
   char name[CLI_NAME_ROOM];
   const size_t length = strcspn(rest, "=");
   const char *why = "";
-  tf_real_t value = 0;
   (void)snprintf(name, sizeof name, "%.*s", (int)length, rest);
   const size_t i = cli_parameter_index(name);
   if (i == TF_PARAMETERS || rest[length] != '=') {
-    return refuse(command->text,
-                  "expected set:NAME=VALUE with the name of a "
-                  "parameter ('twofold help run')");
+    return "expected set:NAME=VALUE with the name of a parameter ('twofold "
+           "help run')";
   }
-  command->index = (uint8_t)i;
-  command->number[command->numbers++] = rest + length + 1;
-  return cli_read_real(command->number[0], &value, &why)
-             ? CLI_DONE
-             : refuse(command->text, why);
+  add_whole(command, i, 1);
+  return add_number(command, rest + length + 1, &why) ? NULL : why;
 }
 
-static int read_select(cli_board_command_t *command, const char *rest) {
+static const char *read_select(cli_board_command_t *command, const char *rest) {
   char name[CLI_NAME_ROOM];
   const size_t length = strcspn(rest, ":");
   uint64_t seed = 0;
@@ -53,55 +74,48 @@ static int read_select(cli_board_command_t *command, const char *rest) {
   const bool seed_is_good =
       rest[length] == '\0' ||
       cli_read_whole(rest + length + 1, 0, UINT32_MAX, &seed);
-  if (i == TF_RULES || !seed_is_good) {
-    return refuse(command->text,
-                  "expected select:RULE[:SEED] with one of persist, slip+, "
-                  "slip-, random");
-  }
-  command->index = (uint8_t)i;
-  command->seed = (uint32_t)seed;
-  return CLI_DONE;
+  add_whole(command, i, 1);
+  add_whole(command, seed, 4);
+  return i < TF_RULES && seed_is_good
+             ? NULL
+             : "expected select:RULE[:SEED] with one of persist, slip+, slip-, "
+               "random";
 }
 
-// Four numbers separated by commas; cli_read_real takes one at a time.
-static int read_input(cli_board_command_t *command, const char *rest) {
-  for (command->numbers = 0; command->numbers < 4; command->numbers++) {
+// Four numbers separated by commas; add_number takes one at a time.
+static const char *read_input(cli_board_command_t *command, const char *rest) {
+  for (int i = 0; i < 4; i++) {
     char number[CLI_REAL_ROOM];
     const size_t length = strcspn(rest, ",");
     const char *why = "";
-    tf_real_t value = 0;
     (void)snprintf(number, sizeof number, "%.*s", (int)length, rest);
-    command->number[command->numbers] = rest;
-    const bool last = command->numbers == 3;
-    if (length >= sizeof number || !cli_read_real(number, &value, &why) ||
-        (rest[length] == ',') == last) {
-      return refuse(command->text,
-                    "expected input:OMEGA0,R0,FORCE,TORQUE in numbers");
+    if (length >= sizeof number || !add_number(command, number, &why) ||
+        (rest[length] == ',') == (i == 3)) {
+      return "expected input:OMEGA0,R0,FORCE,TORQUE in numbers";
     }
     rest += length + 1;
   }
   // The speeds are constant, so the turntable's acceleration is 0.
-  command->number[command->numbers++] = "0";
-  return CLI_DONE;
+  const char *why = "";
+  (void)add_number(command, "0", &why);
+  return NULL;
 }
 
-static int read_count(cli_board_command_t *command, const char *rest) {
-  const bool every = command->type == TF_UP_EVERY;
+static const char *read_count(cli_board_command_t *command, const char *rest) {
+  const bool every = command->row->type == TF_UP_EVERY;
   uint64_t count = 0;
-  if (!cli_read_whole(rest, every, UINT32_MAX, &count)) {
-    return refuse(command->text,
-                  every ? "expected every:STEPS, of one or more"
-                        : "expected deadman:TICKS; 0: without end");
-  }
-  command->seed = (uint32_t)count;
-  return CLI_DONE;
+  const bool good = cli_read_whole(rest, every, UINT32_MAX, &count);
+  add_whole(command, count, 4);
+  return good    ? NULL
+         : every ? "expected every:STEPS, of one or more"
+                 : "expected deadman:TICKS; 0: without end";
 }
 
 // A command with data has a reader of what stands behind its name.
 static const struct {
   const char *name;
   uint8_t type;
-  int (*read)(cli_board_command_t *command, const char *rest);
+  const char *(*read)(cli_board_command_t *command, const char *rest);
 } forms[] = {{"describe", TF_UP_DESCRIBE, NULL},
              {"start", TF_UP_START, NULL},
              {"stop", TF_UP_STOP, NULL},
@@ -116,21 +130,21 @@ static const struct {
              {"deadman:", TF_UP_DEADMAN, read_count},
              {"every:", TF_UP_EVERY, read_count}};
 
-int cli_board_commands_add(cli_board_commands_t *commands, const char *text) {
-  if (commands->count == CLI_BOARD_COMMANDS) {
-    return refuse(text, "too many commands for one line");
-  }
-  cli_board_command_t *command = &commands->list[commands->count];
-  commands->count++;
-  *command = (cli_board_command_t){.text = text};
+static int refuse(const char *text, const char *why) {
+  return cli_message(CLI_USAGE, "--send %s: %s", text, why);
+}
+
+static int read_command(cli_board_command_t *command, const char *text) {
   cli_closest_t closest = cli_closest_to(text);
   for (size_t i = 0; i < sizeof forms / sizeof forms[0]; i++) {
     const size_t length = strlen(forms[i].name);
-    command->type = forms[i].type;
     const bool has_data = forms[i].read != NULL;
+    *command = (cli_board_command_t){
+        text, {{.type = forms[i].type}, {.type = forms[i].type}}};
     if (strncmp(text, forms[i].name, length) == 0 &&
         (has_data || text[length] == '\0')) {
-      return has_data ? forms[i].read(command, text + length) : CLI_DONE;
+      const char *why = has_data ? forms[i].read(command, text + length) : NULL;
+      return why == NULL ? CLI_DONE : refuse(text, why);
     }
     if (!has_data) {
       cli_closest_offer(&closest, forms[i].name);
@@ -144,34 +158,28 @@ int cli_board_commands_add(cli_board_commands_t *commands, const char *text) {
 
 int cli_read_send(void *to, const cli_given_t *given) {
   cli_args_t *args = to;
-  cli_board_commands_t one = {.count = args->sends + 1}; // with `describe`
-  CLI_TRY(cli_board_commands_add(&one, given->value));
+  cli_board_command_t command;
+  if (args->sends == CLI_SENDS) {
+    return refuse(given->value, "too many commands for one line");
+  }
   args->send[args->sends++] = given->value;
-  return CLI_DONE;
+  return read_command(&command, given->value);
 }
 
-static uint8_t *put_number(uint8_t *at, const char *text, bool is_float) {
-  const float narrow = strtof(text, NULL);
-  const double wide = strtod(text, NULL);
-  uint32_t four = 0;
-  uint64_t eight = 0;
-  memcpy(&four, &narrow, sizeof four);
-  memcpy(&eight, &wide, sizeof eight);
-  return is_float ? tf_wire_put(at, four, 4) : tf_wire_put(at, eight, 8);
-}
-
-static uint8_t *put_data(uint8_t *at, const cli_board_command_t *command,
-                         bool is_float) {
-  if (command->type == TF_UP_PARAMETER || command->type == TF_UP_RULE) {
-    *at++ = command->index;
+int cli_board_commands_open(cli_board_commands_t *commands,
+                            const cli_args_t *args) {
+  if (args->sends > 0) { // the schema has to be known before any command
+    (void)read_command(&commands->list[commands->count++], "describe");
   }
-  for (size_t i = 0; i < command->numbers; i++) {
-    at = put_number(at, command->number[i], is_float);
+  for (size_t i = 0; i < args->sends; i++) {
+    (void)read_command(&commands->list[commands->count++], args->send[i]);
   }
-  return command->type == TF_UP_RULE || command->type == TF_UP_DEADMAN ||
-                 command->type == TF_UP_EVERY
-             ? tf_wire_put(at, command->seed, 4)
-             : at;
+  commands->has_key = args->key != NULL;
+  const char *wrong =
+      commands->has_key ? cli_read_key(args->key, commands->key) : NULL;
+  return wrong == NULL
+             ? CLI_DONE
+             : cli_message(CLI_USAGE, "--key %s: %s", args->key, wrong);
 }
 
 // Whether the board has described itself since it answered `describe`: a schema
@@ -182,43 +190,45 @@ static bool is_described(const cli_board_commands_t *commands,
   return receiver->schemas > commands->schemas && receiver->session != 0;
 }
 
-size_t cli_board_commands_next(cli_board_commands_t *commands,
-                               const cli_receiver_t *receiver, double now,
-                               uint8_t *wire) {
-  if (commands->waiting || commands->next == commands->count) {
-    return 0;
+int cli_board_commands_send(cli_board_commands_t *commands,
+                            const cli_receiver_t *receiver,
+                            cli_source_t *source) {
+  uint8_t wire[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)];
+  const double now = cli_now();
+  if (commands->next == commands->count) {
+    return CLI_DONE;
   }
   const cli_board_command_t *command = &commands->list[commands->next];
-  const bool asks = command->type == TF_UP_DESCRIBE;
-  if (!asks && !is_described(commands, receiver)) {
-    return 0;
+  const cli_session_row_t *row = &command->row[receiver->is_float];
+  const bool asks = row->type == TF_UP_DESCRIBE;
+  if (commands->waiting || !(asks || is_described(commands, receiver))) {
+    return now <= commands->deadline
+               ? CLI_DONE
+               : cli_message(CLI_STOPPED,
+                             "--send %s: no answer; does the board take "
+                             "commands?",
+                             command->text);
   }
   if (!asks && (receiver->session != commands->session ||
                 receiver->sequence > commands->sequence)) {
     commands->session = receiver->session;
     commands->sequence = receiver->sequence;
   }
-  const uint8_t *end =
-      put_data(wire + TF_COMMAND_AT, command, receiver->is_float);
   commands->waiting = true;
   commands->deadline = now + PATIENCE;
   commands->sent = commands->sequence;
   uint32_t next = commands->sequence;
-  const size_t length = tf_command_seal(
-      wire, command->type, (size_t)(end - wire) - TF_COMMAND_AT,
-      commands->session, &next, 0, commands->has_key ? commands->key : NULL);
+  memcpy(wire + TF_COMMAND_AT, row->data, row->length);
+  const size_t length =
+      tf_command_seal(wire, row->type, row->length, commands->session, &next, 0,
+                      commands->has_key ? commands->key : NULL);
   if (!asks) {
     commands->sequence = next;
   }
-  return length;
-}
-
-bool cli_board_commands_late(const cli_board_commands_t *commands,
-                             const cli_receiver_t *receiver, double now) {
-  const bool has_more = commands->next > 0 && commands->next < commands->count;
-  return (commands->waiting ||
-          (has_more && !is_described(commands, receiver))) &&
-         now > commands->deadline;
+  return cli_source_write(source, wire, length)
+             ? CLI_DONE
+             : cli_message(CLI_STOPPED, "%s: %s", source->name,
+                           strerror(source->error));
 }
 
 static const char *reason_of(int code, uint32_t number) {
@@ -269,15 +279,17 @@ static void write_range(char *out, size_t room, const tf_frame_t *frame,
                  number[2]);
 }
 
-const char *cli_board_commands_answer(cli_board_commands_t *commands,
-                                      const tf_frame_t *frame,
-                                      const cli_receiver_t *receiver,
-                                      cli_session_row_t *row) {
+void cli_board_commands_answer(cli_board_commands_t *commands,
+                               const tf_frame_t *frame,
+                               const cli_receiver_t *receiver,
+                               cli_session_file_t *record) {
   const uint8_t *at = frame->payload;
   const cli_board_command_t *command = &commands->list[commands->next];
-  if (!commands->waiting || frame->length < ANSWER_BYTES ||
-      tf_wire_get(at, 4) != commands->sent || at[4] != command->type) {
-    return NULL; // it answers another command, or another host
+  cli_session_row_t row = command->row[receiver->is_float];
+  if (!commands->waiting || frame->type != TF_DOWN_ANSWER ||
+      frame->length < ANSWER_BYTES || tf_wire_get(at, 4) != commands->sent ||
+      at[4] != row.type) {
+    return; // it answers another command, or another host
   }
   const int code = at[5] < 128 ? at[5] : at[5] - 256;
   char range[3 * CLI_REAL_ROOM + 32];
@@ -287,17 +299,13 @@ const char *cli_board_commands_answer(cli_board_commands_t *commands,
                     code == 0 ? "" : reason_of(code, commands->sent),
                     frame->tick, range,
                     at[6] == TF_INPUT_SAFE ? "; inputs had expired" : "");
-  if (command->type == TF_UP_DESCRIBE) {
-    commands->schemas = receiver->schemas;
-  }
   commands->refused += code != 0;
   commands->waiting = false;
   commands->next++;
-  if (code != 0 || command->type == TF_UP_DESCRIBE) {
-    return NULL;
+  if (row.type == TF_UP_DESCRIBE) {
+    commands->schemas = receiver->schemas;
+  } else if (code == 0) {
+    row.tick = frame->tick;
+    cli_session_command(record, &row, command->text);
   }
-  *row = (cli_session_row_t){.tick = frame->tick, .type = command->type};
-  row->length =
-      (uint8_t)(put_data(row->data, command, receiver->is_float) - row->data);
-  return command->text;
 }

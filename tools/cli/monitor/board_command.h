@@ -2,23 +2,18 @@
 /// one before.
 #pragma once
 
+#include "../host/source.h"
 #include "../run/session.h"
 #include "../setup/args.h"
 #include "receiver.h"
 
-#define CLI_BOARD_COMMANDS (CLI_SENDS + 1) ///< with the first, `describe`
-
 typedef struct {
-  const char *text;      ///< as typed
-  uint8_t type;          ///< tf_type_t
-  uint8_t index;         ///< of a parameter, or a rule
-  uint32_t seed;         ///< of a rule, or the ticks of `deadman`
-  const char *number[5]; ///< as typed, converted in the real type of the board
-  size_t numbers;
+  const char *text;         ///< as typed
+  cli_session_row_t row[2]; ///< for a board in double, and for one in float
 } cli_board_command_t;
 
 typedef struct {
-  cli_board_command_t list[CLI_BOARD_COMMANDS];
+  cli_board_command_t list[CLI_SENDS + 1]; ///< the first is `describe`
   size_t count;
   size_t next;       ///< to be sent, or waiting for its answer
   bool waiting;      ///< for the answer to list[next]
@@ -32,23 +27,21 @@ typedef struct {
   uint8_t key[TF_KEY_BYTES];
 } cli_board_commands_t;
 
-int cli_board_commands_add(cli_board_commands_t *commands, const char *text);
+/// Takes those of the command line, none or more, and the key.
+/// commands: in/out, empty.
+int cli_board_commands_open(cli_board_commands_t *commands,
+                            const cli_args_t *args);
 
-/// Makes the frame of the next command, if no answer is awaited.
-/// wire: out, TF_FRAME_SIZE(TF_FRAME_PAYLOAD).
-/// Returns: its length, or 0.
-size_t cli_board_commands_next(cli_board_commands_t *commands,
-                               const cli_receiver_t *receiver, double now,
-                               uint8_t *wire);
+/// Sends the next command, if there is one and no answer is awaited. Refuses to
+/// go on where an answer, or the schema that was asked for, has not come in
+/// time.
+int cli_board_commands_send(cli_board_commands_t *commands,
+                            const cli_receiver_t *receiver,
+                            cli_source_t *source);
 
-/// Whether an answer, or the schema that was asked for, has not come in time.
-bool cli_board_commands_late(const cli_board_commands_t *commands,
-                             const cli_receiver_t *receiver, double now);
-
-/// Takes an answer and prints the outcome of the command on standard error.
-/// row: out, the command, if it took effect and changed the session.
-/// Returns: its text then, else NULL.
-const char *cli_board_commands_answer(cli_board_commands_t *commands,
-                                      const tf_frame_t *frame,
-                                      const cli_receiver_t *receiver,
-                                      cli_session_row_t *row);
+/// Where a frame is the answer that is awaited, prints the outcome of the
+/// command on standard error, and records it if it changed the session.
+void cli_board_commands_answer(cli_board_commands_t *commands,
+                               const tf_frame_t *frame,
+                               const cli_receiver_t *receiver,
+                               cli_session_file_t *record);

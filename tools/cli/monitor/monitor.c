@@ -9,9 +9,7 @@
 #include <unistd.h>
 
 #include "../host/host.h"
-#include "../host/key.h"
 #include "../host/output.h"
-#include "../host/source.h"
 #include "../live/live.h"
 #include "../text/message.h"
 #include "../text/summary.h"
@@ -92,14 +90,8 @@ static bool take_block(monitor_t *monitor, size_t length) {
     at += taken;
     length -= taken;
     const bool completes = cli_receiver_take(receiver, &frame, &row);
-    if (frame.type == TF_DOWN_ANSWER) {
-      cli_session_row_t done;
-      const char *text = cli_board_commands_answer(&monitor->commands, &frame,
-                                                   receiver, &done);
-      if (text != NULL) {
-        cli_session_command(&monitor->record, &done, text);
-      }
-    }
+    cli_board_commands_answer(&monitor->commands, &frame, receiver,
+                              &monitor->record);
     cli_session_frame(&monitor->record, &frame);
     if (!completes) {
       continue;
@@ -150,30 +142,13 @@ static int wait_for_device(monitor_t *monitor) {
   return CLI_DONE;
 }
 
-static int send_commands(monitor_t *monitor) {
-  cli_board_commands_t *commands = &monitor->commands;
-  uint8_t wire[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)];
-  const double now = cli_now();
-  const size_t length =
-      cli_board_commands_next(commands, &monitor->receiver, now, wire);
-  if (length > 0 && !cli_source_write(&monitor->source, wire, length)) {
-    return cli_message(CLI_STOPPED, "%s: %s", monitor->source.name,
-                       strerror(monitor->source.error));
-  }
-  if (cli_board_commands_late(commands, &monitor->receiver, now)) {
-    return cli_message(CLI_STOPPED,
-                       "--send %s: no answer; does the board take commands?",
-                       commands->list[commands->next].text);
-  }
-  return CLI_DONE;
-}
-
 static int follow_stream(monitor_t *monitor) {
   const cli_args_t *args = monitor->args;
-  const cli_board_commands_t *commands = &monitor->commands;
+  cli_board_commands_t *commands = &monitor->commands;
   while (!cli_stop_asked()) {
     size_t count = 0;
-    CLI_TRY(send_commands(monitor));
+    CLI_TRY(cli_board_commands_send(commands, &monitor->receiver,
+                                    &monitor->source));
     if (commands->count > 0 && commands->next == commands->count &&
         monitor->as == NULL && monitor->live == NULL) {
       return CLI_DONE; // every command is answered, and nothing is shown
@@ -353,29 +328,12 @@ int cli_monitor_check(cli_args_t *args) {
   return CLI_DONE;
 }
 
-// The schema has to be known before any command.
-static int take_commands(cli_board_commands_t *commands,
-                         const cli_args_t *args) {
-  if (args->sends > 0) {
-    (void)cli_board_commands_add(commands, "describe");
-  }
-  for (size_t i = 0; i < args->sends; i++) {
-    (void)cli_board_commands_add(commands, args->send[i]);
-  }
-  commands->has_key = args->key != NULL;
-  const char *wrong =
-      commands->has_key ? cli_read_key(args->key, commands->key) : NULL;
-  return wrong == NULL
-             ? CLI_DONE
-             : cli_message(CLI_USAGE, "--key %s: %s", args->key, wrong);
-}
-
 int cli_monitor(const cli_args_t *args) {
   static monitor_t monitor;
   monitor.args = args;
   monitor.as =
       args->format != CLI_NOT_GIVEN ? &cli_streams[args->format] : NULL;
-  CLI_TRY(take_commands(&monitor.commands, args));
+  CLI_TRY(cli_board_commands_open(&monitor.commands, args));
   tf_decoder_init(&monitor.receiver.decoder, monitor.buffer,
                   sizeof monitor.buffer);
   cli_catch_signals();
