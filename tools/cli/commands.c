@@ -30,10 +30,10 @@
 
 static void print_names(void) {
   cli_print_ranges();
-  for (size_t i = 0; i < CLI_STARTS; i++) {
-    (void)printf("  %-9s [%g, %g] %s, at the start\n", cli_starts[i].name,
-                 -(double)TF_STATE_LIMIT, (double)TF_STATE_LIMIT,
-                 cli_starts[i].unit);
+  for (size_t i = CLI_R; i < CLI_NUMBERS; i++) {
+    const tf_parameter_range_t *range = cli_number(i);
+    (void)printf("  %-9s [%g, %g] %s, at the start\n", range->name,
+                 (double)range->low, (double)range->high, range->unit);
   }
   (void)printf("  %-9s ", "law");
   for (unsigned law = 0; law < TF_TYRE_LAWS; law++) {

@@ -34,21 +34,21 @@ static int apply(const cli_args_t *args, tf_scene_t *scene) {
                        "--select %s: a scene has no seed; give it to 'run'",
                        args->select);
   }
-  if (setup.set_start[CLI_START_PHI] != NULL) {
+  if (setup.set[CLI_PHI] != NULL) {
     return cli_message(CLI_USAGE,
                        "--set %s: a scene starts with phi = 0; give it to "
                        "'run'",
-                       setup.set_start[CLI_START_PHI]->text);
+                       setup.set[CLI_PHI]->text);
   }
   CLI_TRY(cli_setup_machine(&setup));
   CLI_TRY(cli_setup_start(&setup));
   *scene = *args->scene;
   scene->params = setup.params;
-  scene->r = setup.start[CLI_START_R];
-  scene->omega = setup.start[CLI_START_OMEGA];
-  scene->v_is_given = !setup.v_from_h;
-  scene->v = setup.v_from_h ? 0 : setup.start[CLI_START_V];
-  scene->h = setup.v_from_h ? setup.start[CLI_START_H] : 0;
+  scene->r = setup.start.state.r;
+  scene->omega = setup.start.state.w;
+  scene->v_is_given = !setup.start.from_h;
+  scene->v = setup.start.from_h ? 0 : setup.start.state.v;
+  scene->h = setup.start.from_h ? setup.start.h : 0;
   return CLI_DONE;
 }
 

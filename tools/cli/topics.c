@@ -232,8 +232,8 @@ static bool is_in(const char *words, const char *word) {
 }
 
 static bool print_parameter(const char *word) {
-  const size_t i = cli_parameter_index(word);
-  if (i == TF_PARAMETERS) {
+  const size_t i = cli_number_index(word);
+  if (i >= TF_PARAMETERS) {
     return false;
   }
   (void)printf("Parameter %s: %s. --set %s=VALUE; name, range, unit:\n", word,

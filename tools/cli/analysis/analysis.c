@@ -226,7 +226,7 @@ int cli_singularities(const cli_args_t *args) {
 static int out_of_range(const analysis_t *a, const char *name,
                         tf_real_t value) {
   const tf_parameter_range_t *range =
-      &tf_parameter_ranges[cli_parameter_index(name)];
+      &tf_parameter_ranges[cli_number_index(name)];
   return cli_message(CLI_REFUSED,
                      "--r %s --omega %s: %s would be %g, it must lie in [%g, "
                      "%g] %s",

@@ -96,10 +96,7 @@ int cli_job_prepare(cli_job_t *job, const cli_args_t *args) {
   job->near = (double)job->params.dt / job->refinement;
   job->near = random ? fmin(job->near, IN_SLIP) : job->near;
   (void)tf_prepare(&job->machine, &job->params, NULL);
-  job->at_two_fold = true;
-  for (int i = 0; i < CLI_STARTS; i++) {
-    job->at_two_fold &= setup->set_start[i] == NULL;
-  }
+  job->at_two_fold = cli_setup_start_set(setup) == NULL;
   CLI_TRY(job->at_two_fold ? CLI_DONE : prepare_start(job));
   return prepare_two_fold(job);
 }

@@ -53,8 +53,8 @@ static const char *read_set(cli_board_command_t *command, const char *rest) {
   const size_t length = strcspn(rest, "=");
   const char *why = "";
   (void)snprintf(name, sizeof name, "%.*s", (int)length, rest);
-  const size_t i = cli_parameter_index(name);
-  if (i == TF_PARAMETERS || rest[length] != '=') {
+  const size_t i = cli_number_index(name);
+  if (i >= TF_PARAMETERS || rest[length] != '=') {
     return "expected set:NAME=VALUE with the name of a parameter ('twofold "
            "help run')";
   }

@@ -133,12 +133,10 @@ static void take_inputs(cli_run_t *run, const cli_args_t *args,
 
 int cli_run_check_start(const cli_args_t *args, const cli_setup_t *setup,
                         const char *option, const char *path, uint32_t seed) {
-  for (size_t i = 0; i < CLI_STARTS; i++) {
-    if (setup->set_start[i] != NULL) {
-      return cli_message(CLI_USAGE, "%s %s: %s %s gives the state",
-                         setup->set_start[i]->option, setup->set_start[i]->text,
-                         option, path);
-    }
+  const cli_setting_t *setting = cli_setup_start_set(setup);
+  if (setting != NULL) {
+    return cli_message(CLI_USAGE, "%s %s: %s %s gives the state",
+                       setting->option, setting->text, option, path);
   }
   if (args->select != NULL && strchr(args->select, ':') != NULL &&
       seed != setup->seed) {

@@ -211,9 +211,9 @@ tf_input_t cli_drive_begin(cli_drive_t *drive, const tf_machine_t *machine,
 
 void cli_drive_notes(const cli_drive_t *drive, const cli_setup_t *setup) {
   for (size_t i = 0; i < CLI_INPUTS; i++) {
-    const size_t parameter = cli_parameter_index(cli_input_columns[i].name);
+    const size_t number = cli_number_index(cli_input_columns[i].name);
     const cli_setting_t *setting =
-        parameter < TF_PARAMETERS ? setup->set_param[parameter] : NULL;
+        number < TF_PARAMETERS ? setup->set[number] : NULL;
     if (drive->table.given[i] && setting != NULL) {
       (void)cli_message(CLI_DONE, "note: %s %s has no effect: %s gives %s",
                         setting->option, setting->text, drive->table.name,

@@ -82,7 +82,7 @@ static int read_field(const reader_t *reader, size_t field, const char *text,
   const size_t kind = reader->kind[field];
   const cli_quantity_t *column =
       kind < CLI_INPUTS ? &cli_input_columns[kind] : &t;
-  const size_t i = cli_parameter_index(column->name);
+  const size_t i = cli_number_index(column->name);
   const bool ranged = i < TF_PARAMETERS;
   const tf_real_t low = ranged ? tf_parameter_ranges[i].low : -TF_STATE_LIMIT;
   const tf_real_t high = ranged ? tf_parameter_ranges[i].high : TF_STATE_LIMIT;

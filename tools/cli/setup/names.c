@@ -3,14 +3,17 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../text/message.h"
+#include "../text/buffer.h"
 #include "../text/number.h"
 #include "setup.h"
 
-#define NAME_ROOM 16 // longer than any name, with its terminating zero
-
-const cli_quantity_t cli_starts[CLI_STARTS] = {
-    {"r", "m"}, {"v", "m/s"}, {"omega", "rad/s"}, {"h", "m/s"}, {"phi", "rad"}};
+#define AT(member) \
+  offsetof(motion_start_t, member), UINT16_MAX, -TF_STATE_LIMIT, TF_STATE_LIMIT
+static const tf_parameter_range_t starts[] = {{"r", "m", AT(state.r)},
+                                              {"v", "m/s", AT(state.v)},
+                                              {"omega", "rad/s", AT(state.w)},
+                                              {"h", "m/s", AT(h)},
+                                              {"phi", "rad", AT(state.phi)}};
 
 // In the order of tf_parameter_ranges.
 const char *const cli_parameter_about[TF_PARAMETERS] = {
@@ -37,16 +40,15 @@ const char *const cli_parameter_about[TF_PARAMETERS] = {
     "of scheme located: relative error of a segment of its series",
     "of scheme located: how many segments a step may take; 0: the default"};
 
-size_t cli_parameter_index(const char *name) {
-  cli_closest_t closest = cli_closest_to(name);
-  return cli_closest_find(&closest, tf_parameter_ranges, TF_PARAMETERS,
-                          sizeof tf_parameter_ranges[0]);
+const tf_parameter_range_t *cli_number(size_t index) {
+  return index < TF_PARAMETERS ? &tf_parameter_ranges[index]
+                               : &starts[index - TF_PARAMETERS];
 }
 
-size_t cli_start_index(const char *name) {
-  cli_closest_t closest = cli_closest_to(name);
-  return cli_closest_find(&closest, cli_starts, CLI_STARTS,
-                          sizeof cli_starts[0]);
+size_t cli_number_index(const char *name) {
+  size_t i = 0;
+  while (i < CLI_NUMBERS && strcmp(cli_number(i)->name, name) != 0) i++;
+  return i;
 }
 
 tf_real_t cli_parameter(const tf_params_t *params, size_t index) {
@@ -57,8 +59,7 @@ tf_real_t cli_parameter(const tf_params_t *params, size_t index) {
   return value;
 }
 
-const char *cli_parameter_must(size_t index) {
-  const tf_parameter_range_t *range = &tf_parameter_ranges[index];
+const char *cli_must(const tf_parameter_range_t *range) {
   return cli_must_lie((double)range->low, (double)range->high, range->unit);
 }
 
@@ -77,7 +78,7 @@ size_t cli_parameter_out(const tf_params_t *params) {
 }
 
 bool cli_parameter_fits(size_t index, tf_real_t value) {
-  const bool counts = strcmp(tf_parameter_ranges[index].name, "segments") == 0;
+  const bool counts = strcmp(cli_number(index)->name, "segments") == 0;
   return !counts || !(value >= 0 && value < TF_R(65536.0)) ||
          (double)(uint32_t)value >= (double)value;
 }
@@ -114,47 +115,39 @@ static const struct {
     {"rest", "law of rest", "they are", tf_rest_law_name, TF_REST_LAWS},
     {"rule", "rule", "rules are", tf_rule_name, TF_RULES}};
 
-static int find_name(size_t kind, const char *option, const char *text,
-                     const char *name, unsigned *found) {
-  char list[256] = ""; // as "a, b and c"
-  size_t length = 0;
-  cli_closest_t closest = cli_closest_to(name);
-  const unsigned count = kinds[kind].count;
-  for (*found = 0; *found < count; (*found)++) {
-    const char *one = kinds[kind].name_of(*found);
-    if (strcmp(one, name) == 0) {
-      return CLI_DONE;
-    }
-    cli_closest_offer(&closest, one);
-    const char *before = *found == 0 ? "" : *found + 1 < count ? ", " : " and ";
-    length += (size_t)snprintf(list + length, sizeof list - length, "%s%s",
-                               before, one);
-  }
-  return cli_message(CLI_USAGE, "%s %s: unknown %s '%s'; %s %s%s", option, text,
-                     kinds[kind].what, name, kinds[kind].all, list,
-                     closest.hint);
-}
-
 int cli_set_word(tf_params_t *params, const char *what, const char *option,
                  const char *text, const char *name) {
-  size_t kind = 0;
-  unsigned found = 0;
-  while (kind < 2 && strcmp(kinds[kind].name, what) != 0) {
-    kind++;
-  }
+  char list[256] = ""; // as "a, b and c"
+  cli_buffer_t all = {list, 0, sizeof list, false};
+  cli_closest_t closest = cli_closest_to(name);
+  unsigned kind = 0, i = 0;
+  while (strcmp(kinds[kind].name, what) != 0) kind++;
   if (kind == 2 && strchr(name, ':') != NULL) {
     return cli_message(CLI_USAGE,
                        "%s %s: a seed is not part of a scene: give the rule "
                        "alone here, and --select %s to 'run'",
                        option, text, name);
   }
-  CLI_TRY(find_name(kind, option, text, name, &found));
+  const unsigned count = kinds[kind].count;
+  for (; i < count && strcmp(kinds[kind].name_of(i), name) != 0; i++) {
+    cli_closest_offer(&closest, kinds[kind].name_of(i));
+    cli_add_form(&all, "%s%s",
+                 i == 0          ? ""
+                 : i + 1 < count ? ", "
+                                 : " and ",
+                 kinds[kind].name_of(i));
+  }
+  if (i == count) {
+    return cli_message(CLI_USAGE, "%s %s: unknown %s '%s'; %s %s%s", option,
+                       text, kinds[kind].what, name, kinds[kind].all, list,
+                       closest.hint);
+  }
   if (kind == 0) {
-    params->law = (tf_tyre_law_t)found;
+    params->law = (tf_tyre_law_t)i;
   } else if (kind == 1) {
-    params->rest = (tf_rest_law_t)found;
+    params->rest = (tf_rest_law_t)i;
   } else {
-    params->rule = (tf_rule_t)found;
+    params->rule = (tf_rule_t)i;
   }
   return CLI_DONE;
 }
@@ -175,7 +168,7 @@ int cli_find_scene(const char *place, const char *name, const char *besides,
 }
 
 int cli_read_rule(const char *select, tf_params_t *params, uint32_t *seed) {
-  char name[NAME_ROOM];
+  char name[CLI_NAME_ROOM];
   const size_t length = strcspn(select, ":");
   (void)snprintf(name, sizeof name, "%.*s", (int)length, select);
   CLI_TRY(cli_set_word(params, "rule", "--select", select, name));

@@ -61,13 +61,13 @@ static int refuse_range(const char *place, const char *name, tf_real_t value,
 
 static int read_speed_of_knot(reader_t *reader, const char *text,
                               tf_real_t *value) {
-  const size_t i = cli_parameter_index("omega0");
+  const size_t i = cli_number_index("omega0");
   CLI_TRY(cli_read_number(reader->place, "profile", text, value));
   return *value >= tf_parameter_ranges[i].low &&
                  *value <= tf_parameter_ranges[i].high
              ? CLI_DONE
              : cli_message(CLI_REFUSED, "%s profile: omega0 = %s %s",
-                           reader->place, text, cli_parameter_must(i));
+                           reader->place, text, cli_must(cli_number(i)));
 }
 
 // A number that no law has a range for.
@@ -316,7 +316,7 @@ static int check_parameters(reader_t *reader) {
   const tf_parameter_range_t *range = &tf_parameter_ranges[out];
   if (reader->given[out] != 0) {
     return refuse_range(place_of(reader, reader->given[out]), range->name,
-                        cli_parameter(params, out), cli_parameter_must(out));
+                        cli_parameter(params, out), cli_must(range));
   }
   return cli_message(CLI_REFUSED,
                      "%s: %s is missing, which law %s needs: give it a value "

@@ -75,9 +75,8 @@ int cli_count_steps(const cli_args_t *args, tf_real_t dt, uint64_t *steps) {
 // The setup has prepared and begun the same machine, so neither can fail.
 void cli_system_begin(motion_t *motion, const cli_scheme_t *scheme,
                       const cli_setup_t *setup) {
-  motion_start_t start = {setup->state, setup->start[CLI_START_H],
-                          setup->v_from_h};
-  start.state.mode = TF_NO_MODE;
+  motion_start_t start = setup->start;
+  start.state.seed = setup->seed;
   *motion = (motion_t){.state = {.r = 0}};
   (void)motion_prepare(motion, scheme->code, &setup->params, NULL);
   (void)motion_begin(motion, scheme->code, &start, &setup->input);

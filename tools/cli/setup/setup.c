@@ -7,10 +7,11 @@
 #include "setup.h"
 
 #include <inttypes.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "../text/message.h"
+#include "../text/buffer.h"
 #include "../text/number.h"
 #include "../text/shard.h"
 
@@ -61,42 +62,44 @@ int cli_settings_add(cli_settings_t *settings, const char *option,
   return cli_settings_add_named(settings, option, text, name, equals + 1);
 }
 
-// Here a text becomes a number and a name finds its member. Whether the number
-// is in its range is checked later and in a single place, by tf_prepare,
+static tf_real_t value_of(const cli_setup_t *setup, size_t number) {
+  const char *from = number < TF_PARAMETERS ? (const char *)&setup->params
+                                            : (const char *)&setup->start;
+  tf_real_t value;
+  memcpy(&value, from + cli_number(number)->offset, sizeof value);
+  return value;
+}
+
+// Whether the number is in its range is checked later and in a single place,
 // because ranges depend on the law and the law may be set after the parameter.
 static int read_setting(cli_setup_t *setup, const cli_setting_t *setting) {
+  const char *name = setting->name;
+  const size_t number = cli_number_index(name);
   tf_real_t value = 0;
-  if (strcmp(setting->name, "law") == 0 || strcmp(setting->name, "rest") == 0) {
-    return cli_set_word(&setup->params, setting->name, setting->option,
-                        setting->text, setting->value);
+  if (strcmp(name, "law") == 0 || strcmp(name, "rest") == 0) {
+    return cli_set_word(&setup->params, name, setting->option, setting->text,
+                        setting->value);
   }
-  cli_closest_t closest = cli_closest_to(setting->name);
-  const size_t parameter =
-      cli_closest_find(&closest, tf_parameter_ranges, TF_PARAMETERS,
-                       sizeof tf_parameter_ranges[0]);
-  const size_t start =
-      cli_closest_find(&closest, cli_starts, CLI_STARTS, sizeof cli_starts[0]);
-  if (parameter == TF_PARAMETERS && start == CLI_STARTS) {
+  if (number == CLI_NUMBERS) {
+    cli_closest_t closest = cli_closest_to(name);
+    for (size_t i = 0; i < CLI_NUMBERS; i++) {
+      cli_closest_offer(&closest, cli_number(i)->name);
+    }
     cli_closest_offer(&closest, "law");
     cli_closest_offer(&closest, "rest");
     return cli_message(CLI_USAGE, "%s %s: unknown name '%s'%s", setting->option,
-                       setting->text, setting->name, closest.hint);
+                       setting->text, name, closest.hint);
   }
   CLI_TRY(
       cli_read_number(setting->option, setting->text, setting->value, &value));
-  if (parameter < TF_PARAMETERS && !cli_parameter_fits(parameter, value)) {
+  if (!cli_parameter_fits(number, value)) {
     return cli_message(CLI_REFUSED, "%s %s: %s must be a whole number",
-                       setting->option, setting->text, setting->name);
+                       setting->option, setting->text, name);
   }
-  if (parameter < TF_PARAMETERS) {
-    unsigned char *params = (unsigned char *)&setup->params;
-    memcpy(params + tf_parameter_ranges[parameter].offset, &value,
-           sizeof value);
-    setup->set_param[parameter] = setting;
-  } else {
-    setup->start[start] = value;
-    setup->set_start[start] = setting;
-  }
+  char *to =
+      number < TF_PARAMETERS ? (char *)&setup->params : (char *)&setup->start;
+  memcpy(to + cli_number(number)->offset, &value, sizeof value);
+  setup->set[number] = setting;
   return CLI_DONE;
 }
 
@@ -105,172 +108,156 @@ int cli_setup_read(cli_setup_t *setup, const tf_scene_t *scene,
   memset(setup, 0, sizeof *setup);
   setup->scene = scene;
   setup->params = scene->params;
-  setup->start[CLI_START_R] = scene->r;
-  setup->start[CLI_START_V] = scene->v;
-  setup->start[CLI_START_OMEGA] = scene->omega;
-  setup->start[CLI_START_H] = scene->h;
+  setup->start = motion_start(scene, 0);
   for (size_t i = 0; i < settings->count; i++) {
     CLI_TRY(read_setting(setup, &settings->list[i]));
   }
+  setup->start.from_h = setup->set[CLI_V] == NULL &&
+                        (setup->set[CLI_H] != NULL || !scene->v_is_given);
   return select != NULL ? cli_read_rule(select, &setup->params, &setup->seed)
                         : CLI_DONE;
 }
 
-static bool is_used(const cli_setup_t *setup, int i) {
-  return ((tf_parameter_ranges[i].laws >> (unsigned)setup->params.law) & 1u) !=
-         0;
+const cli_setting_t *cli_setup_start_set(const cli_setup_t *setup) {
+  size_t i = CLI_R;
+  while (i + 1 < CLI_NUMBERS && setup->set[i] == NULL) i++;
+  return setup->set[i];
 }
 
-static int refuse_parameter(const cli_setup_t *setup, size_t offender) {
-  const char *name = tf_parameter_ranges[offender].name;
-  const cli_setting_t *setting = setup->set_param[offender];
-  if (setting != NULL) {
-    return cli_message(CLI_REFUSED, "%s %s: %s %s", setting->option,
-                       setting->text, name, cli_parameter_must(offender));
-  }
-  char text[CLI_REAL_ROOM];
-  (void)cli_write_real(text, cli_parameter(&setup->params, offender));
-  return cli_message(CLI_REFUSED,
-                     "scene %s with law %s: %s = %s %s; give --set %s=VALUE",
-                     setup->scene->name, tf_tyre_law_name(setup->params.law),
-                     name, text, cli_parameter_must(offender), name);
+static bool is_used(const cli_setup_t *setup, size_t i) {
+  return (tf_parameter_ranges[i].laws >> setup->params.law & 1u) != 0;
 }
 
 int cli_setup_machine(cli_setup_t *setup) {
   setup->params.with_angle =
-      setup->params.with_angle || setup->set_start[CLI_START_PHI] != NULL;
-  const size_t offender = cli_parameter_out(&setup->params);
-  if (offender < TF_PARAMETERS) {
-    return refuse_parameter(setup, offender);
+      setup->params.with_angle || setup->set[CLI_PHI] != NULL;
+  const size_t out = cli_parameter_out(&setup->params);
+  if (out < TF_PARAMETERS) {
+    const tf_parameter_range_t *range = cli_number(out);
+    const cli_setting_t *setting = setup->set[out];
+    char text[CLI_REAL_ROOM];
+    (void)cli_write_real(text, value_of(setup, out));
+    return setting != NULL
+               ? cli_message(CLI_REFUSED, "%s %s: %s %s", setting->option,
+                             setting->text, range->name, cli_must(range))
+               : cli_message(CLI_REFUSED,
+                             "scene %s with law %s: %s = %s %s; give --set "
+                             "%s=VALUE",
+                             setup->scene->name,
+                             tf_tyre_law_name(setup->params.law), range->name,
+                             text, cli_must(range), range->name);
   }
-  if (tf_prepare(&setup->machine, &setup->params, NULL) != TF_OK) {
-    return cli_message(CLI_REFUSED, "scene %s: law, rule or rest is unknown",
-                       setup->scene->name);
-  }
+  (void)tf_prepare(&setup->machine, &setup->params, NULL);
   setup->input = tf_scene_input(setup->scene, &setup->machine, 0);
   return CLI_DONE;
 }
 
 int cli_setup_check_starts(const cli_setup_t *setup) {
-  const cli_setting_t *v = setup->set_start[CLI_START_V];
-  const cli_setting_t *h = setup->set_start[CLI_START_H];
+  const cli_setting_t *v = setup->set[CLI_V], *h = setup->set[CLI_H];
   if (v != NULL && h != NULL) {
     return cli_message(CLI_USAGE,
                        "%s %s, %s %s: give h or v, each follows from the other",
                        v->option, v->text, h->option, h->text);
   }
-  for (size_t i = 0; i < CLI_STARTS; i++) {
-    const cli_setting_t *setting = setup->set_start[i];
-    const tf_real_t value = setup->start[i];
-    if (setting != NULL &&
-        !(value >= -TF_STATE_LIMIT && value <= TF_STATE_LIMIT)) {
-      return cli_message(
-          CLI_REFUSED, "%s %s: %s %s", setting->option, setting->text,
-          cli_starts[i].name,
-          cli_must_lie(-(double)TF_STATE_LIMIT, (double)TF_STATE_LIMIT,
-                       cli_starts[i].unit));
+  for (size_t i = CLI_R; i < CLI_NUMBERS; i++) {
+    const cli_setting_t *setting = setup->set[i];
+    const tf_parameter_range_t *range = cli_number(i);
+    const tf_real_t value = value_of(setup, i);
+    if (setting != NULL && !(value >= range->low && value <= range->high)) {
+      return cli_message(CLI_REFUSED, "%s %s: %s %s", setting->option,
+                         setting->text, range->name, cli_must(range));
     }
   }
   return CLI_DONE;
 }
 
 // The start is refused: says why. The speed that belongs to h is a part of it.
-static int refuse_start(cli_setup_t *setup, tf_status_t status) {
-  const tf_real_t h = setup->start[CLI_START_H];
-  const cli_setting_t *setting = setup->set_start[CLI_START_H];
-  tf_state_t *state = &setup->state;
-  if (setup->v_from_h &&
-      tf_speed_for_slip(&setup->machine, state->r, state->w,
-                        setup->input.omega0, h, &state->v) != TF_OK) {
+static int refuse_start(const cli_setup_t *setup, tf_status_t status) {
+  const tf_machine_t *k = &setup->machine;
+  const cli_setting_t *setting = setup->set[CLI_H];
+  const tf_real_t h = setup->start.h, omega0 = setup->input.omega0;
+  tf_state_t x = setup->start.state;
+  if (setup->start.from_h &&
+      tf_speed_for_slip(k, x.r, x.w, omega0, h, &x.v) != TF_OK) {
     return cli_message(CLI_REFUSED,
                        "%s %s: no speed v gives the slip speed h = %g m/s, "
                        "because sin(gamma) = %g; give --set v=VALUE",
                        setting != NULL ? setting->option : "scene",
                        setting != NULL ? setting->text : setup->scene->name,
-                       (double)h, (double)setup->machine.sin_gamma);
+                       (double)h, (double)k->sin_gamma);
   }
-  const tf_slip_t slip = tf_slip(&setup->machine, state->r, state->v, state->w,
-                                 setup->input.omega0);
   return cli_message(CLI_REFUSED,
                      "scene %s: the start r = %g m, v = %g m/s, omega = %g "
                      "rad/s, h = %g m/s is refused: %s",
-                     setup->scene->name, (double)state->r, (double)state->v,
-                     (double)state->w, (double)slip.h, tf_status_name(status));
+                     setup->scene->name, (double)x.r, (double)x.v, (double)x.w,
+                     (double)tf_slip(k, x.r, x.v, x.w, omega0).h,
+                     tf_status_name(status));
 }
 
 int cli_setup_start(cli_setup_t *setup) {
-  const bool v_typed = setup->set_start[CLI_START_V] != NULL;
-  const bool h_typed = setup->set_start[CLI_START_H] != NULL;
-  tf_state_t *state = &setup->state;
+  motion_start_t *start = &setup->start;
+  motion_t motion = {.machine.machine = setup->machine};
   CLI_TRY(cli_setup_check_starts(setup));
-  state->r = setup->start[CLI_START_R];
-  state->v = setup->start[CLI_START_V];
-  state->w = setup->start[CLI_START_OMEGA];
-  state->phi = setup->start[CLI_START_PHI];
-  state->seed = setup->seed;
-  state->mode = TF_NO_MODE;
-  setup->v_from_h = !v_typed && (h_typed || !setup->scene->v_is_given);
+  start->state.seed = setup->seed;
   const tf_status_t status =
-      setup->v_from_h
-          ? tf_begin_with_slip(&setup->machine, state, &setup->input,
-                               setup->start[CLI_START_H], &setup->report)
-          : tf_begin(&setup->machine, state, &setup->input, &setup->report);
+      motion_begin(&motion, MOTION_MOREAU, start, &setup->input);
+  setup->state = motion.state;
+  setup->report = motion.report;
   return status == TF_OK ? CLI_DONE : refuse_start(setup, status);
 }
 
 void cli_setup_notes(const cli_setup_t *setup, const char *unused,
                      const char *why) {
-  for (int i = 0; i < TF_PARAMETERS; i++) {
-    const cli_setting_t *setting = setup->set_param[i];
-    const char *name = tf_parameter_ranges[i].name;
+  for (size_t i = 0; i < TF_PARAMETERS; i++) {
+    const cli_setting_t *setting = setup->set[i];
+    const char *name = cli_number(i)->name;
+    char text[128] = "";
+    cli_buffer_t reason = {text, 0, sizeof text, false};
     if (setting == NULL) {
       continue;
     }
     if (!is_used(setup, i)) {
-      (void)cli_message(CLI_DONE,
-                        "note: %s %s has no effect: law %s does not use %s",
-                        setting->option, setting->text,
-                        tf_tyre_law_name(setup->params.law), name);
+      cli_add_form(&reason, ": law %s does not use %s",
+                   tf_tyre_law_name(setup->params.law), name);
     } else if (setup->scene->knots > 0 && strcmp(name, "omega0") == 0) {
-      (void)cli_message(CLI_DONE,
-                        "note: %s %s has no effect: scene %s drives omega0",
-                        setting->option, setting->text, setup->scene->name);
+      cli_add_form(&reason, ": scene %s drives omega0", setup->scene->name);
     } else if (setup->params.rule != TF_RULE_RANDOM &&
                strcmp(name, "rate") == 0) {
-      (void)cli_message(CLI_DONE,
-                        "note: %s %s has no effect: it belongs to --select "
-                        "random",
-                        setting->option, setting->text);
+      cli_add(&reason, ": it belongs to --select random");
     } else if (strcmp(name, unused) == 0) {
-      (void)cli_message(CLI_DONE, "note: %s %s has no effect %s",
-                        setting->option, setting->text, why);
+      cli_add_form(&reason, " %s", why);
+    }
+    if (reason.used > 0) {
+      (void)cli_message(CLI_DONE, "note: %s %s has no effect%s",
+                        setting->option, setting->text, text);
     }
   }
 }
 
+uint32_t cli_crc_of(uint32_t before, const char *format, ...) {
+  char text[64];
+  va_list arguments;
+  va_start(arguments, format);
+  const int length = vsnprintf(text, sizeof text, format, arguments);
+  va_end(arguments);
+  return cli_crc(before, text, (size_t)length);
+}
+
 // The hash of the parameters is that of the schema frame, so that rows of a
 // board and of a run are known to be of the same machine.
-
 uint32_t cli_scene_hash(const cli_setup_t *setup) {
   const tf_scene_t *scene = setup->scene;
-  char text[64];
-  uint32_t sum = 0;
-  const bool v_is_given =
-      setup->set_start[CLI_START_V] != NULL ||
-      (scene->v_is_given && setup->set_start[CLI_START_H] == NULL);
-  int length = snprintf(text, sizeof text, "%08" PRIx32 " %d",
-                        tf_params_hash(&setup->params), (int)v_is_given);
-  sum = cli_crc(sum, text, (size_t)length);
-  for (unsigned i = 0; i < CLI_STARTS; i++) {
-    if (i != (v_is_given ? CLI_START_H : CLI_START_V)) {
-      length = snprintf(text, sizeof text, " %a", (double)setup->start[i]);
-      sum = cli_crc(sum, text, (size_t)length);
+  const motion_start_t *start = &setup->start;
+  uint32_t sum = cli_crc_of(0, "%08" PRIx32 " %d",
+                            tf_params_hash(&setup->params), !start->from_h);
+  for (size_t i = CLI_R; i < CLI_NUMBERS; i++) {
+    if (i != (start->from_h ? CLI_V : CLI_H)) {
+      sum = cli_crc_of(sum, " %a", (double)value_of(setup, i));
     }
   }
   for (unsigned i = 0; i < scene->knots; i++) {
-    length = snprintf(text, sizeof text, " %a %a", (double)scene->profile[i].t,
-                      (double)scene->profile[i].omega0);
-    sum = cli_crc(sum, text, (size_t)length);
+    sum = cli_crc_of(sum, " %a %a", (double)scene->profile[i].t,
+                     (double)scene->profile[i].omega0);
   }
   return sum;
 }

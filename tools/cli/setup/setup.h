@@ -3,7 +3,8 @@
 /// so names, ranges and messages are the same in all of them.
 #pragma once
 
-#include "twofold.h"
+#include "../../motion.h"
+#include "../text/message.h"
 
 /// A name, and the unit of what it names.
 typedef struct {
@@ -46,32 +47,33 @@ int cli_settings_add_named(cli_settings_t *settings, const char *option,
 const cli_setting_t *cli_settings_find(const cli_settings_t *settings,
                                        const char *name);
 
-/// The initial values that --set knows.
+/// The numbers that --set sets: the parameters, and behind them the start.
 enum {
-  CLI_START_R,
-  CLI_START_V,
-  CLI_START_OMEGA,
-  CLI_START_H,
-  CLI_START_PHI,
-  CLI_STARTS
+  CLI_R = TF_PARAMETERS,
+  CLI_V,
+  CLI_OMEGA,
+  CLI_H,
+  CLI_PHI,
+  CLI_NUMBERS
 };
-extern const cli_quantity_t cli_starts[CLI_STARTS];
 
-/// Index in cli_starts, CLI_STARTS where none has that name.
-size_t cli_start_index(const char *name);
+/// Name, unit and range of a number, and where it is: a parameter in
+/// tf_params_t, another one in motion_start_t.
+const tf_parameter_range_t *cli_number(size_t index);
+
+/// Index of the number of a name, CLI_NUMBERS where there is none.
+size_t cli_number_index(const char *name);
 
 /// A scene with its settings applied.
 typedef struct {
   const tf_scene_t *scene;
   tf_params_t params;
-  const cli_setting_t *set_param[TF_PARAMETERS]; ///< NULL where not given
-  tf_real_t start[CLI_STARTS];
-  const cli_setting_t *set_start[CLI_STARTS]; ///< NULL where not given
-  uint32_t seed;                              ///< of rule random
+  motion_start_t start;
+  const cli_setting_t *set[CLI_NUMBERS]; ///< NULL where not given
+  uint32_t seed;                         ///< of rule random
   tf_machine_t machine;
   tf_input_t input;   ///< at t = 0
   tf_state_t state;   ///< at t = 0, begun
-  bool v_from_h;      ///< v was computed from the slip speed h
   tf_report_t report; ///< of tf_begin
 } cli_setup_t;
 
@@ -79,6 +81,9 @@ typedef struct {
 /// settings: in, kept. select: RULE[:SEED] or NULL for the scene's own.
 int cli_setup_read(cli_setup_t *setup, const tf_scene_t *scene,
                    const cli_settings_t *settings, const char *select);
+
+/// The first setting of the start, NULL where none was given.
+const cli_setting_t *cli_setup_start_set(const cli_setup_t *setup);
 
 /// Prepares the machine.
 int cli_setup_machine(cli_setup_t *setup);
@@ -99,14 +104,14 @@ void cli_setup_notes(const cli_setup_t *setup, const char *unused,
 /// line has changed: parameters, law, rule, start, profile.
 uint32_t cli_scene_hash(const cli_setup_t *setup);
 
+/// The CRC-32 of the bytes before and of a text as printf writes it.
+uint32_t cli_crc_of(uint32_t before, const char *format, ...) CLI_PRINTF(2, 3);
+
 /// Writes four lines that begin with #: what program, scene and settings the
 /// rows are of, how they were computed (how: in), units of the columns.
 #define CLI_PROVENANCE_ROOM 1024
 size_t cli_provenance(const cli_setup_t *setup, const char *how,
                       const char *units, char out[CLI_PROVENANCE_ROOM]);
-
-/// Index in tf_parameter_ranges, TF_PARAMETERS where none has that name.
-size_t cli_parameter_index(const char *name);
 
 /// What each parameter is, in words.
 extern const char *const cli_parameter_about[TF_PARAMETERS];
@@ -118,8 +123,8 @@ tf_real_t cli_parameter(const tf_params_t *params, size_t index);
 void cli_print_range(size_t parameter);
 void cli_print_ranges(void);
 
-/// What a value has to be to lie in its range, for messages: "must lie in ...".
-const char *cli_parameter_must(size_t index);
+/// What a value has to be to lie in a range, for messages: "must lie in ...".
+const char *cli_must(const tf_parameter_range_t *range);
 
 /// The first parameter out of its range. One that the law does not use may be
 /// 0, which means "none". Returns: TF_PARAMETERS where there is none.

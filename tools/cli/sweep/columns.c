@@ -9,12 +9,8 @@
 #include "point.h"
 
 static const char *unit_of(const char *name) {
-  const size_t parameter = cli_parameter_index(name);
-  if (parameter < TF_PARAMETERS) {
-    return tf_parameter_ranges[parameter].unit;
-  }
-  const size_t start = cli_start_index(name);
-  return start < CLI_STARTS ? cli_starts[start].unit : "1";
+  const size_t number = cli_number_index(name);
+  return number < CLI_NUMBERS ? cli_number(number)->unit : "1"; // of the seed
 }
 
 void cli_sweep_header(const cli_args_t *args, cli_buffer_t *text) {

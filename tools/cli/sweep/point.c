@@ -394,8 +394,7 @@ size_t cli_points_together(const cli_sweep_t *sweep) {
   bool one_machine = sweep->scheme == &cli_schemes[0] && sweep->jumps;
   for (size_t i = 0; i < args->axes; i++) {
     const cli_axis_t *axis = &args->axis[i];
-    one_machine = one_machine &&
-                  (axis->is_seed || cli_start_index(axis->name) < CLI_STARTS);
+    one_machine = one_machine && cli_number_index(axis->name) >= TF_PARAMETERS;
   }
   return one_machine ? TF_LANES : 1;
 }

@@ -30,7 +30,7 @@ static void print_variable(const fmu_variable_t *variable, unsigned reference,
   static const char *const roles[] = {"parameter", "input", "output"};
   static const char *comma = "";
   if (variable->kind == FMU_KIND_UNKNOWN) return;
-  const size_t parameter = cli_parameter_index(variable->name);
+  const size_t parameter = cli_number_index(variable->name);
   printf(
       "%s\n  {\"name\": \"%s\", \"reference\": %u, \"unit\": \"%s\",\n"
       "   \"about\": \"%s\",\n   \"kind\": \"%s\", \"role\": \"%s\"",
