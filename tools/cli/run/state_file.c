@@ -71,9 +71,12 @@ static const struct {
                {"held-torque", MEMBER(held.input.torque), 0, true},
                {"held-alpha", MEMBER(held.input.alpha), 0, true}};
 #define MEMBERS (sizeof members / sizeof members[0])
-static const char *const sources[] = {"scene", "outside", "safe"};
+// By tf_input_source_t; the scene's own have no line.
+static const char *const sources[] = {"", "outside", "safe"};
+#define SOURCES (sizeof sources / sizeof sources[0])
 
-// The value of a whole member; and puts one there.
+// Whole members have 8, 4 or 1 bytes.
+
 static uint64_t whole_of(const cli_stand_t *stand, size_t i) {
   const void *at = (const char *)stand + members[i].at;
   return members[i].size == 8   ? *(const uint64_t *)at
@@ -90,12 +93,6 @@ static void put_whole(cli_stand_t *stand, size_t i, uint64_t value) {
   } else {
     *(uint8_t *)at = (uint8_t)value;
   }
-}
-
-static tf_real_t real_of(const cli_stand_t *stand, size_t i) {
-  tf_real_t value;
-  memcpy(&value, (const char *)stand + members[i].at, sizeof value);
-  return value;
 }
 
 size_t cli_state_print(const cli_stand_t *stand, const cli_setup_t *setup,
@@ -117,7 +114,9 @@ size_t cli_state_print(const cli_stand_t *stand, const cli_setup_t *setup,
     if (members[i].most > 0) {
       cli_add_count(&text, whole_of(stand, i));
     } else {
-      cli_add_real(&text, real_of(stand, i));
+      tf_real_t value;
+      memcpy(&value, (const char *)stand + members[i].at, sizeof value);
+      cli_add_real(&text, value);
     }
     cli_add(&text, "\n");
   }
@@ -135,137 +134,122 @@ typedef struct {
   char *at; // what is still to be read
 } reader_t;
 
-// The value of the next line, which has to have this key, or NULL.
-static char *next_value(reader_t *reader, const char *key) {
+// The value of the next line if it has this key; else empty.
+static const char *next_value(reader_t *reader, const char *key) {
   const size_t length = strlen(key);
   char *end = strchr(reader->at, '\n');
   if (end == NULL || strncmp(reader->at, key, length) != 0 ||
       reader->at[length] != ' ') {
-    return NULL;
+    return "";
   }
-  char *value = reader->at + length + 1;
+  const char *value = reader->at + length + 1;
   *end = '\0';
   reader->at = end + 1;
   return value;
 }
 
-static int no_state(const reader_t *reader, const char *why) {
-  return cli_message(CLI_USAGE, "--from %s: %s", reader->path, why);
+static int no_state(const reader_t *reader) {
+  return cli_message(CLI_USAGE, "--from %s: no file of --save", reader->path);
 }
 
-static int differs(const reader_t *reader, const char *what, const char *there,
-                   const char *here) {
-  return cli_message(CLI_REFUSED, "--from %s: %s is %s there and %s here",
-                     reader->path, what, there, here);
+// Refuses what is not the same there, in the file, as here.
+static int same(const reader_t *reader, const char *what, const char *there,
+                const char *here) {
+  if (there[0] == '\0') {
+    return no_state(reader);
+  }
+  return strcmp(there, here) == 0
+             ? CLI_DONE
+             : cli_message(CLI_REFUSED, "--from %s: %s is %s there and %s here",
+                           reader->path, what, there, here);
 }
 
 // The scheme has to be the one asked for, where one is.
 static int read_scheme(reader_t *reader, const cli_scheme_t **scheme) {
-  const char *here = *scheme != NULL ? (*scheme)->name : NULL;
   const char *there = next_value(reader, "scheme");
-  for (size_t i = 0; there != NULL && i < MOTION_SCHEMES; i++) {
+  for (size_t i = 0; i < MOTION_SCHEMES; i++) {
     if (strcmp(there, cli_schemes[i].name) == 0) {
+      const char *here = *scheme != NULL ? (*scheme)->name : there;
       *scheme = &cli_schemes[i];
-      return here == NULL || strcmp(there, here) == 0
-                 ? CLI_DONE
-                 : differs(reader, "scheme", there, here);
+      return same(reader, "scheme", there, here);
     }
   }
-  return no_state(reader, "no file of --save");
+  return no_state(reader);
 }
 
-#define VALUE_ROOM 512
-
-// The value of a key in the text of a scene, without its unit; or empty.
-static const char *value_in(const char *scene, const char *key,
-                            char value[VALUE_ROOM]) {
-  const size_t length = strlen(key);
-  value[0] = '\0';
-  while (*scene != '\0') {
-    const char *begin = scene + length;
-    if (strncmp(scene, key, length) == 0 && *begin == ' ') {
-      (void)snprintf(value, VALUE_ROOM, "%.*s", (int)strcspn(begin, "\n#"),
-                     begin);
-    }
-    scene += strcspn(scene, "\n");
-    scene += *scene == '\n';
-  }
-  return cli_trim(value);
-}
-
-// One function prints both scenes, so equal values have equal text.
 static int compare_scene(const reader_t *reader, const cli_setup_t *setup) {
-  static const char *const words[] = {"law", "rule", "rest", "with-angle",
-                                      "profile"};
-  const size_t count = TF_PARAMETERS + sizeof words / sizeof words[0];
-  char theirs[CLI_STATE_BYTES], ours[CLI_STATE_BYTES];
-  char there_room[VALUE_ROOM], here_room[VALUE_ROOM];
-  cli_buffer_t as_read = {theirs, 0, sizeof theirs, false};
-  cli_buffer_t as_set = {ours, 0, sizeof ours, false};
   cli_scene_file_t file;
   if (strncmp(reader->at, "scene\n", 6) != 0) {
-    return no_state(reader, "no file of --save");
+    return no_state(reader);
   }
   const char *text = reader->at + 6;
   CLI_TRY(cli_scene_parse(&file, reader->path, text, strlen(text)));
-  cli_scene_print(&file.scene, &file.scene.params, &as_read);
-  cli_scene_print(setup->scene, &setup->params, &as_set);
-  for (size_t i = 0; i < count; i++) {
-    const char *key = i < TF_PARAMETERS ? tf_parameter_ranges[i].name
-                                        : words[i - TF_PARAMETERS];
-    const char *there = value_in(theirs, key, there_room);
-    const char *here = value_in(ours, key, here_room);
-    if (strcmp(there, here) != 0) {
-      return i + 1 < count ? differs(reader, key, there, here)
-                           : differs(reader, "the profile of the turntable",
-                                     "that of its scene", "another one");
-    }
+  const tf_params_t *there = &file.scene.params, *here = &setup->params;
+  for (size_t i = 0; i < TF_PARAMETERS; i++) {
+    char theirs[CLI_REAL_ROOM], ours[CLI_REAL_ROOM];
+    (void)cli_write_real(theirs, cli_parameter(there, i));
+    (void)cli_write_real(ours, cli_parameter(here, i));
+    CLI_TRY(same(reader, tf_parameter_ranges[i].name, theirs, ours));
   }
-  return CLI_DONE;
+  CLI_TRY(same(reader, "law", tf_tyre_law_name(there->law),
+               tf_tyre_law_name(here->law)));
+  CLI_TRY(same(reader, "rest", tf_rest_law_name(there->rest),
+               tf_rest_law_name(here->rest)));
+  CLI_TRY(same(reader, "rule", tf_rule_name(there->rule),
+               tf_rule_name(here->rule)));
+  CLI_TRY(same(reader, "with-angle", there->with_angle ? "yes" : "no",
+               here->with_angle ? "yes" : "no"));
+  const bool same_profile =
+      file.scene.knots == setup->scene->knots &&
+      memcmp(file.scene.profile, setup->scene->profile,
+             file.scene.knots * sizeof *file.scene.profile) == 0;
+  return same(reader, "the profile of the turntable", "that of its scene",
+              same_profile ? "that of its scene" : "another one");
 }
 
-// Whose inputs the next step has. Returns: whether that can be read.
-static bool read_source(reader_t *reader, cli_stand_t *stand) {
-  const char *source = next_value(reader, "source");
-  unsigned i = 0;
-  while (source != NULL && i < 3 && strcmp(source, sources[i]) != 0) i++;
-  stand->held.source = (tf_input_source_t)(i % 3);
-  return source == NULL || stand->held.source != TF_INPUT_SCENE;
+// Reads a member. The checksum says that the file is as it was written, not
+// that a run wrote it.
+static int read_member(reader_t *reader, size_t i, cli_stand_t *stand) {
+  const char *why = "";
+  uint64_t whole = 0;
+  tf_real_t real = 0;
+  const char *value = next_value(reader, members[i].name);
+  if (members[i].most > 0) {
+    if (!cli_read_whole(value, 0, members[i].most, &whole)) {
+      return no_state(reader);
+    }
+    put_whole(stand, i, whole);
+    return CLI_DONE;
+  }
+  if (!cli_read_real(value, &real, &why)) {
+    return no_state(reader);
+  }
+  memcpy((char *)stand + members[i].at, &real, sizeof real);
+  return isfinite(real)
+             ? CLI_DONE
+             : cli_message(CLI_REFUSED, "--from %s: %s is not finite",
+                           reader->path, members[i].name);
 }
 
 static int read_values(reader_t *reader, cli_stand_t *stand) {
-  const char *why = "";
-  const char *value = next_value(reader, "inputs");
-  bool good = value != NULL && strlen(value) == 8 &&
-              strspn(value, "0123456789abcdef") == 8;
-  stand->inputs = good ? (uint32_t)strtoul(value, NULL, 16) : 0;
-  good = good && read_source(reader, stand);
-  for (size_t i = 0; i < MEMBERS && good; i++) {
-    uint64_t whole = 0;
-    tf_real_t real = 0;
-    if (members[i].held && stand->held.source == TF_INPUT_SCENE) {
-      continue;
-    }
-    value = next_value(reader, members[i].name);
-    if (members[i].most > 0) {
-      good = value != NULL && cli_read_whole(value, 0, members[i].most, &whole);
-      put_whole(stand, i, whole);
-    } else {
-      good = value != NULL && cli_read_real(value, &real, &why);
-      memcpy((char *)stand + members[i].at, &real, sizeof real);
-    }
-  }
-  return good ? CLI_DONE : no_state(reader, "no file of --save");
-}
-
-// The checksum says that the file is as it was written, not that a run wrote
-// it.
-static int check_stand(const reader_t *reader, const cli_stand_t *stand) {
   const tf_state_t *x = &stand->state;
+  const char *hash = next_value(reader, "inputs");
+  if (strlen(hash) != 8 || strspn(hash, "0123456789abcdef") != 8) {
+    return no_state(reader);
+  }
+  stand->inputs = (uint32_t)strtoul(hash, NULL, 16);
+  const char *source = next_value(reader, "source");
+  size_t found = 0;
+  while (found < SOURCES && strcmp(source, sources[found]) != 0) {
+    found++;
+  }
+  if (found == SOURCES) {
+    return no_state(reader);
+  }
+  stand->held.source = (tf_input_source_t)found;
   for (size_t i = 0; i < MEMBERS; i++) {
-    if (members[i].most == 0 && !isfinite(real_of(stand, i))) {
-      return cli_message(CLI_REFUSED, "--from %s: %s is not finite",
-                         reader->path, members[i].name);
+    if (!members[i].held || found > 0) {
+      CLI_TRY(read_member(reader, i, stand));
     }
   }
   const double reach =
@@ -296,28 +280,19 @@ int cli_state_parse(cli_stand_t *stand, const char *path, char *text,
   reader_t reader = {path, text};
   *stand = (cli_stand_t){.state = {.r = 0}};
   if (strncmp(text, "twofold-state ", 14) != 0 || strchr(text, '\n') == NULL) {
-    return no_state(&reader, "no file of --save");
+    return no_state(&reader);
   }
   if (!is_whole(text, size, &stand->hash)) {
     return cli_message(CLI_REFUSED,
                        "--from %s: cut off or changed: its checksum is wrong",
                        path);
   }
-  const char *version = next_value(&reader, "twofold-state");
-  if (strcmp(version, VERSION) != 0) {
-    return differs(&reader, "its version (run up to it again, with --save)",
-                   version, VERSION);
-  }
-  const char *number = next_value(&reader, "number");
-  if (number == NULL) {
-    return no_state(&reader, "no file of --save");
-  }
-  if (strcmp(number, CLI_NUMBER_TYPE) != 0) {
-    return differs(&reader, "number", number, CLI_NUMBER_TYPE);
-  }
+  CLI_TRY(same(&reader, "its version (run up to it again, with --save)",
+               next_value(&reader, "twofold-state"), VERSION));
+  CLI_TRY(
+      same(&reader, "number", next_value(&reader, "number"), CLI_NUMBER_TYPE));
   CLI_TRY(read_scheme(&reader, scheme));
   CLI_TRY(read_values(&reader, stand));
-  CLI_TRY(check_stand(&reader, stand));
   return compare_scene(&reader, setup);
 }
 
