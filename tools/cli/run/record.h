@@ -148,6 +148,19 @@ void cli_run_show(const cli_run_t *run);
 /// Takes note of a finished step, which run->done counts already.
 void cli_run_observe(cli_run_t *run, const tf_report_t *after);
 
+/// What its rows are of, as cli_provenance.
+size_t cli_run_provenance(const cli_run_t *run, const char *units,
+                          char lines[CLI_PROVENANCE_ROOM]);
+
+/// Writes what comes before the rows, a row of where it stands, and what comes
+/// after them. What fails to be written sets run->end.
+void cli_rows_begin(cli_run_t *run);
+void cli_rows_add(cli_run_t *run);
+void cli_rows_end(cli_run_t *run);
+
+/// Writes the schema and the layouts of its frames.
+void cli_rows_schema(cli_run_t *run);
+
 /// Prints it on standard error; json: as one line, after the reason of an early
 /// end. code: in, the exit code.
 void cli_summary(const cli_run_t *run, bool json, int code);

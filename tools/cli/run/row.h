@@ -56,58 +56,22 @@ extern const cli_stream_t cli_streams[CLI_FORMATS];
 cli_csv_t cli_row(tf_real_t t, const tf_state_t *state,
                   const tf_report_t *report);
 
-#define CLI_GLANCE 5 ///< rows at each end
-#define CLI_GLANCE_ROOM 128
-
 /// The rows of a run on a terminal, where nobody asked for all of them: the
 /// first and the last ones, in columns that a terminal has room for.
+#define CLI_GLANCE 5 ///< rows at each end
+#define CLI_GLANCE_ROOM 128
 typedef struct {
   bool on;
   uint64_t rows; ///< so far
   char last[CLI_GLANCE][CLI_GLANCE_ROOM];
 } cli_glance_t;
 
-/// Writes what stands above the columns. Returns: whether it could be written.
-bool cli_glance_begin(cli_output_t *output);
-
-/// Takes the next row. Returns: likewise.
-bool cli_glance_row(cli_glance_t *glance, const cli_csv_t *row,
-                    cli_output_t *output);
-
-/// Writes the rows at the end, and how to get all.
-bool cli_glance_end(cli_glance_t *glance, cli_output_t *output);
-
-/// Room for the frames of one call.
-#define CLI_FRAMES_ROOM (4 * TF_FRAME_SIZE(TF_FRAME_PAYLOAD))
-
 /// The frames of a run; 0 before the first.
 typedef struct {
   uint32_t sequence; ///< of the next one
   uint32_t chain;    ///< of those before it
-  uint32_t run;      ///< hash of the run, by cli_frames_run
+  uint32_t run;      ///< hash of the run
 } cli_frames_t;
-
-/// Writes what comes before the first row: schema and layouts.
-/// tick: in, of the first row.
-size_t cli_frames_header(const cli_setup_t *setup, const cli_scheme_t *scheme,
-                         uint64_t tick, cli_frames_t *frames,
-                         uint8_t out[CLI_FRAMES_ROOM]);
-
-/// tf_run_hash of the schema of a run and its first state.
-uint32_t cli_frames_run(const cli_setup_t *setup, const cli_scheme_t *scheme,
-                        const tf_state_t *first, uint32_t before);
-
-/// Writes a row: state and report. source: in, whose inputs the step had.
-size_t cli_frames_row(cli_frames_t *frames, const tf_state_t *state,
-                      const tf_report_t *report, tf_input_source_t source,
-                      uint8_t out[CLI_FRAMES_ROOM]);
-
-/// Writes what comes after the last row: a heartbeat with the counts of the
-/// run. A run has no clock that ticks, so its times are 0.
-/// steps: in, that this run took. late: in, of these in real time.
-size_t cli_frames_end(cli_frames_t *frames, uint64_t tick, uint64_t steps,
-                      uint64_t late, const tf_tally_t *tally,
-                      uint8_t out[CLI_FRAMES_ROOM]);
 
 /// The last field of the first row of a record: another version of the protocol
 /// has other commands.

@@ -24,51 +24,6 @@
 #define IDLE 1e-3       // [s], a wait that is long enough for a flush
 #define LIVE_EVERY 0.02 // [s], FLUSH_EVERY of a run in real time
 
-static void need_written(cli_run_t *run, bool good) {
-  if (!good) {
-    run->end = CLI_NOT_WRITTEN;
-  }
-}
-
-static void write_row(cli_run_t *run) {
-  run->written = run->done;
-  if (run->rowless) {
-    return;
-  }
-  char row[CLI_ROW_ROOM];
-  uint8_t frames[CLI_FRAMES_ROOM];
-  const char *bytes = row;
-  size_t length = 0;
-  bool good = true;
-  const double started = cli_now();
-  if (run->args->format == CLI_FORMAT_FRAMES) {
-    bytes = (const char *)frames;
-    length = cli_frames_row(&run->frames, &run->system.state, &run->report,
-                            run->drive.table.count > 0
-                                ? TF_INPUT_SET
-                                : run->replay.simulation.stepped,
-                            frames);
-  } else {
-    const tf_real_t t = (tf_real_t)cli_run_time(run, run->system.state.tick);
-    const cli_csv_t numbers = cli_row(t, &run->system.state, &run->report);
-    if (run->glance.on) {
-      good = cli_glance_row(&run->glance, &numbers, &run->output);
-    } else {
-      length = cli_streams[run->args->format].row(&numbers, row);
-    }
-  }
-  need_written(run, good && cli_output_lines(&run->output, bytes, length));
-  run->output_seconds += cli_now() - started;
-}
-
-static void write_schema(cli_run_t *run) {
-  uint8_t frames[CLI_FRAMES_ROOM];
-  const cli_setup_t setup = cli_run_setup(run);
-  const size_t length = cli_frames_header(
-      &setup, run->scheme, run->system.state.tick, &run->frames, frames);
-  (void)cli_output_lines(&run->output, (const char *)frames, length);
-}
-
 // Returns: whether there is a next step.
 static bool next_input(cli_run_t *run, tf_input_t *input) {
   tf_simulation_t *simulation = &run->replay.simulation;
@@ -81,7 +36,7 @@ static bool next_input(cli_run_t *run, tf_input_t *input) {
       cli_replay_next(&run->replay, &run->system, scene, &run->report, input);
   if (run->replay.link.describe && run->args->format == CLI_FORMAT_FRAMES) {
     run->replay.link.describe = false;
-    write_schema(run);
+    cli_rows_schema(run);
   }
   if (goes_on) {
     return true;
@@ -171,7 +126,7 @@ static void take_batch(cli_run_t *run) {
       return;
     }
     if (take_step(run) && run->system.state.tick % run->args->every == 0) {
-      write_row(run);
+      cli_rows_add(run);
     }
     if (run->args->real_time && run->end == CLI_ENDED) {
       check_time(run);
@@ -197,12 +152,12 @@ static void step_through(cli_run_t *run) {
   progress.silent = progress.silent || run->live != NULL;
   run->start = started - cli_run_time(run, run->first);
   cli_run_show(run);
-  write_row(run);
+  cli_rows_add(run);
   while (run->done < run->steps && run->end == CLI_ENDED) {
     take_batch(run);
     const double now = cli_now();
     if (now - run->output.flushed >= flush_every) {
-      need_written(run, cli_output_flush(&run->output));
+      run->end = cli_output_flush(&run->output) ? run->end : CLI_NOT_WRITTEN;
       run->output_seconds += cli_now() - now;
     }
     if (cli_progress_due(&progress, now)) {
@@ -215,83 +170,8 @@ static void step_through(cli_run_t *run) {
   run->seconds = cli_now() - started - run->output_seconds - run->idle_seconds;
   cli_progress_clear(&progress);
   if (run->written != run->done) {
-    write_row(run);
+    cli_rows_add(run);
   }
-}
-
-static size_t provenance_of(const cli_run_t *run, const char *units,
-                            char lines[CLI_PROVENANCE_ROOM]) {
-  char how[CLI_ROW_ROOM];
-  const cli_inputs_t *table = &run->drive.table;
-  cli_buffer_t text = {how, 0, sizeof how, false};
-  cli_add_form(&text, "scheme %s, dt %g s", run->scheme->name,
-               (double)run->setup->machine.dt);
-  if (table->count > 0) {
-    cli_add_form(&text, ", %s inputs ", table->linear ? "linear" : "held");
-    cli_add_hash(&text, cli_inputs_hash(table));
-  }
-  if (run->args->accuracy > 0) {
-    cli_add_form(&text, ", accuracy %g", run->args->accuracy);
-  }
-  if (run->replays) {
-    cli_add(&text, ", replayed from a record that begins so, ");
-    cli_add_hash(&text, run->replay.session.hash);
-  }
-  if (run->args->from != NULL) {
-    cli_add_form(&text, ", from step %" PRIu64 " of a state ", run->first);
-    cli_add_hash(&text, run->from.hash);
-  }
-  return cli_provenance(run->setup, how, units, lines);
-}
-
-static void write_provenance(const cli_run_t *run, const char *units,
-                             cli_output_t *output) {
-  char lines[CLI_PROVENANCE_ROOM];
-  if (run->args->provenance) {
-    (void)cli_output_lines(output, lines, provenance_of(run, units, lines));
-  }
-}
-
-static void write_header(cli_run_t *run) {
-  if (run->rowless) {
-    return;
-  }
-  if (run->glance.on) {
-    (void)cli_glance_begin(&run->output);
-    return;
-  }
-  write_provenance(run, CLI_CSV_UNITS, &run->output);
-  if (run->args->format == CLI_FORMAT_FRAMES) {
-    char lines[CLI_PROVENANCE_ROOM];
-    char every[CLI_REAL_ROOM]; // in place of the units
-    const cli_setup_t setup = cli_run_setup(run);
-    (void)snprintf(every, sizeof every, "%" PRIu64, run->args->every);
-    run->output.last = '\0';
-    run->frames.run =
-        cli_frames_run(&setup, run->scheme, &run->system.state,
-                       cli_crc(0, lines, provenance_of(run, every, lines)));
-    write_schema(run);
-  } else if (run->args->format == CLI_FORMAT_CSV) {
-    const char *header = cli_streams[CLI_FORMAT_CSV].header;
-    (void)cli_output_lines(&run->output, header, strlen(header));
-  }
-}
-
-// Ends a stream of frames with the counts of all its steps: most of them may
-// lie between two rows. A run that was interrupted has no end: by that a reader
-// knows it.
-static void write_end(cli_run_t *run) {
-  if (run->rowless || run->args->format != CLI_FORMAT_FRAMES ||
-      run->end == CLI_NOT_WRITTEN || run->end == CLI_INTERRUPTED) {
-    return;
-  }
-  uint8_t frame[CLI_FRAMES_ROOM];
-  tf_tally_t tally = run->tally;
-  tally.refused += run->end == CLI_STEP_REFUSED;
-  const size_t length =
-      cli_frames_end(&run->frames, run->system.state.tick,
-                     run->done - run->first, run->late, &tally, frame);
-  need_written(run, cli_output_lines(&run->output, frame, length));
 }
 
 static void write_lateness(const cli_lateness_t *lateness,
@@ -310,7 +190,12 @@ static void write_lateness(const cli_lateness_t *lateness,
 }
 
 static int end_lateness(cli_run_t *run, int code) {
-  write_provenance(run, "us us, began and ended 1 (steps)", &run->late_rows);
+  char lines[CLI_PROVENANCE_ROOM];
+  if (run->args->provenance) {
+    (void)cli_output_lines(
+        &run->late_rows, lines,
+        cli_run_provenance(run, "us us, began and ended 1 (steps)", lines));
+  }
   write_lateness(run->lateness, &run->late_rows);
   const int written = cli_output_end(&run->late_rows, CLI_DONE);
   return written == CLI_DONE ? code : written;
@@ -353,13 +238,13 @@ static int perform(cli_run_t *run, const cli_args_t *args) {
   if (why != NULL) {
     cli_say("twofold: --priority: not given: %s\n", why);
   }
-  write_header(run);
+  cli_rows_begin(run);
   step_through(run);
-  write_end(run);
-  need_written(run,
-               !run->glance.on || cli_glance_end(&run->glance, &run->output));
+  cli_rows_end(run);
   cli_live_close(run->live, run->setup->scene->name);
-  need_written(run, cli_output_close(&run->output, run->end == CLI_ENDED));
+  if (!cli_output_close(&run->output, run->end == CLI_ENDED)) {
+    run->end = CLI_NOT_WRITTEN;
+  }
   const bool saved = cli_run_save(run, args->save);
   code = cli_tally_code(&run->tally);
   if (run->end != CLI_ENDED || !saved) {

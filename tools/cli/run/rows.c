@@ -1,0 +1,224 @@
+// The rows of a run: text, or frames, made by the functions that a board calls,
+// so that whatever reads a board reads a recorded run as well.
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "../host/host.h"
+#include "../setup/setup.h"
+#include "../text/buffer.h"
+#include "../text/number.h"
+#include "record.h"
+#include "row.h"
+
+static void put(cli_run_t *run, const void *bytes, size_t length) {
+  if (!cli_output_lines(&run->output, bytes, length)) {
+    run->end = CLI_NOT_WRITTEN;
+  }
+}
+
+static void put_text(cli_run_t *run, const char *text) {
+  put(run, text, strlen(text));
+}
+
+#define GLANCED 6 // a terminal of 80 columns has no room for F and M
+
+static void glance_at(cli_run_t *run, const cli_csv_t *row) {
+  cli_glance_t *glance = &run->glance;
+  char *line = glance->last[glance->rows++ % CLI_GLANCE];
+  size_t used = 0;
+  for (size_t i = 0; i < GLANCED; i++) {
+    used += (size_t)snprintf(line + used, CLI_GLANCE_ROOM - used, "%11.4g",
+                             row->column[i]);
+  }
+  (void)snprintf(line + used, CLI_GLANCE_ROOM - used, " %-6s %u\n",
+                 tf_mode_name(row->mode), row->choices);
+  if (glance->rows <= CLI_GLANCE) {
+    put_text(run, line);
+  }
+}
+
+static void end_glance(cli_run_t *run) {
+  const uint64_t rows = run->glance.rows;
+  const uint64_t left = rows > CLI_GLANCE ? rows - CLI_GLANCE : 0;
+  const uint64_t shown = left < CLI_GLANCE ? left : CLI_GLANCE;
+  char line[CLI_GLANCE_ROOM];
+  put_text(run, left > shown ? "        ...\n" : "");
+  for (uint64_t i = rows - shown; i < rows; i++) {
+    put_text(run, run->glance.last[i % CLI_GLANCE]);
+  }
+  (void)snprintf(line, sizeof line,
+                 "%" PRIu64
+                 " rows; all of them, with all digits: --out FILE, "
+                 "or into a pipe.\n\n",
+                 rows);
+  put_text(run, line);
+}
+
+#define FRAME_ROOM TF_FRAME_SIZE(TF_FRAME_PAYLOAD)
+
+static void chain(cli_run_t *run, const uint8_t *end) {
+  run->frames.chain = tf_frame_chain(run->frames.chain, end - 1 - TF_FRAME_CRC);
+}
+
+static void put_frame(cli_run_t *run, const uint8_t *frame, size_t size) {
+  chain(run, frame + size);
+  put(run, frame, size);
+}
+
+// setup: in, kept.
+static tf_schema_t schema_of(const cli_run_t *run, const cli_setup_t *setup) {
+  return (tf_schema_t){.params = &setup->params,
+                       .scene = setup->scene->name,
+                       .build = "twofold " TF_VERSION ", host",
+                       .seed = setup->seed,
+                       .scheme = (uint8_t)run->scheme->code,
+                       .ends = true,
+                       .run = run->frames.run};
+}
+
+void cli_rows_schema(cli_run_t *run) {
+  const uint64_t at = run->system.state.tick;
+  uint32_t *next = &run->frames.sequence;
+  uint8_t to[FRAME_ROOM];
+  const cli_setup_t setup = cli_run_setup(run);
+  const tf_schema_t schema = schema_of(run, &setup);
+  put_frame(run, to, tf_send_schema(to, next, at, &schema));
+  put_frame(run, to,
+            tf_send_layout(to, next, at, TF_DOWN_STATE, tf_layout_state));
+  put_frame(run, to,
+            tf_send_layout(to, next, at, TF_DOWN_REPORT, tf_layout_report));
+  put_frame(
+      run, to,
+      tf_send_layout(to, next, at, TF_DOWN_HEARTBEAT, tf_layout_heartbeat));
+}
+
+// Both together: a state without its report is not a row.
+static void put_state(cli_run_t *run) {
+  const tf_state_t *state = &run->system.state;
+  const tf_input_source_t source = run->drive.table.count > 0
+                                       ? TF_INPUT_SET
+                                       : run->replay.simulation.stepped;
+  uint32_t *next = &run->frames.sequence;
+  uint8_t frames[2 * FRAME_ROOM];
+  size_t used = tf_send_state(frames, next, state);
+  chain(run, frames + used);
+  used += tf_send_report(frames + used, next, state->tick, &run->report,
+                         (uint8_t)source);
+  chain(run, frames + used);
+  put(run, frames, used);
+}
+
+static uint32_t at_most_32_bits(uint64_t count) {
+  return count < UINT32_MAX ? (uint32_t)count : UINT32_MAX;
+}
+
+// A heartbeat with the counts of all steps: most of them may lie between two
+// rows. A run has no clock that ticks, so its times are 0. A run that was
+// interrupted has no end, by which a reader recognises it.
+static void end_frames(cli_run_t *run) {
+  uint8_t frame[FRAME_ROOM];
+  if (run->end == CLI_NOT_WRITTEN || run->end == CLI_INTERRUPTED) {
+    return;
+  }
+  const tf_tally_t *tally = &run->tally;
+  const tf_heartbeat_t beat = {
+      .steps = (uint32_t)(run->done - run->first),
+      .refused =
+          at_most_32_bits(tally->refused + (run->end == CLI_STEP_REFUSED)),
+      .overruns = (uint32_t)run->late,
+      .degraded = at_most_32_bits(tally->degraded),
+      .fell_back = at_most_32_bits(tally->fell_back),
+      .coarse = at_most_32_bits(tally->coarse),
+      .stalled = at_most_32_bits(tally->stalled),
+      .run = run->frames.run,
+      .chain = run->frames.chain};
+  put(run, frame,
+      tf_send_heartbeat(frame, &run->frames.sequence, run->system.state.tick,
+                        &beat));
+}
+
+size_t cli_run_provenance(const cli_run_t *run, const char *units,
+                          char lines[CLI_PROVENANCE_ROOM]) {
+  char how[CLI_ROW_ROOM];
+  const cli_inputs_t *table = &run->drive.table;
+  cli_buffer_t text = {how, 0, sizeof how, false};
+  cli_add_form(&text, "scheme %s, dt %g s", run->scheme->name,
+               (double)run->setup->machine.dt);
+  if (table->count > 0) {
+    cli_add_form(&text, ", %s inputs ", table->linear ? "linear" : "held");
+    cli_add_hash(&text, cli_inputs_hash(table));
+  }
+  if (run->args->accuracy > 0) {
+    cli_add_form(&text, ", accuracy %g", run->args->accuracy);
+  }
+  if (run->replays) {
+    cli_add(&text, ", replayed from a record that begins so, ");
+    cli_add_hash(&text, run->replay.session.hash);
+  }
+  if (run->args->from != NULL) {
+    cli_add_form(&text, ", from step %" PRIu64 " of a state ", run->first);
+    cli_add_hash(&text, run->from.hash);
+  }
+  return cli_provenance(run->setup, how, units, lines);
+}
+
+static void begin_frames(cli_run_t *run) {
+  char lines[CLI_PROVENANCE_ROOM], every[CLI_REAL_ROOM];
+  const cli_setup_t setup = cli_run_setup(run);
+  const tf_schema_t schema = schema_of(run, &setup);
+  (void)snprintf(every, sizeof every, "%" PRIu64, run->args->every);
+  // In place of the units stands what else the rows depend on.
+  const size_t length = cli_run_provenance(run, every, lines);
+  run->frames.run =
+      tf_run_hash(cli_crc(0, lines, length), &schema, &run->system.state);
+  run->output.last = '\0';
+  cli_rows_schema(run);
+}
+
+void cli_rows_begin(cli_run_t *run) {
+  char lines[CLI_PROVENANCE_ROOM];
+  if (run->rowless) {
+    return;
+  }
+  if (run->glance.on) {
+    put_text(run,
+             "       t[s]       r[m]     v[m/s] omega[/s]     h[m/s]  "
+             "   g[m/s] mode   choices\n");
+  } else if (run->args->format == CLI_FORMAT_FRAMES) {
+    begin_frames(run);
+  } else {
+    if (run->args->provenance) {
+      put(run, lines, cli_run_provenance(run, CLI_CSV_UNITS, lines));
+    }
+    put_text(run, cli_streams[run->args->format].header);
+  }
+}
+
+void cli_rows_add(cli_run_t *run) {
+  const double started = cli_now();
+  const tf_real_t t = (tf_real_t)cli_run_time(run, run->system.state.tick);
+  const cli_csv_t row = cli_row(t, &run->system.state, &run->report);
+  char text[CLI_ROW_ROOM];
+  run->written = run->done;
+  if (run->rowless) {
+    return;
+  }
+  if (run->glance.on) {
+    glance_at(run, &row);
+  } else if (run->args->format == CLI_FORMAT_FRAMES) {
+    put_state(run);
+  } else {
+    put(run, text, cli_streams[run->args->format].row(&row, text));
+  }
+  run->output_seconds += cli_now() - started;
+}
+
+void cli_rows_end(cli_run_t *run) {
+  if (run->glance.on) {
+    end_glance(run);
+  } else if (run->args->format == CLI_FORMAT_FRAMES && !run->rowless) {
+    end_frames(run);
+  }
+}
