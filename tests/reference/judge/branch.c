@@ -4,12 +4,12 @@
 /// short while; the scheme has taken the one it is nearest to.
 #include <math.h>
 
-#include "classes.h"
+#include "judge.h"
 
-enum { WAYS = REF_MAX_WAYS + 1 };
-static const runs_t runs = {1, 3, 1, {1e-4, 3e-5, 1e-5}, ""};
+enum { WAYS = REF_MAX_WAYS + 1, STEPS = 3 };
+static const double dts[STEPS] = {1e-4, 3e-5, 1e-5};
 
-// The consistent modes at the first h = g = 0, a little later.
+// The futures of the first h = g = 0, a little later.
 typedef struct {
   double t;              ///< when they are compared [s]
   ref_state_t end[WAYS]; ///< [count]: standing still
@@ -67,70 +67,80 @@ static bool make_fork(const ref_orbit_t *at, fork_t *fork) {
 static int nearest(const ref_machine_t *q, const fork_t *fork,
                    const lib_row_t *row) {
   int best = fork->chosen;
-  double least = class_difference(q, fork->end[best], row) / 2;
+  double least = row_difference(q, fork->end[best], row) / 2;
   for (int i = 0; i <= fork->count; ++i) {
-    const double e = class_difference(q, fork->end[i], row);
+    const double e = row_difference(q, fork->end[i], row);
     if (e < least &&
-        class_distance(q, fork->end[i], fork->end[fork->chosen]) > 1e-5) {
+        state_difference(q, fork->end[i], fork->end[fork->chosen]) > 1e-5) {
       least = e;
       best = i;
     }
   }
-  least = class_difference(q, fork->end[best], row);
+  least = row_difference(q, fork->end[best], row);
   double apart = 0;
   for (int i = 0; i <= fork->count; ++i) {
-    apart = fmax(apart, class_distance(q, fork->end[best], fork->end[i]));
+    apart = fmax(apart, state_difference(q, fork->end[best], fork->end[i]));
   }
   return least < fmax(0.003, 0.3 * apart) ? best : -1;
 }
 
-static count_t *come, *open_, *silent[RUNS], *told[RUNS];
-
-static void begin(const class_t *class) {
-  (void)class;
-  come = count_add(false, "come to h = g = 0");
-  open_ = count_add(false, "of them more than one future");
-  count_runs(silent, &runs, "wrong, all steps OK");
-  count_runs(told, &runs, "wrong, and told");
-}
+static count_t *come, *several, *silent[LIB_SCHEMES][STEPS],
+    *flagged[LIB_SCHEMES][STEPS];
 
 static void compare(trial_t *trial, const ref_machine_t *q,
                     const fork_t *fork) {
   trial->t_end = fork->t;
-  for (int k = 0; k < runs_count(&runs); ++k) {
+  for (int i = 0; i < LIB_SCHEMES * STEPS; ++i) {
+    const int scheme = i / STEPS, k = i % STEPS;
     lib_row_t row;
-    const long others = trial_run(trial, &runs, k, &row);
-    if (others < 0) {
+    trial->machine.dt = dts[k];
+    const int outcome = lib_f64.run(&trial->machine, (lib_scheme_t)scheme,
+                                    fork->t, &row, NULL, NULL);
+    if (outcome < 0) {
       return;
     }
     const bool wrong = nearest(q, fork, &row) != fork->chosen;
-    count_try(silent[k], trial, wrong && others == 0);
-    count_try(told[k], trial, wrong && others != 0);
+    count_try(silent[scheme][k], trial, wrong && outcome == 0);
+    count_try(flagged[scheme][k], trial, wrong && outcome != 0);
   }
 }
 
 static void judge(trial_t *trial) {
-  ref_machine_t q;
+  const ref_machine_t q = draw_reference(&trial->machine);
   finder_t finder = {.found = false};
-  ref_orbit_t orbit = class_orbit(&trial->machine, &q, &lib_f64);
-  orbit.watch = find;
-  orbit.context = &finder;
-  orbit.limit = 2000000;
+  ref_orbit_t orbit = {.tolerance = 1e-11L,
+                       .law = REF_HEXAGON,
+                       .watch = find,
+                       .context = &finder,
+                       .limit = 2000000};
+  ref_begin(&orbit, &q, draw_start(&trial->machine, &q), REF_MODES);
   ref_run(&orbit, (real_t)trial->t_end);
   fork_t fork = {.count = 0};
   const bool forks = finder.found && make_fork(&finder.first, &fork);
   count_try(come, trial, forks);
-  if (!forks) {
-    return;
+  if (forks) {
+    const bool rests = finder.first.consistent.rests[REF_HEXAGON];
+    count_try(several, trial, fork.count + rests > 1);
+    compare(trial, &q, &fork);
   }
-  const bool rests = finder.first.consistent.rests[REF_HEXAGON];
-  count_try(open_, trial, fork.count + rests > 1);
-  compare(trial, &q, &fork);
 }
 
-const class_t class_branch = {.name = "branch",
-                              .about = "the future taken at h = g = 0",
-                              .machines = 2000,
-                              .t_end = 3,
-                              .begin = begin,
-                              .judge = judge};
+static void add(count_t *counts[LIB_SCHEMES][STEPS], const char *what) {
+  for (int i = 0; i < LIB_SCHEMES * STEPS; ++i) {
+    const char *scheme = lib_scheme_names[i / STEPS];
+    counts[i / STEPS][i % STEPS] =
+        count_add(scheme, "%-11s %.0e: %s", scheme, dts[i % STEPS], what);
+  }
+}
+
+static int run(const options_t *options) {
+  come = count_add(NULL, "come to h = g = 0");
+  several = count_add(NULL, "of them more than one future");
+  add(silent, "wrong, all steps OK");
+  add(flagged, "wrong, and told");
+  judge_machines(options, judge);
+  return 0;
+}
+
+const command_t command_branch = {"branch", "the future taken at h = g = 0",
+                                  2000, 3, run};

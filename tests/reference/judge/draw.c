@@ -1,12 +1,12 @@
 /// @file
-/// Random machines; see draw.h.
-#include "draw.h"
-
+/// Random machines from wide ranges, and how to run one again.
 #include <math.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "judge.h"
 
 static const double pi = 3.14159265358979323846;
 
@@ -37,7 +37,7 @@ static bool one_in(draw_t *draw, double n) {
   return draw_uniform(draw, 0, n) < 1;
 }
 
-static double sign(draw_t *draw) { return one_in(draw, 2) ? 1 : -1; }
+double draw_sign(draw_t *draw) { return one_in(draw, 2) ? 1 : -1; }
 
 static double damping(draw_t *draw) {
   const double kind = draw_uniform(draw, 0, 4);
@@ -90,12 +90,6 @@ static double *number_at(lib_machine_t *q, int i) {
   return (double *)(void *)((char *)q + numbers[i].at);
 }
 
-static void round_all(lib_machine_t *q) {
-  for (int i = 0; i < NUMBERS; ++i) {
-    *number_at(q, i) = (float)*number_at(q, i);
-  }
-}
-
 lib_machine_t draw_machine(draw_t *draw, bool extreme) {
   lib_machine_t q = {
       .m = draw_log(draw, 0.3, 3),
@@ -105,7 +99,7 @@ lib_machine_t draw_machine(draw_t *draw, bool extreme) {
       .c1 = damping(draw),
       .c2 = damping(draw),
       .r0 = draw_uniform(draw, -0.5, 0.5),
-      .omega0 = sign(draw) * draw_log(draw, 0.1, 3),
+      .omega0 = draw_sign(draw) * draw_log(draw, 0.1, 3),
       .mu = draw_log(draw, 0.1, 3),
       .kappa = one_in(draw, 8) ? draw_log(draw, 1e-8, 1e-3)
                                : draw_uniform(draw, 1e-3, 1),
@@ -121,27 +115,20 @@ lib_machine_t draw_machine(draw_t *draw, bool extreme) {
   }
   place(draw, &q);
   const double gamma = q.gamma, dt = q.dt;
-  round_all(&q);
+  for (int i = 0; i < NUMBERS; ++i) {
+    *number_at(&q, i) = (float)*number_at(&q, i);
+  }
   q.gamma = gamma;
   q.dt = dt;
   return q;
 }
 
-static real_t as(const lib_table_t *real, double value) {
-  return real == &lib_f32 ? (real_t)(float)value : (real_t)value;
-}
-
-ref_machine_t draw_reference(const lib_machine_t *machine,
-                             const lib_table_t *real) {
-  lib_machine_t q = *machine;
-  if (real == &lib_f32) {
-    round_all(&q);
-  }
+ref_machine_t draw_reference(const lib_machine_t *q) {
   ref_machine_t out = {
-      PARAMETERS_OF(real_t, &q), .law = q.coulomb ? REF_COULOMB : REF_JUMP,
-      .knots = q.knots, .swing = q.swing, .swing_rate = q.swing_rate};
-  for (int i = 0; i < q.knots; ++i) {
-    const lib_knot_t *u = &q.knot[i];
+      PARAMETERS_OF(real_t, q), .law = q->coulomb ? REF_COULOMB : REF_JUMP,
+      .knots = q->knots, .swing = q->swing, .swing_rate = q->swing_rate};
+  for (int i = 0; i < q->knots; ++i) {
+    const lib_knot_t *u = &q->knot[i];
     out.knot[i] = (ref_knot_t){u->t, u->omega0, u->force, u->torque};
   }
   ref_prepare(&out);
@@ -154,14 +141,9 @@ ref_machine_t draw_reference(const lib_machine_t *machine,
   return out;
 }
 
-ref_state_t draw_start(const lib_machine_t *machine, const ref_machine_t *q,
-                       const lib_table_t *real) {
-  ref_state_t x = ref_state(q, as(real, machine->r), as(real, machine->v),
-                            as(real, machine->omega));
-  if (machine->on_surface) {
-    x.p = -x.r * x.z * q->cosine / q->sine;
-  }
-  return x;
+ref_state_t draw_start(const lib_machine_t *machine, const ref_machine_t *q) {
+  const ref_state_t x = ref_state(q, machine->r, machine->v, machine->omega);
+  return machine->on_surface ? ref_with_h(q, x, 0) : x;
 }
 
 // Shortest decimal that reads back to the same double.

@@ -4,12 +4,13 @@
 /// they may be, and passages of r = 0.
 #include <math.h>
 
-#include "classes.h"
+#include "judge.h"
 
-enum { KINDS = 2, STEPS = 200 };
-static const runs_t runs[KINDS] = {{2, 1, 1, {0}, "k2  "},
-                                   {2, 1, 1, {0}, "r=0 "}};
-static count_t *creates[KINDS][RUNS];
+enum { STEPS = 200, REALS = 2 };
+static const char *const kinds[] = {"k2", "r=0"};
+enum { KINDS = sizeof kinds / sizeof *kinds };
+static const lib_real_t *const reals[REALS] = {&lib_f64, &lib_f32};
+static count_t *creates[KINDS][LIB_SCHEMES][REALS];
 
 static double energy_of(const lib_machine_t *q, const lib_row_t *x) {
   const ref_machine_t k = {PARAMETERS_OF(long double, q)};
@@ -51,53 +52,58 @@ static lib_machine_t machine_of(draw_t *draw, int kind) {
   return q;
 }
 
-static void begin(const class_t *class) {
-  (void)class;
-  for (int kind = 0; kind < KINDS; ++kind) {
-    count_runs(creates[kind], &runs[kind], "runs: 1e-2 in all");
-  }
-}
+typedef struct {
+  const lib_machine_t *machine;
+  double epsilon, sum; // of the energy that steps created, as shares
+  lib_row_t before;
+  bool begun;
+} account_t;
 
-static void steps(trial_t *trial, count_t *count, run_t run) {
-  const lib_machine_t *machine = &trial->machine;
-  lib_t lib;
-  lib_row_t before, row;
-  double sum = 0;
-  if (run.real->open(&lib, machine, run.scheme, &row) < 0) {
-    return;
-  }
-  for (int i = 0; i < STEPS; ++i) {
-    before = row;
-    const int status = run.real->step(&lib, &row);
-    if (status < 0) {
-      break;
-    }
-    const double E = energy_of(machine, &before);
-    const double put_in = most(machine, &before, &row);
-    const double rounding = noise(machine, &row, run.real->epsilon) +
-                            noise(machine, &before, run.real->epsilon);
-    const double over = energy_of(machine, &row) - E - put_in;
+static void enter(void *context, int status, const lib_row_t *row) {
+  account_t *a = context;
+  if (a->begun) {
+    const double E = energy_of(a->machine, &a->before);
+    const double put_in = most(a->machine, &a->before, row);
+    const double rounding = noise(a->machine, row, a->epsilon) +
+                            noise(a->machine, &a->before, a->epsilon);
+    const double over = energy_of(a->machine, row) - E - put_in;
     if (status == 0 && over > rounding) {
-      sum += over / (E + put_in + 1e-12);
+      a->sum += over / (E + put_in + 1e-12);
     }
   }
-  trial->t_end = STEPS * machine->dt;
-  count_try(count, trial, sum > 1e-2);
+  a->before = *row;
+  a->begun = true;
 }
 
 static void judge(trial_t *trial) {
-  for (int kind = 0; kind < KINDS; ++kind) {
+  for (int i = 0; i < KINDS * LIB_SCHEMES * REALS; ++i) {
+    const int kind = i / REALS / LIB_SCHEMES, scheme = i / REALS % LIB_SCHEMES;
+    const lib_real_t *real = reals[i % REALS];
+    lib_row_t row;
     trial->draw =
         draw_begin(trial->options->seed, (uint64_t)(2 * trial->index + kind));
     trial->machine = machine_of(&trial->draw, kind);
-    for (int k = 0; k < runs_count(&runs[kind]); ++k) {
-      steps(trial, creates[kind][k], runs_at(&runs[kind], k));
+    trial->t_end = STEPS * trial->machine.dt;
+    account_t account = {.machine = &trial->machine, .epsilon = real->epsilon};
+    real->run(&trial->machine, (lib_scheme_t)scheme, trial->t_end, &row, enter,
+              &account);
+    if (account.begun) {
+      count_try(creates[kind][scheme][i % REALS], trial, account.sum > 1e-2);
     }
   }
 }
 
-const class_t class_energy = {.name = "energy",
-                              .about = "energy from nothing",
-                              .machines = 2000,
-                              .begin = begin,
-                              .judge = judge};
+static int run(const options_t *options) {
+  for (int i = 0; i < KINDS * LIB_SCHEMES * REALS; ++i) {
+    const int kind = i / REALS / LIB_SCHEMES, scheme = i / REALS % LIB_SCHEMES;
+    const char *name = lib_scheme_names[scheme];
+    creates[kind][scheme][i % REALS] =
+        count_add(name, "%-3s %-11s %-6s runs: 1e-2 in all", kinds[kind], name,
+                  reals[i % REALS]->name);
+  }
+  judge_machines(options, judge);
+  return 0;
+}
+
+const command_t command_energy = {"energy", "energy from nothing", 2000, 0,
+                                  run};

@@ -1,20 +1,18 @@
 /// @file
-/// The simulator behind a table of functions; see library.h.
-#include "library.h"
-
-#include <assert.h>
+/// The simulator behind one function, once in double and once in float.
+#include <math.h>
 #include <string.h>
 
-#include "told.h"
+#include "judge.h"
 #include "twofold.h"
 
 typedef struct {
+  const lib_machine_t *q;
+  lib_scheme_t scheme;
   tf_compensated_t machine;
   tf_state_t state;
   tf_compensation_t compensation;
   tf_input_t input;
-  lib_scheme_t scheme;
-  lib_machine_t driven; // knots and dt
   tf_state_block_t lanes;
   tf_report_block_t reports;
 } run_t;
@@ -29,108 +27,104 @@ static tf_params_t params_of(const lib_machine_t *q) {
   return p;
 }
 
-static run_t *run_of(lib_t *lib) { return (run_t *)(void *)lib->bytes; }
-
 // The inputs of a step from one time to another, as `run --inputs FILE
 // --between linear` gives them.
 static void drive(run_t *run, double from, double to) {
-  if (run->driven.knots > 0) {
-    const told_t told = moving_told(&run->driven, from, to);
-    run->input.omega0 = (tf_real_t)told.omega0;
-    run->input.alpha = (tf_real_t)told.alpha;
-    run->input.force = (tf_real_t)told.force;
-    run->input.torque = (tf_real_t)told.torque;
+  if (run->q->knots > 0) {
+    const moving_input_t u = moving_input(run->q, from, to);
+    run->input.omega0 = (tf_real_t)u.omega0;
+    run->input.alpha = (tf_real_t)u.alpha;
+    run->input.force = (tf_real_t)u.force;
+    run->input.torque = (tf_real_t)u.torque;
   }
 }
 
-static void fill(const run_t *run, const tf_report_t *report, lib_row_t *row) {
-  row->status = (int)report->status;
-  row->mode = run->state.mode;
-  row->F = (double)report->force.F;
-  row->M = (double)report->force.M;
-  row->h = (double)report->slip.h;
-  row->g = (double)report->slip.g;
-  row->r = (double)run->state.r + (double)run->compensation.r;
-  row->v = (double)run->state.v + (double)run->compensation.v;
-  row->w = (double)run->state.w + (double)run->compensation.w;
-}
-
-static tf_status_t place(run_t *run, const lib_machine_t *q) {
-  const tf_machine_t *machine = &run->machine.machine;
-  run->state = (tf_state_t){.r = (tf_real_t)q->r,
-                            .v = (tf_real_t)q->v,
-                            .w = (tf_real_t)q->omega,
-                            .mode = TF_NO_MODE};
+static tf_status_t place(run_t *run) {
+  const lib_machine_t *q = run->q;
+  tf_state_t *x = &run->state;
+  *x = (tf_state_t){.r = (tf_real_t)q->r,
+                    .v = (tf_real_t)q->v,
+                    .w = (tf_real_t)q->omega,
+                    .mode = TF_NO_MODE};
   if (!q->on_surface) {
     return TF_OK;
   }
   if (run->scheme == LIB_COMPENSATED) {
-    return tf_speed_for_slip_compensated(
-        &run->machine, &run->state, &run->compensation, run->input.omega0, 0);
+    return tf_speed_for_slip_compensated(&run->machine, x, &run->compensation,
+                                         run->input.omega0, 0);
   }
-  return tf_speed_for_slip(machine, run->state.r, run->state.w,
-                           run->input.omega0, 0, &run->state.v);
+  return tf_speed_for_slip(&run->machine.machine, x->r, x->w, run->input.omega0,
+                           0, &x->v);
 }
 
-static int open_run(lib_t *lib, const lib_machine_t *q, lib_scheme_t scheme,
-                    lib_row_t *row) {
-  assert(sizeof(run_t) <= sizeof *lib);
-  run_t *run = run_of(lib);
-  const tf_params_t params = params_of(q);
+static tf_status_t begin(run_t *run) {
+  const tf_params_t params = params_of(run->q);
   tf_report_t report;
-  memset(lib, 0, sizeof *lib);
-  memset(row, 0, sizeof *row);
-  memset(&report, 0, sizeof report);
-  run->scheme = scheme;
-  run->driven = *q;
   tf_status_t status = tf_prepare_compensated(&run->machine, &params, NULL);
   if (status == TF_OK) {
     run->input = tf_input_default(&run->machine.machine);
     drive(run, 0, 0);
-    status = place(run, q);
+    status = place(run);
   }
   if (status == TF_OK) {
     status = tf_begin(&run->machine.machine, &run->state, &run->input, &report);
-    fill(run, &report, row);
   }
   for (size_t i = 0; i < TF_LANES; ++i) {
     tf_ensemble_put(&run->lanes, i, &run->state);
   }
-  return (int)status;
+  return status;
 }
 
-static int step(lib_t *lib, lib_row_t *row) {
-  run_t *run = run_of(lib);
+static tf_status_t step(run_t *run) {
+  const tf_machine_t *machine = &run->machine.machine;
   tf_report_t report;
-  tf_status_t status;
-  const double dt = run->driven.dt, ticks = (double)run->state.tick;
-  drive(run, ticks * dt, (ticks + 1) * dt);
-  if (run->scheme == LIB_LOCATED) {
-    status = tf_step_located(&run->machine.machine, &run->state, &run->input,
-                             &report);
-  } else if (run->scheme == LIB_COMPENSATED) {
-    status = tf_step_compensated(&run->machine, &run->state, &run->compensation,
+  switch (run->scheme) {
+    case LIB_LOCATED:
+      return tf_step_located(machine, &run->state, &run->input, &report);
+    case LIB_COMPENSATED:
+      return tf_step_compensated(&run->machine, &run->state, &run->compensation,
                                  &run->input, &report);
-  } else if (run->scheme == LIB_LANES) {
-    tf_ensemble_step(&run->machine.machine, &run->lanes, TF_LANES, &run->input,
-                     &run->reports);
-    run->state = tf_ensemble_get(&run->lanes, TF_LANES - 1);
-    report = tf_ensemble_report(&run->reports, TF_LANES - 1);
-    status = report.status;
-  } else {
-    status = tf_step(&run->machine.machine, &run->state, &run->input, &report);
+    case LIB_LANES:
+      tf_ensemble_step(machine, &run->lanes, TF_LANES, &run->input,
+                       &run->reports);
+      run->state = tf_ensemble_get(&run->lanes, TF_LANES - 1);
+      return tf_ensemble_report(&run->reports, TF_LANES - 1).status;
+    case LIB_STEP:
+      break;
   }
-  if (status >= TF_OK) {
-    fill(run, &report, row);
+  return tf_step(machine, &run->state, &run->input, &report);
+}
+
+static int run_to(const lib_machine_t *q, lib_scheme_t scheme, double t_end,
+                  lib_row_t *end, lib_watch_t watch, void *context) {
+  const long steps = lround(t_end / q->dt);
+  bool flagged = false;
+  run_t run;
+  memset(&run, 0, sizeof run);
+  run.q = q;
+  run.scheme = scheme;
+  tf_status_t status = begin(&run);
+  for (long n = 0; status >= TF_OK; ++n) {
+    end->r = (double)run.state.r + (double)run.compensation.r;
+    end->v = (double)run.state.v + (double)run.compensation.v;
+    end->w = (double)run.state.w + (double)run.compensation.w;
+    flagged |= status > TF_OK;
+    if (watch) {
+      watch(context, (int)status, end);
+    }
+    if (n == steps) {
+      return flagged;
+    }
+    drive(&run, (double)n * q->dt, (double)(n + 1) * q->dt);
+    status = step(&run);
   }
-  row->status = (int)status;
-  return (int)status;
+  return -1;
 }
 
 #ifdef TF_REAL_FLOAT
-const lib_table_t lib_f32 = {"float", open_run, step, FLT_EPSILON};
+const lib_real_t lib_f32 = {"float", FLT_EPSILON, run_to};
 #else
-const lib_table_t lib_f64 = {"double", open_run, step, DBL_EPSILON};
+const lib_real_t lib_f64 = {"double", DBL_EPSILON, run_to};
 
 const char *const lib_scheme_names[LIB_SCHEMES + 1] = {"moreau", "located",
                                                        "compensated", "lanes"};

@@ -1,10 +1,9 @@
 /// @file
-/// The rows of the table; see rows.h.
+/// The rows of the table: how the machines of a class are drawn, and which of
+/// them belong to it.
 #include "rows.h"
 
 #include <math.h>
-
-#include "classes.h"
 
 static double around(draw_t *draw, double size) {
   return (float)(size * draw_uniform(draw, -1, 1));
@@ -43,8 +42,7 @@ static void in_slip(draw_t *draw, lib_machine_t *q) {
 static void at_rest(draw_t *draw, lib_machine_t *q) {
   const double stiffness = q->k2 - q->m * q->omega0 * q->omega0;
   const double share = 1 - draw_log(draw, 1e-3, 1);
-  const double side = draw_uniform(draw, 0, 2) < 1 ? -1 : 1;
-  const double hold = side * share * q->mu * sin(q->gamma);
+  const double hold = -draw_sign(draw) * share * q->mu * sin(q->gamma);
   q->on_surface = q->coulomb = false;
   q->r = (float)fmax(-2, fmin(2, (q->k2 * q->r0 + hold) / stiffness));
   q->v = 0;

@@ -1,10 +1,9 @@
 /// @file
-/// The rows of `reference table`: who is drawn for a class, and which of them
-/// belong to it.
+/// The rows of `reference table`: the classes of machines.
 #ifndef REFERENCE_ROWS_H
 #define REFERENCE_ROWS_H
 
-#include "moving.h"
+#include "judge.h"
 
 /// What the reference met on the way.
 typedef struct {
@@ -23,7 +22,7 @@ enum { ROW_STEPS = 3, ROW_MODELS = 7 };
 /// One kind of run of the library.
 typedef struct {
   lib_scheme_t scheme;
-  const lib_table_t *real;
+  const lib_real_t *real;
 } model_t;
 extern const model_t row_models[ROW_MODELS];
 

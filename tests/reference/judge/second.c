@@ -9,8 +9,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "classes.h"
-#include "moving.h"
+#include "judge.h"
 #include "paper.h"
 
 // cppcheck cannot ask for headers in brackets; it looks at both ways.
@@ -38,18 +37,17 @@ typedef struct {
   int sign_g; // sign of g
 } phase_t;
 
-static paper_t paper_at(const phase_t *phase, real_t t, ref_input_t *u) {
-  *u = ref_input(phase->q, t, phase->piece);
+static paper_t paper_at(const phase_t *phase, real_t t) {
   paper_t p = {PARAMETERS_OF(real_t, phase->q)};
-  p.omega0 = u->omega0;
+  p.omega0 = ref_input(phase->q, t, phase->piece).omega0;
   return p;
 }
 
 // Lagrange's form, with loads in Q_r and Q_phi.
 static void field(const phase_t *phase, real_t t, const real_t x[3], real_t F,
                   real_t M, real_t out[3]) {
-  ref_input_t u;
-  const paper_t p = paper_at(phase, t, &u);
+  const ref_input_t u = ref_input(phase->q, t, phase->piece);
+  const paper_t p = paper_at(phase, t);
   const real_t b2 = p.beta * p.beta + x[0] * x[0], D = p.m * b2;
   paper_rhs_mass(&p, x, F, M, out);
   out[1] += ((b2 + p.d * p.d) * u.force + p.d * u.torque) / D;
@@ -59,16 +57,23 @@ static void field(const phase_t *phase, real_t t, const real_t x[3], real_t F,
 // h moves with the turntable as well.
 static real_t h_rate(const phase_t *phase, real_t t, const real_t x[3],
                      real_t F, real_t M) {
-  ref_input_t u;
-  const paper_t p = paper_at(phase, t, &u);
+  const paper_t p = paper_at(phase, t);
   real_t f[3], h_x[3];
   field(phase, t, x, F, M, f);
+  f[2] -= ref_input(phase->q, t, phase->piece).alpha;
   paper_h_x(&p, x, h_x);
-  return h_x[0] * f[0] + h_x[1] * f[1] + h_x[2] * f[2] - h_x[2] * u.alpha;
+  return h_x[0] * f[0] + h_x[1] * f[1] + h_x[2] * f[2];
 }
 
 static real_t arm(const phase_t *phase) {
   return phase->q->law == REF_COULOMB ? 0 : phase->sign_g * phase->q->kappa;
+}
+
+// h' under the force at the edge of stick on one side.
+static real_t edge_rate(const phase_t *phase, real_t t, const real_t x[3],
+                        int side) {
+  const real_t F = side * phase->q->mu;
+  return h_rate(phase, t, x, F, arm(phase) * F);
 }
 
 static void slope(const phase_t *phase, real_t t, const real_t x[3],
@@ -80,8 +85,7 @@ static void slope(const phase_t *phase, real_t t, const real_t x[3],
     F = none / (none - h_rate(phase, t, x, 1, arm(phase)));
     M = arm(phase) * F;
   } else if (q->law != REF_COULOMB) {
-    ref_input_t u;
-    const paper_t p = paper_at(phase, t, &u);
+    const paper_t p = paper_at(phase, t);
     const real_t h = paper_h(&p, x), g = paper_g(&p, x);
     // Behind h = 0 the force of the edge goes on, so that a trial step over it
     // has no jump in it.
@@ -94,16 +98,14 @@ static void slope(const phase_t *phase, real_t t, const real_t x[3],
 // What has to stay positive in the phase.
 static void margins(const phase_t *phase, real_t t, const real_t x[3],
                     double out[ROOTS]) {
-  ref_input_t u;
-  const paper_t p = paper_at(phase, t, &u);
+  const paper_t p = paper_at(phase, t);
   out[0] = (double)(phase->sign_g * paper_g(&p, x));
   out[1] = (double)(phase->mode * paper_h(&p, x));
   out[2] = (double)(fabsl(paper_g(&p, x)) + fabsl(paper_h(&p, x)) - nearby);
   out[3] = 1;
   if (phase->mode == 0) {
-    const real_t M = arm(phase) * p.mu;
-    const real_t up = h_rate(phase, t, x, p.mu, M);
-    const real_t down = h_rate(phase, t, x, -p.mu, -M);
+    const real_t up = edge_rate(phase, t, x, 1);
+    const real_t down = edge_rate(phase, t, x, -1);
     out[3] = (double)(fabsl(down - up) - flat);
     out[1] = (double)(up < down ? -up : up);
     out[2] = (double)(up < down ? down : -down);
@@ -112,8 +114,7 @@ static void margins(const phase_t *phase, real_t t, const real_t x[3],
 
 // The phase after an event at x; false where h = g = 0 or A = 0 is near.
 static bool next(phase_t *phase, real_t t, const real_t x[3]) {
-  ref_input_t u;
-  const paper_t p = paper_at(phase, t, &u);
+  const paper_t p = paper_at(phase, t);
   const real_t h = paper_h(&p, x), g = paper_g(&p, x);
   if (fabsl(h) + fabsl(g) < 2 * nearby) {
     return false;
@@ -122,9 +123,8 @@ static bool next(phase_t *phase, real_t t, const real_t x[3]) {
     phase->sign_g = -phase->sign_g;
     return true;
   }
-  const real_t M = arm(phase) * p.mu;
-  const real_t up = h_rate(phase, t, x, p.mu, M);
-  const real_t down = h_rate(phase, t, x, -p.mu, -M);
+  const real_t up = edge_rate(phase, t, x, 1);
+  const real_t down = edge_rate(phase, t, x, -1);
   if (phase->mode == 0) {
     phase->mode = fabsl(up) < fabsl(down) ? 1 : -1;
     return down - up > 2 * flat;
@@ -135,16 +135,14 @@ static bool next(phase_t *phase, real_t t, const real_t x[3]) {
 
 // The phase of a state behind a break of the inputs.
 static void begin(phase_t *phase, real_t t, const real_t x[3]) {
-  ref_input_t u;
-  const paper_t p = paper_at(phase, t, &u);
+  const paper_t p = paper_at(phase, t);
   const real_t h = paper_h(&p, x);
   phase->sign_g = paper_g(&p, x) < 0 ? -1 : 1;
   if (fabsl(h) > 1e-9L) {
     phase->mode = h > 0 ? 1 : -1;
   } else if (phase->mode == 0) {
-    const real_t M = arm(phase) * p.mu;
-    const real_t up = h_rate(phase, t, x, p.mu, M);
-    const real_t down = h_rate(phase, t, x, -p.mu, -M);
+    const real_t up = edge_rate(phase, t, x, 1);
+    const real_t down = edge_rate(phase, t, x, -1);
     phase->mode = (up > 0) == (down > 0) ? (up > 0 ? 1 : -1) : 0;
   }
 }
@@ -227,13 +225,6 @@ static double integrate(const ref_machine_t *q, real_t x[3], double end,
 static real_t worst, unexplained;
 static const real_t moved = 1e-10L;
 
-static void begin_second(const class_t *class) {
-  (void)class;
-  printf(
-      "machine   t reached  events (both)  codim2_count  largest difference, "
-      "of a start moved by 1e-10\n");
-}
-
 static real_t apart(const ref_orbit_t *orbit, const real_t x[3]) {
   const real_t in_v = ref_v(orbit->machine, orbit->x) - x[1];
   const real_t in_w = ref_w(orbit->machine, orbit->x) - x[2];
@@ -246,8 +237,8 @@ static void judge(trial_t *trial) {
   const double shape = draw_uniform(&trial->draw, 0, MOVING_SHAPES);
   moving_draw(&trial->draw, &trial->machine, (moving_shape_t)(int)shape,
               trial->t_end, trial->t_end / 90);
-  const ref_machine_t q = draw_reference(&trial->machine, &lib_f64);
-  const ref_state_t start = draw_start(&trial->machine, &q, &lib_f64);
+  const ref_machine_t q = draw_reference(&trial->machine);
+  const ref_state_t start = draw_start(&trial->machine, &q);
   ref_state_t beside = start;
   beside.r += moved;
   ref_orbit_t orbit = {.tolerance = 1e-13L, .law = REF_HEXAGON};
@@ -269,8 +260,11 @@ static void judge(trial_t *trial) {
   unexplained = fmaxl(unexplained, e < grown ? 0 : e);
 }
 
-static int finish(const options_t *options) {
-  (void)options;
+static int run(const options_t *options) {
+  printf(
+      "machine   t reached  events (both)  codim2_count  largest difference, "
+      "of a start moved by 1e-10\n");
+  judge_machines(options, judge);
   printf("worst %.2Le\nworst above a start moved by 1e-10 %.2Le\n", worst,
          unexplained);
   return 0;
@@ -278,10 +272,7 @@ static int finish(const options_t *options) {
 
 #else
 
-#define begin_second NULL
-#define judge NULL
-
-static int finish(const options_t *options) {
+static int run(const options_t *options) {
   (void)options;
   printf("missing: cvode/cvode.h (apt-get install libsundials-dev)\n");
   return 3;
@@ -289,10 +280,5 @@ static int finish(const options_t *options) {
 
 #endif
 
-const class_t class_second = {.name = "second",
-                              .about = "machines by a second integration",
-                              .machines = 10,
-                              .t_end = 2,
-                              .begin = begin_second,
-                              .judge = judge,
-                              .finish = finish};
+const command_t command_second = {"second", "machines by a second integration",
+                                  10, 2, run};

@@ -3,25 +3,16 @@
 /// end far from the reference with every step OK. The reference follows the
 /// inputs that the steps were told, from event to event; where it is not sure
 /// of its own end it says so, and the machine is not counted.
-#ifndef _DEFAULT_SOURCE
-#define _DEFAULT_SOURCE // MAP_ANONYMOUS
-#endif
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/mman.h>
-#include <sys/wait.h>
-#include <time.h>
-#include <unistd.h>
 
-#include "classes.h"
 #include "rows.h"
-#include "told.h"
 
 enum { KNOTS = 4000, DRAWS = 200, SHOWN = 6 };
 
-// What is wrong: class_difference of an end; of the located step in double.
+// What is wrong: row_difference of an end; of the located step in double.
 static const double off = 0.02, off_located = 1e-6;
 
 // How far the end of the reference may move when its start moves by `beside`,
@@ -96,7 +87,7 @@ static ref_stop_t follow(const lib_machine_t *machine, const ref_machine_t *q,
                        .watch = on_event,
                        .context = met};
   *met = (met_t){.stuck = HUGE_VAL, .stick_since = -1};
-  ref_state_t start = draw_start(machine, q, &lib_f64);
+  ref_state_t start = draw_start(machine, q);
   start.r *= 1 + (real_t)share;
   if (!machine->on_surface) {
     start.p *= 1 + (real_t)share;
@@ -116,7 +107,7 @@ static ref_stop_t follow(const lib_machine_t *machine, const ref_machine_t *q,
 // A wheel put on the turntable that does not stay there, which is most of them.
 static bool slides_off(const lib_machine_t *machine, const ref_machine_t *q) {
   ref_orbit_t orbit = {.tolerance = 1e-11L, .law = rest_laws[machine->rest]};
-  ref_state_t start = draw_start(machine, q, &lib_f64);
+  ref_state_t start = draw_start(machine, q);
   start.piece = q->knots > 0;
   ref_begin(&orbit, q, start, REF_MODES);
   return start.p == 0 && start.z == 0 && orbit.mode != REF_PINNED;
@@ -140,7 +131,7 @@ static bool draw_case(const row_t *row, const options_t *options, long index,
   for (int i = 0; i < DRAWS; ++i) {
     c->row = row;
     c->machine = row_machine(&draw, row, index % 2 != 0);
-    c->q = draw_reference(&c->machine, &lib_f64);
+    c->q = draw_reference(&c->machine);
     met_t met;
     ref_state_t other;
     ++count->n[DRAWN];
@@ -155,7 +146,7 @@ static bool draw_case(const row_t *row, const options_t *options, long index,
     const bool reached =
         stop == REF_REACHED && follow(&c->machine, &c->q, beside, row->t_end,
                                       &met, &other) == REF_REACHED;
-    c->moved = reached ? class_distance(&c->q, c->end, other) : HUGE_VAL;
+    c->moved = reached ? state_difference(&c->q, c->end, other) : HUGE_VAL;
     const int is = stop != REF_REACHED ? STOPPED
                    : c->met.several    ? SEVERAL
                    : c->moved < sure   ? JUDGED
@@ -189,9 +180,9 @@ static bool told_end(const case_t *c, ref_state_t *end) {
   // any more.
   ref_machine_t begun = c->q;
   begun.knots = 0;
-  begun.omega0 = moving_told(machine, 0, 0).omega0;
+  begun.omega0 = moving_input(machine, 0, 0).omega0;
   if (machine->on_surface && fabsl(table[0].omega0 - begun.omega0) > 1e-12L) {
-    const ref_state_t start = draw_start(machine, &begun, &lib_f64);
+    const ref_state_t start = draw_start(machine, &begun);
     started.v = (double)ref_v(&begun, start);
     started.on_surface = false;
   }
@@ -205,24 +196,7 @@ static bool told_end(const case_t *c, ref_state_t *end) {
   end->r = x.r;
   end->z += ref_w(&q, x) - ref_w(&c->q, c->end);
   end->p = ref_v(&q, x) - q.d * end->z;
-  return !met.several && class_distance(&q, x, other) < sure;
-}
-
-// Runs to the end: -1 refused, 0 all steps OK, 1 not all.
-static int run(const case_t *c, const model_t *model, lib_row_t *at) {
-  lib_t lib;
-  if (model->real->open(&lib, &c->machine, model->scheme, at) < 0) {
-    return -1;
-  }
-  int flagged = 0;
-  for (long n = lround(c->row->t_end / c->machine.dt); n > 0; --n) {
-    const int status = model->real->step(&lib, at);
-    if (status < 0) {
-      return -1;
-    }
-    flagged |= status > 0;
-  }
-  return flagged;
+  return !met.several && state_difference(&q, x, other) < sure;
 }
 
 static void tally(tally_t *t, const case_t *c, long index, int outcome,
@@ -322,10 +296,11 @@ static void judge_case(case_t *c, const options_t *options, long index,
     if (!ref->known) {
       continue;
     }
-    lib_row_t at;
-    const int outcome = run(c, model, &at);
+    lib_row_t at = {0, 0, 0};
+    const int outcome = model->real->run(&c->machine, model->scheme, row->t_end,
+                                         &at, NULL, NULL);
     const double error =
-        outcome < 0 ? HUGE_VAL : class_difference(&c->q, ref->end, &at);
+        outcome < 0 ? HUGE_VAL : row_difference(&c->q, ref->end, &at);
     const bool sharply =
         model->scheme == LIB_LOCATED && model->real == &lib_f64;
     bool wrong = error > (sharply ? off_located : off);
@@ -342,79 +317,24 @@ static void judge_case(case_t *c, const options_t *options, long index,
   }
 }
 
-static void add(row_count_t *sum, const row_count_t *part) {
-  for (int i = 0; i < CASES; ++i) {
-    sum->n[i] += part->n[i];
-  }
-  for (int i = 0; i < ROW_STEPS * ROW_MODELS; ++i) {
-    tally_t *a = &sum->tally[0][0] + i;
-    const tally_t *b = &part->tally[0][0] + i;
-    for (long n = 0; n < b->n[SILENT] && a->n[SILENT] + n < SHOWN; ++n) {
-      a->shown[a->n[SILENT] + n] = b->shown[n < SHOWN ? n : 0];
-    }
-    for (int k = 0; k < KINDS; ++k) {
-      a->n[k] += b->n[k];
-    }
-    a->log_error += b->log_error;
-    a->measured += b->measured;
-  }
-}
-
-// Every `jobs`-th machine of a row; the first of them says how far it is.
-static void judge_share(const row_t *row, const options_t *options, long job,
-                        row_count_t *count) {
-  const time_t began = time(NULL);
-  time_t said = began;
-  for (long i = job; i < options->machines; i += options->jobs) {
-    case_t c;
-    const long index = options->first + i;
-    if (draw_case(row, options, index, count, &c)) {
-      if (options->machines == 1) {
-        draw_print(&c.machine, row->t_end, "SCHEME");
-        printf(
-            "  sine %.9g rad/s, %.9g rad/s; law of rest %d; a start moved by "
-            "%.0e ends %.1e apart; h = g = 0 %d times\n",
-            c.machine.swing, c.machine.swing_rate, c.machine.rest, beside,
-            c.moved, c.met.through);
-      }
-      judge_case(&c, options, index, count);
-    }
-    const time_t now = time(NULL);
-    if (job == 0 && now - said >= 2) {
-      said = now;
-      const double each = (double)(now - began) / (double)(i + 1);
-      fprintf(stderr, "\r%s: %ld of %ld machines, %.0f s left in the row  ",
-              row->name, i + 1, options->machines,
-              each * (double)(options->machines - i - 1));
-    }
-  }
-}
-
-// Shares a row among processes; false where one did not end well.
-static bool judge_row(const row_t *row, const options_t *options,
+static void judge_row(const row_t *row, const options_t *options,
                       row_count_t *count) {
-  const size_t jobs = (size_t)options->jobs, size = jobs * sizeof *count;
-  row_count_t *parts = mmap(NULL, size, PROT_READ | PROT_WRITE,
-                            MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  if (parts == MAP_FAILED) {
-    return false;
-  }
-  for (size_t job = 1; job < jobs; ++job) {
-    if (fork() == 0) {
-      judge_share(row, options, (long)job, &parts[job]);
-      _exit(0);
+  for (long i = 0; i < options->machines; ++i) {
+    const long index = options->first + i;
+    case_t c;
+    if (!draw_case(row, options, index, count, &c)) {
+      continue;
     }
+    if (options->machines == 1) {
+      draw_print(&c.machine, row->t_end, "SCHEME");
+      printf(
+          "  sine %.9g rad/s, %.9g rad/s; law of rest %d; a start moved by "
+          "%.0e ends %.1e apart; h = g = 0 %d times\n",
+          c.machine.swing, c.machine.swing_rate, c.machine.rest, beside,
+          c.moved, c.met.through);
+    }
+    judge_case(&c, options, index, count);
   }
-  judge_share(row, options, 0, parts);
-  bool good = true;
-  for (size_t job = 0; job < jobs; ++job) {
-    int status = 0;
-    good = (job == 0 || (wait(&status) > 0 && status == 0)) && good;
-  }
-  for (size_t job = 0; job < jobs; ++job) {
-    add(count, &parts[job]);
-  }
-  return munmap(parts, size) == 0 && good;
 }
 
 static void print_row(const row_t *row, const options_t *options,
@@ -446,43 +366,31 @@ static void print_row(const row_t *row, const options_t *options,
   }
 }
 
-static int run_table(const options_t *asked) {
-  options_t options = *asked;
-  if (options.jobs < 1 || options.jobs > 63 || options.machines < 2) {
-    options.jobs = 1;
-  }
-  bool known = false, good = true;
+static int run(const options_t *options) {
+  bool known = false;
   printf(
-      "reference table, seed %llu; silent: all steps OK and more than 2 %% "
-      "off (located in double 1e-6; A': order below 1.5)\n",
-      (unsigned long long)options.seed);
-  printf(
+      "silent: all steps OK and more than 2 %% off (located in double 1e-6; "
+      "A': "
+      "order below 1.5)\n"
       "  row scheme      real       dt   tried through  silent through "
       "flagged flagged refused  mean of\n%62s wrong   right %15s\n",
       "", "error");
   for (int i = 0; i < ROWS; ++i) {
-    static row_count_t count;
-    if (strcmp(options.row, "all") != 0 &&
-        strcmp(options.row, rows[i].name) != 0) {
-      continue;
+    if (strcmp(options->row, "all") == 0 ||
+        strcmp(options->row, rows[i].name) == 0) {
+      row_count_t count = {.n = {0}};
+      known = true;
+      judge_row(&rows[i], options, &count);
+      print_row(&rows[i], options, &count);
     }
-    known = true;
-    memset(&count, 0, sizeof count);
-    fflush(stdout);
-    good = judge_row(&rows[i], &options, &count) && good;
-    fprintf(stderr, "\r%60s\r", "");
-    print_row(&rows[i], &options, &count);
   }
   if (!known) {
-    printf("no class %s\n", options.row);
+    printf("no class %s\n", options->row);
   }
-  return known && good ? 0 : 2;
+  return known ? 0 : 2;
 }
 
-const class_t class_table = {
-    .name = "table",
-    .about =
-        "classes of machines by each scheme: silently wrong, flagged, "
-        "refused",
-    .machines = 200,
-    .finish = run_table};
+const command_t command_table = {
+    "table",
+    "classes of machines by each scheme: silently wrong, flagged, refused", 200,
+    0, run};

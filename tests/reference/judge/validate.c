@@ -6,7 +6,7 @@
 #include <stdio.h>
 
 #include "../../data/reference.h"
-#include "classes.h"
+#include "judge.h"
 #include "paper.h"
 
 static int failures, checks;
@@ -31,9 +31,9 @@ static void equations(void) {
     lib_machine_t machine = draw_machine(&draw, false);
     machine.coulomb = machine.on_surface = false;
     machine.kappa += 0.01;
-    const ref_machine_t q = draw_reference(&machine, &lib_f64);
+    const ref_machine_t q = draw_reference(&machine);
     const paper_t p = {PARAMETERS_OF(real_t, &q)};
-    ref_state_t at = draw_start(&machine, &q, &lib_f64);
+    ref_state_t at = draw_start(&machine, &q);
     real_t x[3] = {at.r, ref_v(&q, at), ref_w(&q, at)}, dx[3], F, M;
     const ref_slip_t hg = ref_slip(&q, at);
     slip = fmaxl(slip, apart(hg.h, paper_h(&p, x)));
@@ -139,7 +139,7 @@ static void carried(void) {
   for (int i = 0; i < 2000; ++i) {
     lib_machine_t machine = draw_machine(&draw, false);
     machine.coulomb = false;
-    ref_machine_t q = draw_reference(&machine, &lib_f64);
+    ref_machine_t q = draw_reference(&machine);
     const real_t alpha = 0.3L, end = 9;
     q.knots = 2;
     q.knot[0] = (ref_knot_t){.omega0 = q.omega0};
@@ -180,7 +180,7 @@ static void carried(void) {
   check("carried", "r at rest", moved, 0);
 }
 
-static int finish(const options_t *options) {
+static int run(const options_t *options) {
   (void)options;
   equations();
   two_fold();
@@ -192,7 +192,5 @@ static int finish(const options_t *options) {
   return failures > 0;
 }
 
-const class_t class_validate = {
-    .name = "validate",
-    .about = "the reference against the paper and tests/data",
-    .finish = finish};
+const command_t command_validate = {
+    "validate", "the reference against the paper and tests/data", 0, 0, run};

@@ -1,0 +1,158 @@
+/// @file
+/// What the commands of the judge share: a machine as it is drawn, the library
+/// that runs it, the reference's view of it, and the counts of offenders.
+#ifndef REFERENCE_JUDGE_H
+#define REFERENCE_JUDGE_H
+
+#include <stdint.h>
+
+#include "reference.h"
+
+typedef ref_real_t real_t;
+
+/// Inputs at a time; linear in between.
+enum { LIB_KNOTS = 16 };
+typedef struct {
+  double t, omega0, force, torque;
+} lib_knot_t;
+
+/// Parameters of a machine, where it starts and what drives it; enough to
+/// replay a run.
+typedef struct {
+  double m, d, beta, k2, c1, c2, r0, omega0, mu, kappa, gamma;
+  bool coulomb;
+  double r, v, omega;
+  bool on_surface; ///< v is to make h = 0
+  double dt;
+  int rest;  ///< law at h = g = 0, numbered as by the library
+  int knots; ///< 0: omega0 is constant
+  lib_knot_t knot[LIB_KNOTS];
+  double swing, swing_rate; ///< a sine on top of omega0 [rad/s]
+} lib_machine_t;
+
+typedef enum {
+  LIB_STEP,
+  LIB_LOCATED,
+  LIB_COMPENSATED,
+  LIB_SCHEMES,
+  LIB_LANES = LIB_SCHEMES ///< tf_ensemble_step, the same state in each lane
+} lib_scheme_t;
+extern const char *const lib_scheme_names[LIB_SCHEMES + 1];
+
+/// A state of the library.
+typedef struct {
+  double r, v, w;
+} lib_row_t;
+/// Called at the start and after each step that is not refused; may be NULL.
+typedef void (*lib_watch_t)(void *context, int status, const lib_row_t *at);
+
+/// The simulator in one real type, behind functions in double: library.c is
+/// compiled twice. run takes a machine from its start to a time; -1: refused,
+/// 0: all steps OK, 1: not all.
+typedef struct {
+  const char *name;
+  double epsilon;
+  int (*run)(const lib_machine_t *machine, lib_scheme_t scheme, double t_end,
+             lib_row_t *end, lib_watch_t watch, void *context);
+} lib_real_t;
+extern const lib_real_t lib_f64, lib_f32;
+
+/// Ends of the range of a parameter, by its name.
+void lib_range(const char *name, double *low, double *high);
+
+/// A random sequence; machine i of a seed has its own.
+typedef struct {
+  uint64_t state;
+} draw_t;
+draw_t draw_begin(uint64_t seed, uint64_t index);
+/// Uniform in [low, high), or its logarithm is; that needs low > 0.
+double draw_uniform(draw_t *draw, double low, double high);
+double draw_log(draw_t *draw, double low, double high);
+double draw_sign(draw_t *draw);
+/// Machine with a start near h = g = 0, on h = 0 or anywhere. All numbers but
+/// special angles are floats. `extreme`: m, beta, k2 and mu towards the ends of
+/// their ranges in half of the machines.
+lib_machine_t draw_machine(draw_t *draw, bool extreme);
+/// The reference's machine and start.
+ref_machine_t draw_reference(const lib_machine_t *machine);
+ref_state_t draw_start(const lib_machine_t *machine, const ref_machine_t *q);
+/// Prints the command that replays a run of the library.
+void draw_print(const lib_machine_t *machine, double t_end, const char *scheme);
+
+/// Inputs that move, in shapes that machines meet.
+typedef enum {
+  MOVING_RAMP,
+  MOVING_TRIANGLE,
+  MOVING_SINE,
+  MOVING_HELD_STEPS,
+  MOVING_JUMPS,
+  MOVING_THROUGH_ZERO,
+  MOVING_HOLD_THEN_RAMP,
+  MOVING_KINKS,
+  MOVING_SHAPES
+} moving_shape_t;
+/// Makes omega0 move from where it is over a time, with loads in half of the
+/// draws, which move in an eighth. Half of the draws have their knots on
+/// multiples of `grid`.
+void moving_draw(draw_t *draw, lib_machine_t *machine, moving_shape_t shape,
+                 double time, double grid);
+/// Inputs of a step: omega0 at its end, the mean of its slope between jumps,
+/// and mean loads. Of an empty span the values and the slope behind it.
+typedef struct {
+  double omega0, alpha, force, torque;
+} moving_input_t;
+moving_input_t moving_input(const lib_machine_t *machine, double from,
+                            double to);
+/// The inputs of `steps` steps of a machine's dt, for the reference: straight
+/// within a step, a jump at its start where one lies in it. Writes up to `most`
+/// knots; returns how many, or 0 where they are more.
+int moving_table(const lib_machine_t *machine, long steps, ref_knot_t *table,
+                 int most);
+
+/// Largest difference of r [m], v [m/s], w [rad/s], each against its own size
+/// or that of the machine.
+double row_difference(const ref_machine_t *q, ref_state_t x,
+                      const lib_row_t *row);
+double state_difference(const ref_machine_t *q, ref_state_t a, ref_state_t b);
+
+/// The command line.
+typedef struct {
+  long machines, first;
+  uint64_t seed;
+  double t_end;
+  long show;             ///< how many offenders of each count are printed
+  const char *row, *dts; ///< of table: its class, steps instead of its own
+} options_t;
+
+typedef struct {
+  const char *name, *about;
+  long machines; ///< 0: it draws none
+  double t_end;
+  int (*run)(const options_t *options); ///< returns the exit code
+} command_t;
+extern const command_t command_validate, command_second, command_branch,
+    command_energy, command_table;
+
+/// A machine to judge; a command may change it and the time on the way.
+typedef struct {
+  const options_t *options;
+  long index;
+  draw_t draw;
+  lib_machine_t machine;
+  double t_end;
+} trial_t;
+/// Judges every machine of the options, then prints the counts.
+void judge_machines(const options_t *options, void (*judge)(trial_t *trial));
+
+/// A row of the report: offenders among tries. `scheme` replays the first
+/// offenders; NULL: they are not shown.
+typedef struct {
+  char what[96];
+  const char *scheme;
+  long hits, tries;
+} count_t;
+count_t *count_add(const char *scheme, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+void count_try(count_t *count, const trial_t *trial, bool hit);
+
+#endif
