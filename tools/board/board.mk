@@ -7,7 +7,7 @@
 
 HIL_PARTS := $(wildcard tools/board/hil/*.c) $(addprefix tools/cli/,\
   host/key.c host/source.c host/host.c host/output.c text/message.c \
-  text/number.c text/shard.c)
+  text/number.c)
 
 define board_rules
 $(BUILD)/$(1)/hil: $$(call objects_of_$(1),$(HIL_PARTS)) \

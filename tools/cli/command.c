@@ -6,12 +6,9 @@
 #include "command.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "host/host.h"
-#include "host/output.h"
-#include "setup/scene_file.h"
 #include "text/summary.h"
 
 static const cli_command_t *find(cli_closest_t *closest) {
@@ -70,89 +67,35 @@ static int unknown_command(const cli_closest_t *closest) {
                      closest->hint);
 }
 
-static bool asks_for_help(int argc, char *const argv[]) {
-  bool asks = false;
-  for (int i = 0; i < argc; i++) {
-    asks = asks || strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0;
+static bool has(int argc, char *const argv[], const char *word) {
+  int i = 0;
+  while (i < argc && strcmp(argv[i], word) != 0) {
+    i++;
   }
-  return asks;
+  return i < argc;
+}
+
+static bool asks_for_help(int argc, char *const argv[]) {
+  return has(argc, argv, "--help") || has(argc, argv, "-h");
 }
 
 static bool asks_for_json(int argc, char *const argv[]) {
-  bool asks = false;
-  for (int i = 0; i < argc; i++) {
-    asks = asks || strcmp(argv[i], "--summary=json") == 0 ||
-           (i > 0 && strcmp(argv[i - 1], "--summary") == 0 &&
-            strcmp(argv[i], "json") == 0);
+  bool asks = has(argc, argv, "--summary=json");
+  for (int i = 1; i < argc; i++) {
+    asks = asks || (strcmp(argv[i - 1], "--summary") == 0 &&
+                    strcmp(argv[i], "json") == 0);
   }
   return asks;
 }
 
-#define PATH_ROOM 4200
-
-// Whether writing the one, or the `.part` or `.resume` beside it, would destroy
-// the other. Standard output takes the rows of one option.
-static bool destroys(const cli_file_t *writer, const cli_file_t *file) {
-  static const char *const beside[] = {"", ".part", ".resume"};
-  const char *value = writer->given.value;
-  if (strcmp(value, "-") == 0) {
-    return file->how == CLI_WRITES && strcmp(file->given.value, "-") == 0;
-  }
-  for (size_t i = 0; i < sizeof beside / sizeof beside[0]; i++) {
-    char path[PATH_ROOM];
-    const int length = snprintf(path, sizeof path, "%s%s", value, beside[i]);
-    if (length > 0 && (size_t)length < sizeof path &&
-        cli_one_file(path, file->given.value)) {
-      return true;
-    }
-  }
-  return false;
-}
-
-static int check_files(const cli_file_t *files, size_t count) {
-  for (size_t i = 0; i < count; i++) {
-    const cli_file_t *writer = &files[i];
-    for (size_t k = 0; k < count && writer->how == CLI_WRITES; k++) {
-      const cli_file_t *file = &files[k];
-      if (k != i && file->how != 0 && destroys(writer, file)) {
-        return cli_message(
-            CLI_USAGE, "%s %s would write over %s%s%s: two files are needed",
-            writer->given.name, writer->given.value, file->given.name,
-            file->given.name[0] != '\0' ? " " : "", file->given.value);
-      }
-    }
-  }
-  return CLI_DONE;
-}
-
-static int take_scene(void *to, const char *word) {
-  cli_args_t *args = to;
-  return cli_take_scene(&args->scene, word);
-}
-
-// args: out; its files are from the heap, whatever is returned.
 static int read_args(const cli_command_t *command, cli_args_t *args, int argc,
                      char *const argv[]) {
-  const bool of_scene = command->take == NULL;
-  const cli_syntax_t syntax = {cli_options, cli_option_count, command->name,
-                               command->bit,
-                               of_scene ? take_scene : command->take};
-  memset(args, 0, sizeof *args);
   args->command = command->name;
   args->points = 1;
   args->listed = 20;
-  args->shard = cli_whole_shard;
-  cli_usual_values(&syntax, args);
-  const size_t words = (size_t)argc;
-  cli_file_t *files = calloc(words + 1, sizeof *files);
-  if (files == NULL) {
-    return cli_message(CLI_STOPPED, "out of memory");
-  }
-  int code = cli_read_words(&syntax, args, argc, argv, files);
-  code = code == CLI_DONE ? check_files(files, words) : code;
-  free(files);
-  CLI_TRY(code);
-  if (of_scene && args->scene == NULL) {
+  args->shard = (cli_shard_t){1, 1};
+  CLI_TRY(cli_read_words(command, args, argc, argv));
+  if (command->take == NULL && args->scene == NULL) {
     return cli_message(CLI_USAGE,
                        "%s: which scene? ('twofold scenes' lists them)",
                        command->name);

@@ -1,9 +1,9 @@
 // The table of the commands. The command line is made of these folders; each
 // line includes only folders below it (check `arrows` has the same table):
 //
-//   .          command (reads a command line and performs it), commands (this
-//              table), table (of the options), help, topics (help on words),
-//              completions, the commands `scenes` and `scene`
+//   .          command (performs a command line), commands (this table), table
+//              (of the options), options (reads them), help, topics (help on
+//              words), completions, the commands `scenes` and `scene`
 //   monitor/   the command `monitor`; takes only row.h of run/
 //   run/       the command `run`: loop, rows, frames, events, summary
 //   analysis/  singularities, regions, design, atlas and tyre
@@ -26,7 +26,7 @@
 #include "command.h"
 #include "setup/setup.h"
 #include "sweep/point.h"
-#include "text/message.h"
+#include "text/text.h"
 
 static void print_names(void) {
   cli_print_ranges();

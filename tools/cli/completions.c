@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "command.h"
-#include "text/message.h"
+#include "text/text.h"
 #include "twofold.h"
 
 static const struct {

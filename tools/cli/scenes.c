@@ -7,7 +7,7 @@
 #include "host/output.h"
 #include "setup/scene_file.h"
 #include "setup/setup.h"
-#include "text/message.h"
+#include "text/text.h"
 
 int cli_scenes(int argc, char *const argv[]) {
   int width = 0;

@@ -9,8 +9,7 @@
 #include "diverge/job.h"
 #include "run/row.h"
 #include "setup/args.h"
-#include "text/message.h"
-#include "text/number.h"
+#include "text/text.h"
 
 #define GRIDS (CLI_REGIONS | CLI_ATLAS)
 #define ANALYSES (GRIDS | CLI_DESIGN | CLI_SINGULARITIES | CLI_TYRE)

@@ -5,8 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "cli/text/message.h"
-#include "cli/text/number.h"
+#include "cli/text/text.h"
 #include "module.h"
 
 #define NUMBER_ROOM 1024 // beyond any number that people or programs write

@@ -6,7 +6,7 @@
 
 #include "board/hil/control.h"
 #include "cli/host/source.h"
-#include "cli/text/message.h"
+#include "cli/text/text.h"
 
 /// Exit codes.
 typedef enum {

@@ -12,7 +12,7 @@
 #include "cli/host/host.h"
 #include "cli/host/key.h"
 #include "cli/host/output.h"
-#include "cli/text/number.h"
+#include "cli/text/text.h"
 
 typedef struct {
   const char *device, *csv;

@@ -8,8 +8,7 @@
 #include "../host/host.h"
 #include "../host/output.h"
 #include "../setup/args.h"
-#include "../text/buffer.h"
-#include "../text/message.h"
+#include "../text/text.h"
 
 // One of the commands, ready to compute and write.
 typedef struct {

@@ -10,8 +10,8 @@
 
 #include "../host/host.h"
 #include "../host/sheet.h"
-#include "../text/message.h"
 #include "../text/summary.h"
+#include "../text/text.h"
 #include "motion.h"
 
 #define FLUSH_EVERY 0.5 // [s]

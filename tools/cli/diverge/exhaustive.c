@@ -17,9 +17,8 @@
 
 #include "../host/host.h"
 #include "../host/output.h"
-#include "../text/message.h"
-#include "../text/number.h"
 #include "../text/summary.h"
+#include "../text/text.h"
 #include "motion.h"
 
 #define JOIN 1e-6 // [m]

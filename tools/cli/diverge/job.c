@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../text/message.h"
+#include "../text/text.h"
 
 #define IN_SLIP 1e-3 // [s], longest step of random motions in slip
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "../setup/args.h"
-#include "../text/buffer.h"
+#include "../text/text.h"
 #include "canard.h"
 
 // What selects the exit of a motion whose future is not unique.

@@ -6,7 +6,7 @@
 
 #include <stdbool.h>
 
-#include "../text/message.h"
+#include "../text/text.h"
 
 double cli_now(void); ///< monotonic [s]
 

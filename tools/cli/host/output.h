@@ -9,7 +9,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "../text/shard.h"
+#include "../text/text.h"
 
 #define CLI_PATH_ROOM 4096
 typedef struct {

@@ -16,8 +16,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "../text/buffer.h"
-#include "../text/message.h"
+#include "../text/text.h"
 
 #define LINE (CLI_SHEET_ABOUT + 16)
 

@@ -16,8 +16,7 @@
 #include <unistd.h>
 
 #include "../host/host.h"
-#include "../text/buffer.h"
-#include "../text/message.h"
+#include "../text/text.h"
 #include "twofold.h"
 
 #define COLUMNS 512 // that are drawn at most, and rows

@@ -14,8 +14,7 @@
 #include "../host/key.h"
 #include "../run/row.h"
 #include "../setup/setup.h"
-#include "../text/message.h"
-#include "../text/number.h"
+#include "../text/text.h"
 
 #define PATIENCE 3.0    // for an answer [s]
 #define ANSWER_BYTES 8u // of every answer; one about a parameter has more

@@ -11,8 +11,8 @@
 #include "../host/host.h"
 #include "../host/output.h"
 #include "../live/live.h"
-#include "../text/message.h"
 #include "../text/summary.h"
+#include "../text/text.h"
 #include "board_command.h"
 
 #define WAIT 100 // for bytes, and between two attempts to open a device [ms]

@@ -6,9 +6,8 @@
 #include <stdio.h>
 
 #include "../run/row.h"
-#include "../text/message.h"
-#include "../text/number.h"
 #include "../text/summary.h"
+#include "../text/text.h"
 #include "receiver.h"
 
 static void print_board(const tf_heartbeat_t *beat) {

@@ -7,8 +7,7 @@
 #include <string.h>
 
 #include "../setup/setup.h"
-#include "../text/buffer.h"
-#include "../text/message.h"
+#include "../text/text.h"
 
 void cli_run_show(const cli_run_t *run) {
   const tf_state_t *state = &run->system.state;

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../text/message.h"
+#include "../text/text.h"
 #include "record.h"
 #include "row.h"
 

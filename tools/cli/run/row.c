@@ -11,8 +11,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../text/buffer.h"
-#include "../text/number.h"
+#include "../text/text.h"
 
 #define PLOTTED 6 // columns from the second up to this one
 

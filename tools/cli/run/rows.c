@@ -7,8 +7,7 @@
 
 #include "../host/host.h"
 #include "../setup/setup.h"
-#include "../text/buffer.h"
-#include "../text/number.h"
+#include "../text/text.h"
 #include "record.h"
 #include "row.h"
 

@@ -11,11 +11,8 @@
 
 #include "../host/host.h"
 #include "../setup/setup.h"
-#include "../text/buffer.h"
-#include "../text/message.h"
-#include "../text/number.h"
-#include "../text/shard.h"
 #include "../text/summary.h"
+#include "../text/text.h"
 #include "record.h"
 #include "row.h"
 

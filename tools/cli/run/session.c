@@ -13,9 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../text/buffer.h"
-#include "../text/lines.h"
-#include "../text/message.h"
+#include "../text/text.h"
 #include "row.h"
 
 #define HEADER "tick,type,data,command"

@@ -24,10 +24,7 @@
 
 #include "../setup/scene_file.h"
 #include "../setup/setup.h"
-#include "../text/lines.h"
-#include "../text/message.h"
-#include "../text/number.h"
-#include "../text/shard.h"
+#include "../text/text.h"
 #include "record.h"
 
 #define VERSION "3"

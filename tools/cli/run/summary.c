@@ -11,9 +11,7 @@
 #include <string.h>
 
 #include "../setup/setup.h"
-#include "../text/buffer.h"
-#include "../text/message.h"
-#include "../text/number.h"
+#include "../text/text.h"
 #include "record.h"
 
 static void print_request(const cli_run_t *run) {

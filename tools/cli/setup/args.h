@@ -4,7 +4,7 @@
 #pragma once
 
 #include "../../motion.h"
-#include "../text/shard.h"
+#include "../text/text.h"
 #include "inputs.h"
 
 #define CLI_AXES 8     ///< of a sweep, at most

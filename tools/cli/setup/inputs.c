@@ -6,9 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "../text/buffer.h"
-#include "../text/message.h"
-#include "../text/shard.h"
+#include "../text/text.h"
 
 const cli_quantity_t cli_input_columns[CLI_INPUTS] = {
     {"omega0", "rad/s"}, {"r0", "m"}, {"force", "N"}, {"torque", "N m"}};

@@ -5,10 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../text/lines.h"
-#include "../text/message.h"
-#include "../text/number.h"
-#include "../text/options.h"
+#include "../text/text.h"
 #include "inputs.h"
 #include "setup.h"
 

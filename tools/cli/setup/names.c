@@ -3,8 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../text/buffer.h"
-#include "../text/number.h"
+#include "../text/text.h"
 #include "setup.h"
 
 #define AT(member) \

@@ -8,9 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../text/lines.h"
-#include "../text/message.h"
-#include "../text/number.h"
+#include "../text/text.h"
 #include "setup.h"
 
 #define LINE_ROOM 512

@@ -4,7 +4,7 @@
 /// printed here reads back to the same bits.
 #pragma once
 
-#include "../text/buffer.h"
+#include "../text/text.h"
 #include "twofold.h"
 
 #define CLI_SCENE_BYTES 16384 ///< of a file, at most

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "../text/message.h"
+#include "../text/text.h"
 #include "args.h"
 #include "setup.h"
 #include "twofold/step.h"

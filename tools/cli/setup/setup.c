@@ -11,9 +11,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../text/buffer.h"
-#include "../text/number.h"
-#include "../text/shard.h"
+#include "../text/text.h"
 
 const cli_setting_t *cli_settings_find(const cli_settings_t *settings,
                                        const char *name) {

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "../../motion.h"
-#include "../text/message.h"
+#include "../text/text.h"
 
 /// A name, and the unit of what it names.
 typedef struct {

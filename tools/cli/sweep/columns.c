@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "../setup/setup.h"
-#include "../text/message.h"
+#include "../text/text.h"
 #include "point.h"
 
 static const char *unit_of(const char *name) {

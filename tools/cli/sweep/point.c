@@ -15,9 +15,8 @@
 #include "../host/host.h"
 #include "../run/events.h"
 #include "../setup/setup.h"
-#include "../text/message.h"
-#include "../text/number.h"
 #include "../text/summary.h"
+#include "../text/text.h"
 
 #define BATCH 4096 // steps between two checks for a signal
 #define REASON_ROOM 512

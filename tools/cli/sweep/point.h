@@ -2,7 +2,7 @@
 #pragma once
 
 #include "../setup/args.h"
-#include "../text/buffer.h"
+#include "../text/text.h"
 
 #define CLI_SWEEP_ROW 2048 // room for a row or a header
 

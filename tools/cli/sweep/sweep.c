@@ -9,10 +9,8 @@
 
 #include "../host/host.h"
 #include "../host/sheet.h"
-#include "../text/message.h"
-#include "../text/number.h"
-#include "../text/options.h"
 #include "../text/summary.h"
+#include "../text/text.h"
 #include "point.h"
 
 #define FLUSH_EVERY 0.2 // [s], so at most so much work is lost by a kill

@@ -1,16 +1,13 @@
 // Appending to a buffer. Numbers are the shortest decimals that read back to
 // the same bits.
 
-#include "buffer.h"
-
 #include <inttypes.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "lines.h"
-#include "number.h"
+#include "text.h"
 
 static void add_bytes(cli_buffer_t *buffer, const char *bytes, size_t length) {
   if (length >= buffer->room - buffer->used) {

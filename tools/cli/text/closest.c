@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "message.h"
+#include "text.h"
 
 #define LONGEST CLI_CLOSEST_LONGEST
 

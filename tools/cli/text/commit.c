@@ -1,7 +1,7 @@
 // The one file that is compiled again with every commit; TF_COMMIT is a flag of
 // the Makefile.
 
-#include "message.h"
+#include "text.h"
 
 #ifndef TF_COMMIT
 #define TF_COMMIT "unknown"

@@ -1,12 +1,13 @@
 // Messages. They are read by someone who has just mistyped something, so each
 // names the option, the value and the range that is allowed.
 
-#include "message.h"
-
 #include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+
+#include "text.h"
 
 static char *diverted;
 static size_t diverted_room;
@@ -50,4 +51,44 @@ int cli_finish_stdout(void) {
   }
   return cli_message(CLI_STOPPED, "standard output: %s",
                      errno != 0 ? strerror(errno) : "write error");
+}
+
+// Text files are in memory as a whole before the first line is looked at.
+
+static int read_all(FILE *file, size_t most, char **text, size_t *size) {
+  for (size_t room = 4096; feof(file) == 0 && ferror(file) == 0; room *= 2) {
+    char *more = *size <= most ? realloc(*text, room + 1) : NULL;
+    if (more == NULL) {
+      return *size <= most ? ENOMEM : 0;
+    }
+    *text = more;
+    *size += fread(more + *size, 1, room - *size, file);
+    more[*size] = '\0';
+  }
+  return ferror(file) != 0 ? errno : 0;
+}
+
+int cli_read_text(const char *option, const char *path, size_t most,
+                  char **text, size_t *size) {
+  const bool standard = strcmp(path, "-") == 0;
+  FILE *file = standard ? stdin : fopen(path, "r");
+  *text = NULL;
+  *size = 0;
+  const int error = file != NULL ? read_all(file, most, text, size) : errno;
+  if (file != NULL && !standard) {
+    (void)fclose(file);
+  }
+  if (error == 0) {
+    return CLI_DONE;
+  }
+  free(*text);
+  *text = NULL;
+  return cli_message(error == ENOMEM ? CLI_STOPPED : CLI_USAGE, "%s%s: %s",
+                     option, path, strerror(error));
+}
+
+int cli_note_open(const char *name) {
+  return cli_message(
+      CLI_DONE, "note: %s: the last line has no newline: it may be cut off",
+      name);
 }

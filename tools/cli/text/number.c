@@ -13,8 +13,6 @@
 // where its upper neighbour does: both are tried. The program never leaves the
 // C locale, so the decimal point is always a point.
 
-#include "number.h"
-
 #include <ctype.h>
 #include <errno.h>
 #include <float.h>
@@ -24,7 +22,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "message.h"
+#include "../../../src/link/parts.h"
+#include "text.h"
 
 // Significant digits that always suffice.
 #define FLOAT_DIGITS 9
@@ -186,4 +185,40 @@ double cli_range_at(const cli_range_t *range, uint64_t i) {
   // Of whole numbers the product is exact, so whole values are.
   const bool whole = is_whole(from) && is_whole(to);
   return from + (whole ? (to - from) * at / last : (to - from) * (at / last));
+}
+
+// Each shard is a run of neighbours, so that the rows of all shards, one file
+// after the other, are those of the whole.
+
+#define MAX_SHARDS 1000000000000000u
+
+int cli_read_shard(const cli_given_t *given, cli_shard_t *shard) {
+  char first[CLI_REAL_ROOM];
+  const size_t length = strcspn(given->value, "/");
+  const char *second = given->value + length;
+  (void)snprintf(first, sizeof first, "%.*s", (int)length, given->value);
+  if (*second != '/' || !cli_read_whole(first, 0, MAX_SHARDS, &shard->index) ||
+      !cli_read_whole(second + 1, 0, MAX_SHARDS, &shard->of)) {
+    return cli_message(CLI_USAGE, "%s %s: expected I/N, two whole numbers",
+                       given->name, given->value);
+  }
+  if (shard->index < 1 || shard->index > shard->of) {
+    return cli_message(CLI_REFUSED,
+                       "%s %s: I must lie in [1, N], N be at least 1",
+                       given->name, given->value);
+  }
+  return CLI_DONE;
+}
+
+void cli_shard_range(const cli_shard_t *shard, uint64_t count, uint64_t *first,
+                     uint64_t *end) {
+  const uint64_t before = shard->index - 1;
+  const uint64_t share = count / shard->of;
+  const uint64_t longer = count % shard->of; // shards with one more
+  *first = share * before + (before < longer ? before : longer);
+  *end = *first + share + (before < longer ? 1 : 0);
+}
+
+uint32_t cli_crc(uint32_t before, const void *from, size_t length) {
+  return tf_crc32(before, from, length);
 }

@@ -8,7 +8,7 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-#include "number.h"
+#include "text.h"
 #include "twofold.h"
 
 void cli_say(const char *format, ...) {

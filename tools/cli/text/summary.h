@@ -2,7 +2,7 @@
 /// standard error; and which steps are not to be trusted.
 #pragma once
 
-#include "message.h"
+#include "text.h"
 #include "twofold/simulation.h"
 
 /// Prints on standard error, as printf does.

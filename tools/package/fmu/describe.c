@@ -6,7 +6,7 @@
 
 #include "cli/setup/scene_file.h"
 #include "cli/setup/setup.h"
-#include "cli/text/number.h"
+#include "cli/text/text.h"
 #include "variables.h"
 
 static void print_number(const char *name, double value) {

@@ -2,7 +2,7 @@
 // ranges, and prints as a text that reads back to the same bits; what is
 // refused is refused by a code of the command line.
 #include "cli/setup/scene_file.h"
-#include "cli/text/message.h"
+#include "cli/text/text.h"
 #include "verify/fuzz/fuzz.h"
 
 static int same_knots(const tf_scene_t *a, const tf_scene_t *b) {

@@ -6,8 +6,7 @@
 #include <stdio.h>
 
 #include "cli/run/record.h"
-#include "cli/text/message.h"
-#include "cli/text/shard.h"
+#include "cli/text/text.h"
 #include "verify/fuzz/fuzz.h"
 
 #define CRC_LINE 15

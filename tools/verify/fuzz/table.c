@@ -2,7 +2,7 @@
 // between two rows, the rest is the table. What is accepted has times that
 // grow, values in their ranges, and inputs in their ranges at every step.
 #include "cli/setup/inputs.h"
-#include "cli/text/message.h"
+#include "cli/text/text.h"
 #include "verify/fuzz/fuzz.h"
 
 #define STEPS 64

@@ -2,61 +2,67 @@
 // a file, so that a mistyped command never overwrites the result of an earlier
 // one. The message about an unknown option or value suggests the closest one.
 
-#include "options.h"
-
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "twofold.h"
+#include "command.h"
+#include "host/output.h"
+#include "setup/scene_file.h"
 
 #define MAX_VALUES 1000000u // in one range
+#define MOST 128            // options of the table
+#define PATH_ROOM 4200
 
-static bool is_row(const cli_syntax_t *syntax, size_t i) {
-  return (syntax->options[i].commands & syntax->bit) != 0 &&
-         syntax->options[i].name != NULL;
-}
+// What was given, in its order, but not what may be given again.
+typedef struct {
+  cli_given_t given; ///< name: "" of the positional argument
+  unsigned how;      ///< CLI_WRITES, CLI_READS, or 0: it is no file
+} word_t;
 
-void cli_usual_values(const cli_syntax_t *syntax, void *args) {
-  for (size_t i = 0; i < syntax->count; i++) {
-    const cli_option_t *option = &syntax->options[i];
+typedef struct {
+  const cli_command_t *command;
+  cli_args_t *args;
+  size_t count;
+  word_t words[MOST + 1];
+} line_t;
+
+static void set_usual(const cli_command_t *command, cli_args_t *args) {
+  for (size_t i = 0; i < cli_option_count; i++) {
+    const cli_option_t *option = &cli_options[i];
     void *to = (char *)args + option->member;
-    if (is_row(syntax, i) && option->kind == CLI_WHOLE) {
+    if (!cli_takes(command, option)) {
+      continue;
+    }
+    if (option->kind == CLI_WHOLE) {
       *(uint64_t *)to = (uint64_t)option->usual;
-    } else if (is_row(syntax, i) && option->kind == CLI_REAL) {
+    } else if (option->kind == CLI_REAL) {
       *(double *)to = option->usual;
-    } else if (is_row(syntax, i) && option->kind == CLI_CHOICE) {
+    } else if (option->kind == CLI_CHOICE) {
       *(unsigned *)to = (unsigned)option->usual;
     }
   }
 }
 
-static int unknown_option(const cli_syntax_t *syntax, const char *word) {
+// The option that a word begins.
+static int find_option(const cli_command_t *command, const char *word,
+                       const cli_option_t **option) {
+  const size_t length = strcspn(word, "=");
   cli_closest_t closest = cli_closest_to(word);
-  for (size_t i = 0; i < syntax->count; i++) {
-    if (is_row(syntax, i)) {
-      cli_closest_offer(&closest, syntax->options[i].name);
+  for (size_t i = 0; i < cli_option_count; i++) {
+    *option = &cli_options[i];
+    if (!cli_takes(command, *option)) {
+      continue;
     }
+    const char *name = (*option)->name;
+    if (strlen(name) == length && strncmp(name, word, length) == 0) {
+      return CLI_DONE;
+    }
+    cli_closest_offer(&closest, name);
   }
   return cli_message(CLI_USAGE,
                      "unknown option %s%s ('twofold help %s' lists them)", word,
-                     closest.hint, syntax->command);
-}
-
-static bool is_option(const char *word) {
-  return word[0] == '-' && word[1] != '\0';
-}
-
-// The number of the option that a word begins, syntax->count: unknown.
-static size_t find_option(const cli_syntax_t *syntax, const char *word) {
-  const size_t length = strcspn(word, "=");
-  size_t i = 0;
-  while (i < syntax->count &&
-         (!is_row(syntax, i) || strlen(syntax->options[i].name) != length ||
-          strncmp(syntax->options[i].name, word, length) != 0)) {
-    i++;
-  }
-  return i;
+                     closest.hint, command->name);
 }
 
 static int read_whole(const cli_option_t *option, const cli_given_t *given,
@@ -180,18 +186,20 @@ static int read_value(const cli_option_t *option, const cli_given_t *given,
   return option->read(args, given);
 }
 
+static bool was_given(const line_t *line, const char *name) {
+  size_t i = 0;
+  while (i < line->count && strcmp(line->words[i].given.name, name) != 0) {
+    i++;
+  }
+  return i < line->count;
+}
+
 // Reads the option that starts at argv[*at] and moves *at to its last word.
-// seen: in/out, the options before. file: out, that its value is.
-static int read_option(const cli_syntax_t *syntax, void *args, int argc,
-                       char *const argv[], int *at, bool seen[CLI_ROWS],
-                       cli_file_t *file) {
+static int read_option(line_t *line, int argc, char *const argv[], int *at) {
   const char *word = argv[*at];
   const size_t length = strcspn(word, "=");
-  const size_t i = find_option(syntax, word);
-  if (i == syntax->count) {
-    return unknown_option(syntax, word);
-  }
-  const cli_option_t *option = &syntax->options[i];
+  const cli_option_t *option = NULL;
+  CLI_TRY(find_option(line->command, word, &option));
   const bool valued = word[length] == '=';
   cli_given_t given = {option->name, ""};
   if (option->value == NULL) {
@@ -205,46 +213,85 @@ static int read_option(const cli_syntax_t *syntax, void *args, int argc,
   } else {
     return cli_message(CLI_USAGE, "%s: expected a value", given.name);
   }
-  if ((option->how & CLI_REPEATABLE) == 0 && seen[i]) {
-    return cli_message(CLI_USAGE, "%s%s%s: %s was already given", given.name,
-                       given.value[0] != '\0' ? " " : "", given.value,
-                       given.name);
+  if ((option->how & CLI_REPEATABLE) == 0) {
+    if (was_given(line, given.name)) {
+      return cli_message(CLI_USAGE, "%s%s%s: %s was already given", given.name,
+                         given.value[0] != '\0' ? " " : "", given.value,
+                         given.name);
+    }
+    line->words[line->count++] =
+        (word_t){given, option->how & (CLI_WRITES | CLI_READS)};
   }
-  seen[i] = true;
-  *file = (cli_file_t){given, option->how & (CLI_WRITES | CLI_READS)};
-  return read_value(option, &given, args);
+  return read_value(option, &given, line->args);
 }
 
-static bool is_built_in(const char *name) {
-  int i = 0;
-  while (i < TF_SCENES && strcmp(tf_scenes[i]->name, name) != 0) {
-    i++;
-  }
-  return i < TF_SCENES;
+// Takes a positional argument. A scene of a file has a . or a / in its name.
+static int take(line_t *line, const char *word) {
+  const bool of_scene = line->command->take == NULL;
+  CLI_TRY(of_scene ? cli_take_scene(&line->args->scene, word)
+                   : line->command->take(line->args, word));
+  const bool is_file = !of_scene || strpbrk(word, "./") != NULL;
+  line->words[line->count++] = (word_t){{"", word}, is_file ? CLI_READS : 0};
+  return CLI_DONE;
 }
 
-static int check_needs(const cli_syntax_t *syntax, const bool seen[CLI_ROWS]) {
-  for (size_t i = 0; i < syntax->count; i++) {
-    const char *needs = syntax->options[i].needs;
-    if (seen[i] && needs != NULL && !seen[find_option(syntax, needs)]) {
-      return cli_message(CLI_USAGE, "%s: only with %s", syntax->options[i].name,
-                         needs);
+static int check_needs(const line_t *line) {
+  for (size_t i = 0; i < cli_option_count; i++) {
+    const cli_option_t *option = &cli_options[i];
+    if (cli_takes(line->command, option) && option->needs != NULL &&
+        was_given(line, option->name) && !was_given(line, option->needs)) {
+      return cli_message(CLI_USAGE, "%s: only with %s", option->name,
+                         option->needs);
     }
   }
   return CLI_DONE;
 }
 
-int cli_read_words(const cli_syntax_t *syntax, void *args, int argc,
-                   char *const argv[], cli_file_t *files) {
-  bool seen[CLI_ROWS] = {false};
-  for (int at = 0; at < argc; at++) {
-    const char *word = argv[at];
-    if (is_option(word)) {
-      CLI_TRY(read_option(syntax, args, argc, argv, &at, seen, files++));
-    } else {
-      *files++ = (cli_file_t){{"", word}, is_built_in(word) ? 0 : CLI_READS};
-      CLI_TRY(syntax->take(args, word));
+// Whether writing the one, or the `.part` or `.resume` beside it, would destroy
+// the other. Standard output takes the rows of one option.
+static bool destroys(const word_t *writer, const word_t *file) {
+  static const char *const beside[] = {"", ".part", ".resume"};
+  const char *value = writer->given.value;
+  if (strcmp(value, "-") == 0) {
+    return file->how == CLI_WRITES && strcmp(file->given.value, "-") == 0;
+  }
+  for (size_t i = 0; i < sizeof beside / sizeof beside[0]; i++) {
+    char path[PATH_ROOM];
+    const int length = snprintf(path, sizeof path, "%s%s", value, beside[i]);
+    if (length > 0 && (size_t)length < sizeof path &&
+        cli_one_file(path, file->given.value)) {
+      return true;
     }
   }
-  return check_needs(syntax, seen);
+  return false;
+}
+
+static int check_files(const line_t *line) {
+  for (size_t i = 0; i < line->count; i++) {
+    const word_t *writer = &line->words[i];
+    for (size_t k = 0; k < line->count && writer->how == CLI_WRITES; k++) {
+      const word_t *file = &line->words[k];
+      if (k != i && file->how != 0 && destroys(writer, file)) {
+        return cli_message(
+            CLI_USAGE, "%s %s would write over %s%s%s: two files are needed",
+            writer->given.name, writer->given.value, file->given.name,
+            file->given.name[0] != '\0' ? " " : "", file->given.value);
+      }
+    }
+  }
+  return CLI_DONE;
+}
+
+int cli_read_words(const cli_command_t *command, cli_args_t *args, int argc,
+                   char *const argv[]) {
+  line_t line = {.command = command, .args = args};
+  set_usual(command, args);
+  for (int at = 0; at < argc; at++) {
+    const char *word = argv[at];
+    const bool is_option = word[0] == '-' && word[1] != '\0';
+    CLI_TRY(is_option ? read_option(&line, argc, argv, &at)
+                      : take(&line, word));
+  }
+  CLI_TRY(check_needs(&line));
+  return check_files(&line);
 }
