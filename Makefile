@@ -155,11 +155,7 @@ $(call programs,$(TESTS),$(1)): %: %.o $(BUILD)/$(1)/libsupport.a \
 	$$(link)
 # A test of the command line is linked with what it tests.
 $(BUILD)/$(1)/tests/cli/test_canard $(BUILD)/$(1)/tests/cli/test_waits: \
-  $(BUILD)/$(1)/tools/cli/diverge/canard.o \
-  $(BUILD)/$(1)/tools/cli/diverge/field.o
-$(BUILD)/$(1)/tests/cli/test_waits: $(BUILD)/$(1)/tools/cli/diverge/random.o \
-  $(BUILD)/$(1)/tools/cli/diverge/motion.o \
-  $(BUILD)/$(1)/tools/cli/diverge/tracker.o
+  $(patsubst %,$(BUILD)/$(1)/tools/cli/diverge/%.o,canard motion random tracker)
 endef
 
 # Only this file is compiled again where the commit is another one.

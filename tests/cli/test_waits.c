@@ -3,7 +3,7 @@
  * there to that of the exit, whatever dt is. The instant is found here by
  * bisection of the core's step; the band is that of Kolmogorov and Smirnov. */
 #include "../../src/model/mechanics.h"
-#include "../../tools/cli/diverge/motion.h"
+#include "../../tools/cli/diverge/diverge.h"
 #include "sample.h"
 
 #define RESTS 8000
@@ -34,22 +34,21 @@ static double time_of_rest(tf_state_t state) {
 }
 
 static void begin(double dt) {
-  static const cli_args_t args = {.mechanism = CLI_BY_RANDOM, .patience = 1000};
+  static cli_args_t args = {.mechanism = CLI_BY_RANDOM, .patience = 1000};
+  tf_params_t params = tf_scenes[0]->params;
   job.args = &args;
   job.near = fmin(dt / 10, 1e-3);
-  job.params = job.setup.params = tf_scenes[0]->params;
-  job.params.dt = (tf_real_t)dt;
-  job.params.rule = TF_RULE_RANDOM;
-  job.params.rate = 0;
+  params.dt = (tf_real_t)dt;
+  job.setup.params = params;
+  params.rule = TF_RULE_RANDOM;
+  params.rate = 0;
   job.at_two_fold = true;
-  job.machine = prepared(&job.params);
+  job.machine = prepared(&params);
+  job.wide = cli_widen(&job.machine);
   CHECK(cli_find_two_fold(&job.machine, &job.two_fold));
-  CHECK(cli_canard_solve(&job.machine, &job.two_fold, &job.canard) ==
-        CLI_CANARD_SOLVED);
-  motion.job = motion.tracker.job = &job;
-  motion.draws = (cli_draws_t){.seed = (uint32_t)tap_bits()};
-  const cli_instant_t start = cli_random_stepper.start(&motion);
-  cli_track_start(&motion.tracker, &start);
+  CHECK(cli_canard_solve(&job.wide, &job.two_fold, &job.canard) == NULL);
+  args.seed = tap_bits();
+  cli_motion_begin(&motion, &job, 0);
 }
 
 /* Kolmogorov and Smirnov's distance of the waits from the law. */
@@ -71,17 +70,13 @@ static void judge(double dt) {
   int n = 0, far = 0;
   double came = 0;
   begin(dt);
-  bool ended = cli_random_stepper.pass(&motion);
   while (n < samples(RESTS)) {
     const tf_state_t from = motion.state;
     const double t = motion.t;
-    if (ended) {
+    if (cli_motion_advance(&motion)) {
       CHECK(motion.tracker.cycle.outcome == CLI_CYCLE_RETURNED);
-      cli_track_next(&motion.tracker);
-      ended = cli_random_stepper.pass(&motion);
-      continue;
+      cli_motion_next(&motion);
     }
-    ended = cli_random_stepper.advance(&motion);
     const bool rested = from.mode == TF_PINNED;
     if (motion.state.mode == TF_PINNED && !rested) {
       came = t + time_of_rest(from);

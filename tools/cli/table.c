@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "command.h"
-#include "diverge/job.h"
+#include "diverge/diverge.h"
 #include "run/row.h"
 #include "setup/args.h"
 #include "text/text.h"

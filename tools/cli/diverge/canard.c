@@ -13,39 +13,55 @@
 // time, which is stable whatever the ratio: an error shrinks like t^ratio. The
 // steps shrink with the time that is left, down to where curve and tangent are
 // the same. Beyond the far end it is the stick that begins there.
+//
+// All of it is in double: next to a two-fold A and N are differences in which
+// float has no digits.
 
+#undef TF_REAL_FLOAT
 #include "canard.h"
 
 #include <math.h>
-#include <string.h>
 
-#include "../setup/setup.h"
-#include "twofold/singularity.h"
+#include "../../../src/model/rates.h"
 
-cli_field_t cli_field_at(const tf_machine_t *k, cli_point_t at) {
-  const cli_wide_t wide = {CLI_WIDE(k),
-                           .stick_kappa = (double)k->contact.stick_kappa};
-  return cli_wide_field_at(&wide, at);
+cli_field_t cli_field_at(const cli_wide_t *given, cli_point_t at) {
+  const tf_machine_t k = {.m = given->m,
+                          .d = given->d,
+                          .beta2 = given->beta2,
+                          .k2 = given->k2,
+                          .c1 = given->c1,
+                          .c2 = given->c2,
+                          .r0 = given->r0,
+                          .sin_gamma = given->sin_gamma,
+                          .cos_gamma = given->cos_gamma,
+                          .minus_sin_gamma = given->minus_sin_gamma,
+                          .contact.stick_kappa = given->stick_kappa};
+  const tf_input_t input = {.omega0 = given->omega0, .r0 = k.r0};
+  const rates_t a = rates_at(&k, &input, at.r, at.p, at.z, input.omega0);
+  const tf_slip_t slip = slip_from_pq(&k, at.p, at.r * at.z);
+  const double arm = at.r * k.cos_gamma;
+  return (cli_field_t){
+      .rate = {slider_velocity(&k, at.p, at.z), a.dp, a.dz},
+      .h = slip.h,
+      .g = slip.g,
+      .N = a.N,
+      .A = {a.A[0], a.A[1]},
+      .p_F = a.Fp,
+      .stick_arm = {stick_arm(&k, arm, PLUS), stick_arm(&k, arm, MINUS)},
+      .J = inertia_at(&k, at.r)};
 }
 
-tf_state_t cli_state_at(const tf_machine_t *k, cli_point_t at) {
-  return (tf_state_t){.r = (tf_real_t)at.r,
-                      .v = (tf_real_t)(at.p + (double)k->d * at.z),
-                      .w = (tf_real_t)(at.z + (double)k->omega0),
-                      .mode = TF_NO_MODE};
-}
-
-double cli_delassus(const tf_machine_t *k, double r, double g) {
+double cli_delassus(const cli_wide_t *k, double r, double g) {
   return cli_field_at(k, (cli_point_t){r, 0, 0}).A[g < 0];
 }
 
-cli_point_t cli_point_on_surface(const tf_machine_t *k, double r, double z) {
+cli_point_t cli_point_on_surface(const cli_wide_t *k, double r, double z) {
   const double h = cli_field_at(k, (cli_point_t){r, 0, z}).h;
-  return (cli_point_t){r, h / (double)k->sin_gamma, z};
+  return (cli_point_t){r, h / k->sin_gamma, z};
 }
 
 static cli_field_t on_surface(const cli_canard_t *canard, double r, double z) {
-  const tf_machine_t *k = canard->machine;
+  const cli_wide_t *k = canard->machine;
   return cli_field_at(k, cli_point_on_surface(k, r, z));
 }
 
@@ -62,11 +78,18 @@ static cli_field_t on_surface(const cli_canard_t *canard, double r, double z) {
 #define HALVINGS 40
 #define AFTER 1e-3 // [s], a step beyond the last node
 
+// Why there is none.
+static const char stiff[] =
+    "the ratio of its eigenvalues is too large for the solver, or the rest "
+    "that "
+    "stick tends to is too fast for it";
+static const char does_not_enter[] =
+    "no point of its tangent is reached by stick from it";
+
 static bool is_escaping(const cli_canard_t *canard, cli_canard_node_t at) {
   const cli_field_t f = on_surface(canard, at.r, at.z);
   const double A = f.A[canard->s < 0];
-  return A < 0 && fabs(f.N) < -A * (double)canard->machine->contact.tyre.mu &&
-         canard->s * f.g > 0;
+  return A < 0 && fabs(f.N) < -A * canard->machine->mu && canard->s * f.g > 0;
 }
 
 // The rates of the members of a node in stick, (svf).
@@ -102,7 +125,7 @@ static cli_canard_node_t tangent(const cli_canard_t *canard, double t) {
 // The core has the two-fold to its own precision, the steps here need that of
 // double: A = 0 depends on r alone, then h' = 0 without friction on z.
 static void polish(cli_canard_t *canard) {
-  const tf_machine_t *k = canard->machine;
+  const cli_wide_t *k = canard->machine;
   for (int i = 0; i < 4; i++) {
     const double e = 1e-5 * fabs(canard->r);
     canard->r -= 2 * e * cli_delassus(k, canard->r, canard->s) /
@@ -156,9 +179,8 @@ static bool comes_from_two_fold(cli_canard_t *canard, cli_canard_node_t at,
 }
 
 // Stick from the two-fold that tends to rest at r, a saddle.
-// Returns: CLI_CANARD_ENTERS where there is none.
-static cli_canard_status_t tends_to(cli_canard_t *canard, double r,
-                                    double ratio) {
+// Returns: does_not_enter where there is none.
+static const char *tends_to(cli_canard_t *canard, double r, double ratio) {
   const double dr = LINEAR * (canard->r - r), dz = LINEAR * canard->z;
   const cli_canard_node_t up = rates(canard, r, dz), in = rates(canard, r, -dz);
   const double rz = (up.r - in.r) / (2 * dz), zz = (up.z - in.z) / (2 * dz);
@@ -171,13 +193,12 @@ static cli_canard_status_t tends_to(cli_canard_t *canard, double r,
   const double left = time_since(canard, at);
   const double fastest = fmax(ratio, 2 * root * left);
   if (!(rz * zr > 0 && left > 0 && is_escaping(canard, at))) {
-    return CLI_CANARD_ENTERS;
+    return does_not_enter;
   }
   if (fastest > MOST_RATIO) {
-    return CLI_CANARD_STIFF;
+    return stiff;
   }
-  return comes_from_two_fold(canard, at, fastest) ? CLI_CANARD_SOLVED
-                                                  : CLI_CANARD_ENTERS;
+  return comes_from_two_fold(canard, at, fastest) ? NULL : does_not_enter;
 }
 
 // What is left of the moment where stick holds the slider at rest [N m]: a
@@ -187,32 +208,30 @@ static double moment_at_rest(const cli_canard_t *canard, double r) {
   return f.J * f.rate.z - f.rate.p / f.p_F * f.stick_arm[canard->s < 0];
 }
 
-static cli_canard_status_t never_ends(cli_canard_t *canard, double ratio) {
+static const char *never_ends(cli_canard_t *canard, double ratio) {
   const double r = canard->r, c = moment_at_rest(canard, 0);
   const double up = moment_at_rest(canard, r), in = moment_at_rest(canard, -r);
   const double a = 0.5 * (up + in) - c, b = 0.5 * (up - in);
   const double q = -0.5 * (b + copysign(sqrt(b * b - 4 * a * c), b));
-  const cli_canard_status_t first = tends_to(canard, r * c / q, ratio);
-  return first == CLI_CANARD_ENTERS ? tends_to(canard, r * q / a, ratio)
-                                    : first;
+  const char *first = tends_to(canard, r * c / q, ratio);
+  return first == does_not_enter ? tends_to(canard, r * q / a, ratio) : first;
 }
 
-cli_canard_status_t cli_canard_solve(const tf_machine_t *k,
-                                     const cli_two_fold_t *two_fold,
-                                     cli_canard_t *canard) {
+const char *cli_canard_solve(const cli_wide_t *k,
+                             const cli_two_fold_t *two_fold,
+                             cli_canard_t *canard) {
   const double ratio = two_fold->ratio;
-  memset(canard, 0, sizeof *canard);
-  canard->machine = k;
-  canard->r = two_fold->r;
-  canard->z = two_fold->omega - (double)k->omega0;
-  canard->slope = two_fold->slope;
-  canard->s = two_fold->g < 0 ? -1 : 1;
+  *canard = (cli_canard_t){.machine = k,
+                           .r = two_fold->r,
+                           .z = two_fold->omega - k->omega0,
+                           .slope = two_fold->slope,
+                           .s = two_fold->g < 0 ? -1 : 1};
   if (!(ratio < MOST_RATIO)) {
-    return CLI_CANARD_STIFF;
+    return stiff;
   }
   polish(canard);
-  const cli_canard_status_t status = never_ends(canard, ratio);
-  if (status != CLI_CANARD_ENTERS) {
+  const char *status = never_ends(canard, ratio);
+  if (status != does_not_enter) {
     return status;
   }
   canard->decay = 0;
@@ -231,15 +250,8 @@ cli_canard_status_t cli_canard_solve(const tf_machine_t *k,
     *(comes_from_two_fold(canard, tangent(canard, t), ratio) ? &in : &out) = t;
   }
   return comes_from_two_fold(canard, tangent(canard, in), ratio)
-             ? CLI_CANARD_SOLVED
-             : CLI_CANARD_ENTERS;
-}
-
-const char *cli_canard_failure(cli_canard_status_t status) {
-  return status == CLI_CANARD_STIFF
-             ? "the ratio of its eigenvalues is too large for the solver, or "
-               "the rest that stick tends to is too fast for it"
-             : "no point of its tangent is reached by stick from it";
+             ? NULL
+             : does_not_enter;
 }
 
 bool cli_canard_after(const cli_canard_t *canard, double t, cli_point_t *at,
@@ -271,30 +283,4 @@ bool cli_canard_after(const cli_canard_t *canard, double t, cli_point_t *at,
   *at = cli_point_on_surface(canard->machine, found.r, found.z);
   *reached = found.t;
   return inside;
-}
-
-bool cli_find_two_fold(const tf_machine_t *k, cli_two_fold_t *out) {
-  const tf_input_t input = tf_input_default(k);
-  tf_surface_point_t points[TF_TWO_FOLDS];
-  tf_two_fold_t form;
-  int count = 0;
-  if (tf_two_folds(k, &input, points, &count, NULL) != TF_OK) {
-    return false;
-  }
-  for (int i = 0; i < count; i++) {
-    // Stick has to arrive and to leave along the weak direction.
-    if (tf_normal_form(k, &input, &points[i], &form) == TF_OK &&
-        form.through.sticks && form.through.value < 0 &&
-        form.across.value < form.through.value) {
-      *out = (cli_two_fold_t){
-          (double)form.point.r,
-          (double)form.point.w,
-          (double)form.point.g,
-          (double)form.point.v,
-          (double)form.through.velocity.w / (double)form.through.velocity.r,
-          (double)form.across.value / (double)form.through.value};
-      return true;
-    }
-  }
-  return false;
 }

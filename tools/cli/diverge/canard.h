@@ -1,10 +1,31 @@
-/// The core's equations of motion, in double whatever its number type is, for
-/// the steppers of `diverge`; the two-fold that stick passes through, from the
-/// sliding to the escaping region; and the motion that does so along the weak
-/// direction: a canard.
+/// The core's equations of motion in double, whatever its number type is; and
+/// the stick that passes a two-fold along its weak direction, from the sliding
+/// to the escaping region: a canard.
 #pragma once
 
 #include "twofold.h"
+
+/// The members of a machine that they need.
+typedef struct {
+  double m, d, beta2, k2, c1, c2, r0, omega0, mu, stick_kappa;
+  double sin_gamma, cos_gamma, minus_sin_gamma;
+} cli_wide_t;
+
+static inline cli_wide_t cli_widen(const tf_machine_t *k) {
+  return (cli_wide_t){.m = (double)k->m,
+                      .d = (double)k->d,
+                      .beta2 = (double)k->beta2,
+                      .k2 = (double)k->k2,
+                      .c1 = (double)k->c1,
+                      .c2 = (double)k->c2,
+                      .r0 = (double)k->r0,
+                      .omega0 = (double)k->omega0,
+                      .mu = (double)k->contact.tyre.mu,
+                      .stick_kappa = (double)k->contact.stick_kappa,
+                      .sin_gamma = (double)k->sin_gamma,
+                      .cos_gamma = (double)k->cos_gamma,
+                      .minus_sin_gamma = (double)k->minus_sin_gamma};
+}
 
 /// A point of the phase space.
 typedef struct {
@@ -12,6 +33,14 @@ typedef struct {
   double p; ///< v - d z [m/s]
   double z; ///< w - omega0 [rad/s]
 } cli_point_t;
+
+/// The state at a point, without a mode.
+static inline tf_state_t cli_state_at(const cli_wide_t *k, cli_point_t at) {
+  return (tf_state_t){.r = (tf_real_t)at.r,
+                      .v = (tf_real_t)(at.p + k->d * at.z),
+                      .w = (tf_real_t)(at.z + k->omega0),
+                      .mode = TF_NO_MODE};
+}
 
 /// At a point. [2]: for g > 0, for g < 0.
 typedef struct {
@@ -22,31 +51,13 @@ typedef struct {
   double stick_arm[2]; ///< of lambda about the axis [m]
   double J;            ///< [kg m^2]
 } cli_field_t;
-cli_field_t cli_field_at(const tf_machine_t *machine, cli_point_t at);
-
-/// The members of tf_machine_t that it follows from, in double; CLI_WIDE has
-/// all but stick_kappa, which belongs to the contact of a machine.
-typedef struct {
-  double m, d, beta2, k2, c1, c2, r0, omega0, stick_kappa;
-  double sin_gamma, cos_gamma, minus_sin_gamma;
-} cli_wide_t;
-#define CLI_WIDE(k)                                                         \
-  .m = (double)(k)->m, .d = (double)(k)->d, .beta2 = (double)(k)->beta2,    \
-  .k2 = (double)(k)->k2, .c1 = (double)(k)->c1, .c2 = (double)(k)->c2,      \
-  .r0 = (double)(k)->r0, .omega0 = (double)(k)->omega0,                     \
-  .sin_gamma = (double)(k)->sin_gamma, .cos_gamma = (double)(k)->cos_gamma, \
-  .minus_sin_gamma = (double)(k)->minus_sin_gamma
-cli_field_t cli_wide_field_at(const cli_wide_t *machine, cli_point_t at);
-
-/// The state at a point, without a mode.
-tf_state_t cli_state_at(const tf_machine_t *machine, cli_point_t at);
+cli_field_t cli_field_at(const cli_wide_t *k, cli_point_t at);
 
 /// Delassus scalar [1/kg] at r for the sign of g.
-double cli_delassus(const tf_machine_t *machine, double r, double g);
+double cli_delassus(const cli_wide_t *k, double r, double g);
 
 /// The point of h = 0 at (r, z).
-cli_point_t cli_point_on_surface(const tf_machine_t *machine, double r,
-                                 double z);
+cli_point_t cli_point_on_surface(const cli_wide_t *k, double r, double z);
 
 /// A two-fold that stick passes through.
 typedef struct {
@@ -55,10 +66,6 @@ typedef struct {
   double slope;       ///< dw/dr of the weak direction [rad/(s m)]
   double ratio;       ///< eigenvalue across it / eigenvalue along it, > 1
 } cli_two_fold_t;
-
-/// Finds the first one of a machine.
-/// Returns: whether there is one.
-bool cli_find_two_fold(const tf_machine_t *machine, cli_two_fold_t *out);
 
 /// A point of the canard.
 typedef struct {
@@ -69,7 +76,7 @@ typedef struct {
 /// The canard, from a point in the escaping region back to the two-fold.
 #define CLI_CANARD_NODES 2048
 typedef struct {
-  const tf_machine_t *machine;
+  const cli_wide_t *machine;
   double r, z, v;     ///< two-fold
   double slope;       ///< dz/dr there
   double s;           ///< sign of g
@@ -79,20 +86,11 @@ typedef struct {
   cli_canard_node_t node[CLI_CANARD_NODES]; ///< the last one first
 } cli_canard_t;
 
-/// How its computation ended.
-typedef enum {
-  CLI_CANARD_SOLVED,
-  CLI_CANARD_STIFF, ///< the ratio asks for too many steps
-  CLI_CANARD_ENTERS ///< nowhere stick comes from the two-fold
-} cli_canard_status_t;
-
-/// Computes it.
-cli_canard_status_t cli_canard_solve(const tf_machine_t *machine,
-                                     const cli_two_fold_t *two_fold,
-                                     cli_canard_t *canard);
-
-/// Why it was not computed, as a clause; status: in, not CLI_CANARD_SOLVED.
-const char *cli_canard_failure(cli_canard_status_t status);
+/// Computes it. machine: in, kept.
+/// Returns: NULL, or why it was not computed, as a clause.
+const char *cli_canard_solve(const cli_wide_t *machine,
+                             const cli_two_fold_t *two_fold,
+                             cli_canard_t *canard);
 
 /// Follows it from the two-fold for a time t.
 /// at: out, the point then. reached: out, t, or when it ended.

@@ -3,6 +3,8 @@
 // rows of a cycle are written when it has ended, so that whatever ends the
 // program leaves complete cycles. Memory is that of a single sample.
 
+#include "diverge.h"
+
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -12,15 +14,125 @@
 #include "../host/sheet.h"
 #include "../text/summary.h"
 #include "../text/text.h"
-#include "motion.h"
 
-#define FLUSH_EVERY 0.5 // [s]
-#define BATCH 4096      // steps between two checks for a signal
-#define NOTE_EVERY 1.0  // [s], under --resume
+#define IN_SLIP 1e-3   // [s], longest step of random motions in slip
+#define BATCH 4096     // steps between two checks for a signal
+#define NOTE_EVERY 0.5 // [s]
 #define ROW_ROOM 512
 
-// What is counted beside the samples.
-enum { CYCLES = CLI_OUTCOMES }; // behind the outcomes
+// What all samples share: the machine, its two-fold and the canard through it,
+// and the start.
+
+static int refuse_scene(const cli_setup_t *setup) {
+  const char *name = setup->scene->name;
+  if (setup->scene->knots > 0) {
+    return cli_message(CLI_REFUSED,
+                       "scene %s: its turntable is driven; diverge needs "
+                       "constant inputs",
+                       name);
+  }
+  if (setup->params.law != TF_TYRE_JUMP) {
+    return cli_message(CLI_REFUSED,
+                       "scene %s: law %s has no two-fold; law jump has", name,
+                       tf_tyre_law_name(setup->params.law));
+  }
+  return CLI_DONE;
+}
+
+// A start that was typed must have several consistent modes.
+static int prepare_start(cli_job_t *job) {
+  cli_setup_t *setup = &job->setup;
+  CLI_TRY(cli_setup_start(setup));
+  if (setup->report.choices < 2) {
+    return cli_message(
+        CLI_REFUSED,
+        "the start r = %g m, v = %g m/s, omega = %g rad/s has %s future "
+        "(%s), nothing diverges there",
+        (double)setup->state.r, (double)setup->state.v, (double)setup->state.w,
+        setup->report.choices == 1 ? "one" : "no",
+        tf_mode_name(setup->state.mode));
+  }
+  return CLI_DONE;
+}
+
+static int prepare_two_fold(cli_job_t *job) {
+  const bool found = cli_find_two_fold(&job->machine, &job->two_fold);
+  if (!found) {
+    job->two_fold.r = job->two_fold.g = job->two_fold.v = (double)NAN;
+  }
+  if (!job->at_two_fold) {
+    return CLI_DONE;
+  }
+  const char *name = job->setup.scene->name;
+  if (!found) {
+    return cli_message(
+        CLI_REFUSED,
+        "scene %s: no two-fold that stick runs through, from a sliding into "
+        "an escaping region, exists for these parameters; give a start with "
+        "--set r=, omega=, h=",
+        name);
+  }
+  const char *why = cli_canard_solve(&job->wide, &job->two_fold, &job->canard);
+  if (why != NULL) {
+    return cli_message(
+        CLI_REFUSED,
+        "scene %s: the stick behind the two-fold at r = %g m, omega = %g rad/s "
+        "(ratio of eigenvalues %g) was not computed: %s; give a start with "
+        "--set r=, omega=, h=",
+        name, job->two_fold.r, job->two_fold.omega, job->two_fold.ratio, why);
+  }
+  return CLI_DONE;
+}
+
+static int prepare(cli_job_t *job) {
+  const cli_args_t *args = job->args;
+  cli_setup_t *setup = &job->setup;
+  const bool random = args->mechanism == CLI_BY_RANDOM;
+  CLI_TRY(cli_setup_read(setup, args->scene, &args->settings, NULL));
+  if (cli_settings_find(&args->settings, "dt") == NULL) {
+    setup->params.dt = random ? TF_R(1e-2) : TF_R(1e-3);
+  }
+  CLI_TRY(cli_setup_machine(setup));
+  CLI_TRY(refuse_scene(setup));
+  tf_params_t params = setup->params;
+  params.rule =
+      args->codim2 == CLI_CODIM2_ATTRACTING ? TF_RULE_PERSIST : TF_RULE_RANDOM;
+  params.rate = 0;
+  if (!random) {
+    params.tolerance = 0; // as fine as the number type allows
+  }
+  (void)tf_prepare(&job->machine, &params, NULL);
+  job->wide = cli_widen(&job->machine);
+  job->refinement = args->refinement > 0 ? args->refinement : random ? 10 : 64;
+  job->near = (double)params.dt / job->refinement;
+  job->near = random ? fmin(job->near, IN_SLIP) : job->near;
+  job->dwell = random ? 0 : 4 * job->near;
+  job->at_two_fold = cli_setup_start_set(setup) == NULL;
+  CLI_TRY(job->at_two_fold ? CLI_DONE : prepare_start(job));
+  return prepare_two_fold(job);
+}
+
+size_t cli_job_provenance(const cli_job_t *job, const char *units,
+                          char out[CLI_PROVENANCE_ROOM]) {
+  const cli_args_t *args = job->args;
+  const double dt = (double)job->machine.dt;
+  char how[CLI_PROVENANCE_ROOM / 4];
+  cli_setup_t told = job->setup;
+  told.seed = (uint32_t)args->seed;
+  if (args->exhaustive) {
+    (void)snprintf(how, sizeof how, "all branches, grid %.9g s", args->grid);
+  } else if (args->mechanism == CLI_BY_RANDOM) {
+    (void)snprintf(how, sizeof how,
+                   "by random, rate %.9g 1/s, dt %.9g s, in slip %.9g s, each "
+                   "wait drawn once",
+                   (double)job->setup.params.rate, dt, job->near);
+  } else {
+    (void)snprintf(how, sizeof how,
+                   "by noise, size %.9g m/s^1.5, spread %.9g, dt %.9g s",
+                   args->size, args->spread, dt);
+  }
+  return cli_provenance(&told, how, units, out);
+}
 
 typedef struct {
   const cli_job_t *job;
@@ -30,24 +142,18 @@ typedef struct {
   cli_done_t done;         ///< samples that have ended, and their cycles
   uint64_t in_sample;      ///< cycles of the present one that have ended
   uint64_t kept;           ///< cycles of the run that was stopped
-  double flushed, noted;
+  double noted;            ///< cli_now() of the last note
   cli_progress_t progress;
   bool stopped, unwritten;
 } work_t;
 
+// What is counted beside the samples: each outcome, and all cycles.
+enum { CYCLES = CLI_OUTCOMES };
+static const char *const outcomes[CLI_OUTCOMES] = {
+    "open", "returned", "small_cycle", "rest", "timeout", "refused"};
+
 // The rows of a cycle. A field of something that did not happen is empty; no
 // number stands for "none".
-
-enum { EXITS, RETURNS };
-static const char exits_header[] =
-    "sample,cycle,time,r,omega,g,side,phase,how,section_time\n";
-static const char exits_units[] =
-    "time s, r m, omega rad/s, g m/s, phase 1, section_time s";
-static const char returns_header[] =
-    "sample,cycle,outcome,time,arrived,exit_r,landing_time,landing_r,landings,"
-    "windings\n";
-static const char returns_units[] =
-    "time s, arrived s, exit_r m, landing_time s, landing_r m";
 
 // A comma, and the number if there is one.
 static void add_field(cli_buffer_t *text, bool exists, double value) {
@@ -68,7 +174,7 @@ static void add_exit(cli_buffer_t *text, const cli_cycle_t *cycle) {
 }
 
 static void add_return(cli_buffer_t *text, const cli_cycle_t *cycle) {
-  cli_add_form(text, "%s,%g,%g", cli_outcome_name(cycle->outcome),
+  cli_add_form(text, "%s,%g,%g", outcomes[cycle->outcome],
                cycle->ended - (cycle->left ? cycle->exit_t : cycle->arrived),
                cycle->arrived);
   add_field(text, cycle->left, cycle->exit_r);
@@ -78,17 +184,28 @@ static void add_return(cli_buffer_t *text, const cli_cycle_t *cycle) {
                cycle->windings);
 }
 
+static const struct {
+  const char *option, *header, *units;
+  void (*add)(cli_buffer_t *text, const cli_cycle_t *cycle);
+} files[] = {
+    {"--exits", "sample,cycle,time,r,omega,g,side,phase,how,section_time\n",
+     "time s, r m, omega rad/s, g m/s, phase 1, section_time s", add_exit},
+    {"--returns",
+     "sample,cycle,outcome,time,arrived,exit_r,landing_time,landing_r,landings,"
+     "windings\n",
+     "time s, arrived s, exit_r m, landing_time s, landing_r m", add_return},
+};
+enum { EXITS, FILES = sizeof files / sizeof files[0] };
+
 static bool write_rows(work_t *work, uint64_t sample, uint64_t number) {
   const cli_cycle_t *cycle = &work->motion.tracker.cycle;
   bool written = true;
-  for (int i = EXITS; i <= RETURNS; i++) {
+  for (int i = cycle->left ? EXITS : EXITS + 1; i < FILES; i++) {
     char row[ROW_ROOM];
     cli_buffer_t text = {row, 0, sizeof row, false};
     cli_add_form(&text, "%" PRIu64 ",%" PRIu64 ",", sample, number);
-    (i == EXITS ? add_exit : add_return)(&text, cycle);
-    if (i == RETURNS || cycle->left) {
-      written &= cli_sheet_put(&work->sheets.sheet[i], row, text.used);
-    }
+    files[i].add(&text, cycle);
+    written &= cli_sheet_put(&work->sheets.sheet[i], row, text.used);
   }
   return written;
 }
@@ -107,96 +224,93 @@ static void show_progress(work_t *work, double now) {
       (double)(count[CYCLES] - work->kept) / (now - work->progress.started));
 }
 
-static void check_clock(work_t *work) {
+// between: no sample is under way. Until the next note, rows go to the system
+// cycle by cycle.
+static void check_clock(work_t *work, bool between) {
   const double now = cli_now();
-  if (cli_stop_asked()) {
-    work->stopped = true;
-  }
+  work->stopped = work->stopped || cli_stop_asked();
   show_progress(work, now);
-  if (now - work->flushed > FLUSH_EVERY) {
+  if (now - work->noted < NOTE_EVERY) {
+    return;
+  }
+  if (between) {
+    work->noted = now;
+    work->unwritten |= !cli_sheets_note(&work->sheets, &work->done);
+  } else {
     work->unwritten |= !cli_sheets_flush(&work->sheets);
-    work->flushed = now;
   }
 }
 
-// Follows one cycle. from_it: it starts at the two-fold.
+// Follows one cycle.
 // Returns: whether it ended; otherwise a signal has asked for a stop.
-static bool follow(work_t *work, const cli_stepper_t *stepper, bool from_it) {
-  bool ended = from_it && stepper->pass != NULL && stepper->pass(&work->motion);
-  for (int i = 1; !ended; i++) {
+static bool follow(work_t *work) {
+  for (unsigned i = 1; !cli_motion_advance(&work->motion); i++) {
     if (i % BATCH == 0) {
-      check_clock(work);
+      check_clock(work, false);
       if (work->stopped) {
         return false;
       }
     }
-    ended = stepper->advance(&work->motion);
   }
   return true;
 }
 
+// Returns: whether it ended.
 static bool do_sample(work_t *work, uint64_t sample) {
   const cli_job_t *job = work->job;
-  const bool random = job->args->mechanism == CLI_BY_RANDOM;
-  const cli_stepper_t *stepper =
-      random ? &cli_random_stepper : &cli_noise_stepper;
   cli_motion_t *motion = &work->motion;
-  motion->job = job;
-  motion->tracker = (cli_tracker_t){.job = job};
-  motion->draws.seed = (uint32_t)job->args->seed;
-  motion->draws.sample = (uint32_t)sample;
-  motion->draws.used = 0;
-  motion->size = job->args->size;
-  if (job->args->spread > 1) {
-    motion->size *= pow(job->args->spread, -cli_draw_uniform(&motion->draws));
-  }
-  const cli_instant_t start = stepper->start(motion);
-  cli_track_start(&motion->tracker, &start);
-  // Time within the band that counts as on the surface; random motions have
-  // modes and need none.
-  if (!random) {
-    motion->tracker.dwell = 4 * job->near;
-  }
-  // Without `pass` the sample starts before the two-fold and first arrives.
-  bool from_it = job->at_two_fold && stepper->pass != NULL;
-  if (job->at_two_fold && !from_it) {
-    if (!follow(work, stepper, false)) {
-      return false;
-    }
-    if (motion->tracker.cycle.outcome == CLI_CYCLE_RETURNED) {
-      cli_track_next(&motion->tracker);
-    }
-  }
-  for (uint64_t cycle = 1; cycle <= job->args->cycles; cycle++) {
-    work->in_sample = cycle - 1;
-    if (!follow(work, stepper, from_it)) {
+  cli_motion_begin(motion, job, sample);
+  // Under noise it starts before the two-fold, and first arrives.
+  const bool arrives = job->at_two_fold && !motion->passes;
+  for (uint64_t cycle = arrives ? 0 : 1;; cycle++) {
+    if (!follow(work)) {
       return false;
     }
     const cli_outcome_t outcome = motion->tracker.cycle.outcome;
-    work->unwritten |= !write_rows(work, sample, cycle);
-    work->done.count[CYCLES]++;
-    work->done.count[outcome]++;
-    check_clock(work);
-    if (outcome != CLI_CYCLE_RETURNED) {
-      break;
+    if (cycle > 0) {
+      work->unwritten |= !write_rows(work, sample, cycle);
+      work->done.count[CYCLES]++;
+      work->done.count[outcome]++;
+      work->in_sample = cycle;
+      check_clock(work, false);
+      if (outcome != CLI_CYCLE_RETURNED || cycle == job->args->cycles) {
+        return true;
+      }
+      if (work->stopped || work->unwritten) {
+        return false;
+      }
     }
-    if (work->stopped || work->unwritten) {
-      return false;
+    if (outcome == CLI_CYCLE_RETURNED) {
+      cli_motion_next(motion);
     }
-    cli_track_next(&motion->tracker);
-    from_it = true;
   }
-  return true;
+}
+
+static void do_samples(work_t *work) {
+  work->noted = cli_now();
+  work->progress = cli_progress_start(work->noted, -1);
+  while (work->done.done < work->samples && !work->stopped &&
+         !work->unwritten && do_sample(work, work->first + work->done.done)) {
+    work->done.done++;
+    work->in_sample = 0;
+    check_clock(work, true);
+  }
+  if (work->done.done == work->samples) {
+    work->unwritten |= !cli_sheets_note(&work->sheets, &work->done);
+  }
+}
+
+static const char *mechanism_of(const work_t *work) {
+  return work->job->args->mechanism == CLI_BY_RANDOM ? "random" : "noise";
 }
 
 static void summarise(const work_t *work, double seconds) {
   const uint64_t *count = work->done.count;
   cli_say("samples    %" PRIu64 " of %" PRIu64 ", by %s\ncycles     %" PRIu64,
-          work->done.done, work->samples,
-          cli_mechanisms[work->job->args->mechanism], count[CYCLES]);
+          work->done.done, work->samples, mechanism_of(work), count[CYCLES]);
   for (int i = 1; i < CLI_OUTCOMES; i++) {
     if (count[i] > 0) {
-      cli_say(", %s %" PRIu64, cli_outcome_name((cli_outcome_t)i), count[i]);
+      cli_say(", %s %" PRIu64, outcomes[i], count[i]);
     }
   }
   const uint64_t cycles = count[CYCLES] - work->kept;
@@ -209,36 +323,40 @@ static void summarise_json(const work_t *work, double seconds, int code) {
   const cli_args_t *args = work->job->args;
   cli_put_begin("diverge");
   cli_put_word("scene", args->scene->name);
-  cli_put_word("by", cli_mechanisms[args->mechanism]);
+  cli_put_word("by", mechanism_of(work));
   cli_put_count("seed", args->seed);
   cli_put_count("samples", work->samples);
   cli_put_count("done", work->done.done);
   cli_put_count("cycles", work->done.count[CYCLES]);
   for (int i = 1; i < CLI_OUTCOMES; i++) {
-    cli_put_count(cli_outcome_name((cli_outcome_t)i), work->done.count[i]);
+    cli_put_count(outcomes[i], work->done.count[i]);
   }
   cli_put_end(seconds, code);
 }
 
-static void describe_sheet(work_t *work, int i, const char *option,
-                           const char *path, const char *header,
-                           const char *units) {
+// What the rows follow from: program, machine, start and options.
+static void describe(const work_t *work, cli_buffer_t *about) {
   const cli_args_t *args = work->job->args;
-  cli_sheet_t *sheet = &work->sheets.sheet[i];
-  sheet->option = option;
-  sheet->path = path;
-  if (!args->header && args->shard.index != 1) {
-    return;
+  const double numbers[] = {args->codim2,           (double)args->samples,
+                            (double)args->cycles,   (double)args->shard.index,
+                            (double)args->shard.of, args->size,
+                            args->spread,           args->patience,
+                            work->job->refinement,  args->fine};
+  char lines[CLI_PROVENANCE_ROOM];
+  (void)cli_job_provenance(work->job, "SI", lines);
+  for (char *end = lines; (end = strchr(end, '\n')) != NULL;) {
+    *end = ' ';
   }
-  size_t used = 0;
-  if (args->provenance) {
-    used = cli_job_provenance(work->job, units, sheet->begin);
+  cli_add(about, lines);
+  for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+    cli_add(about, " ");
+    cli_add_number(about, numbers[i], false);
   }
-  (void)snprintf(sheet->begin + used, sizeof sheet->begin - used, "%s", header);
 }
 
 static int open_sheets(work_t *work, bool *whole) {
   const cli_args_t *args = work->job->args;
+  const char *const paths[FILES] = {args->exits, args->returns};
   cli_sheets_t *sheets = &work->sheets;
   cli_buffer_t about = {sheets->about, 0, sizeof sheets->about, false};
   uint64_t end = 0;
@@ -246,31 +364,23 @@ static int open_sheets(work_t *work, bool *whole) {
   work->samples = end - work->first;
   sheets->what = "run";
   sheets->resume = sheets->noted = args->resume;
-  cli_job_describe(work->job, &about);
-  describe_sheet(work, EXITS, "--exits", args->exits, exits_header,
-                 exits_units);
-  describe_sheet(work, RETURNS, "--returns", args->returns, returns_header,
-                 returns_units);
+  describe(work, &about);
+  for (int i = 0; i < FILES; i++) {
+    cli_sheet_t *sheet = &sheets->sheet[i];
+    cli_buffer_t begin = {sheet->begin, 0, sizeof sheet->begin, false};
+    sheet->option = files[i].option;
+    sheet->path = paths[i];
+    if (args->header || args->shard.index == 1) {
+      if (args->provenance) {
+        begin.used =
+            cli_job_provenance(work->job, files[i].units, sheet->begin);
+      }
+      cli_add(&begin, files[i].header);
+    }
+  }
   CLI_TRY(cli_sheets_open(sheets, work->samples, &work->done, whole));
   work->kept = work->done.count[CYCLES];
   return CLI_DONE;
-}
-
-static void do_samples(work_t *work) {
-  work->flushed = work->noted = cli_now();
-  work->progress = cli_progress_start(work->flushed, -1);
-  while (work->done.done < work->samples && !work->stopped &&
-         !work->unwritten && do_sample(work, work->first + work->done.done)) {
-    work->done.done++;
-    work->in_sample = 0;
-    if (cli_now() - work->noted >= NOTE_EVERY) {
-      work->noted = cli_now();
-      work->unwritten |= !cli_sheets_note(&work->sheets, &work->done);
-    }
-  }
-  if (work->done.done == work->samples) {
-    work->unwritten |= !cli_sheets_note(&work->sheets, &work->done);
-  }
 }
 
 static int perform(work_t *work, const cli_args_t *args) {
@@ -338,7 +448,8 @@ int cli_diverge_check(cli_args_t *args) {
 int cli_diverge(const cli_args_t *args) {
   static cli_job_t job;
   static work_t work;
-  CLI_TRY(cli_job_prepare(&job, args));
+  job.args = args;
+  CLI_TRY(prepare(&job));
   if (args->exhaustive) {
     return cli_exhaustive(&job);
   }

@@ -19,7 +19,7 @@
 #include "../host/output.h"
 #include "../text/summary.h"
 #include "../text/text.h"
-#include "motion.h"
+#include "diverge.h"
 
 #define JOIN 1e-6 // [m]
 #define ROW_ROOM 512
@@ -144,7 +144,7 @@ static void leave_two_fold(search_t *search, const node_t *node,
     }
     search->part = t / job->args->patience;
     for (unsigned mode = TF_SLIP_PLUS; mode <= TF_SLIP_MINUS; mode++) {
-      search->motion.state = cli_state_at(&job->machine, at);
+      search->motion.state = cli_state_at(&job->wide, at);
       follow(search, node, index, mode, t);
     }
   }
@@ -161,8 +161,7 @@ static void leave_codim2(search_t *search, const node_t *node, uint64_t index) {
 
 static void visit_all(search_t *search) {
   const cli_job_t *job = search->job;
-  search->motion.job = search->motion.tracker.job = job;
-  cli_motion_begin(&search->motion);
+  cli_motion_begin(&search->motion, job, 0);
   const node_t first = {.state = search->motion.state,
                         .set = job->setup.report.set,
                         .two_fold = job->at_two_fold};

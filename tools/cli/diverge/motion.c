@@ -1,11 +1,21 @@
-// What the steppers have in common: where a motion starts, how long its steps
-// are, and when it is on the surface.
-
-#include "motion.h"
+// The motion of one sample: its random numbers, where it starts, how it is
+// stepped under noise, and when it is on the surface.
+//
+// Noise is added to the set-valued law, stepped by tf_step_located. After every
+// step a normally distributed number of standard deviation size sqrt(dt) is
+// added to h: the Euler-Maruyama method for the stochastic differential
+// inclusion. In the sliding region the next step returns to the surface for any
+// dt. Near the two-fold dt has to resolve the time (size / (dA/dt mu))^(2/3) in
+// which the noise is stronger than the weak attraction. At h = g = 0 the
+// acceleration, of the order of mu/m, depends on the direction alone, so noise
+// decides within (size / (mu/m))^2, and a longer step would decide by itself
+// (--fine).
 
 #include <math.h>
 
 #include "../../../src/model/mechanics.h"
+#include "diverge.h"
+
 #define TWO_PI 6.283185307179586
 
 // A wheel rests on the turntable where it is pinned, and in a stick that tends
@@ -14,11 +24,40 @@
 #define REST_SPEED 1e-9 // [m/s]
 #define REST_BANDS 4
 
-// The generator is Philox: draw n of sample i under a seed is the same number
-// whatever was drawn before, so that any worker may compute any sample.
-static void draw(cli_draws_t *draws, uint32_t word[2]) {
-  tf_philox((uint64_t)draws->sample << 32 | draws->used, draws->seed, word);
-  draws->used++;
+#define BEFORE 4e-3 // [m], distance of a start before the two-fold
+#define NEAR 0.011  // steps are short where r differs by less than this part
+#define SEVERAL_STEPS 4 // whose rounding slip_rounding is
+
+bool cli_find_two_fold(const tf_machine_t *k, cli_two_fold_t *out) {
+  const tf_input_t input = tf_input_default(k);
+  tf_surface_point_t points[TF_TWO_FOLDS];
+  tf_two_fold_t form;
+  int count = 0;
+  if (tf_two_folds(k, &input, points, &count, NULL) != TF_OK) {
+    return false;
+  }
+  for (int i = 0; i < count; i++) {
+    // Stick has to arrive and to leave along the weak direction.
+    if (tf_normal_form(k, &input, &points[i], &form) == TF_OK &&
+        form.through.sticks && form.through.value < 0 &&
+        form.across.value < form.through.value) {
+      *out = (cli_two_fold_t){
+          (double)form.point.r,
+          (double)form.point.w,
+          (double)form.point.g,
+          (double)form.point.v,
+          (double)form.through.velocity.w / (double)form.through.velocity.r,
+          (double)form.across.value / (double)form.through.value};
+      return true;
+    }
+  }
+  return false;
+}
+
+// Draw n of sample i under a seed is the same number whatever was drawn before.
+static void draw(cli_motion_t *motion, uint32_t word[2]) {
+  const uint64_t number = (uint64_t)motion->sample << 32 | motion->drawn++;
+  tf_philox(number, (uint32_t)motion->job->args->seed, word);
 }
 
 // A word as a number in (0, 1).
@@ -26,54 +65,39 @@ static double fraction(uint32_t word) {
   return ((double)word + 0.5) * (1.0 / 4294967296.0);
 }
 
-double cli_draw_uniform(cli_draws_t *draws) {
+double cli_draw_uniform(cli_motion_t *motion) {
   uint32_t word[2];
-  draw(draws, word);
+  draw(motion, word);
   return fraction(word[0]);
 }
 
 // Of mean 0 and variance 1.
-static double draw_normal(cli_draws_t *draws) {
+static double draw_normal(cli_motion_t *motion) {
   uint32_t word[2];
-  draw(draws, word);
+  draw(motion, word);
   return sqrt(-2 * log(fraction(word[0]))) * cos(TWO_PI * fraction(word[1]));
 }
 
-void cli_motion_begin(cli_motion_t *motion) {
-  const cli_job_t *job = motion->job;
-  const tf_machine_t *k = &job->machine;
-  motion->machine = *k;
-  motion->near = (double)(tf_real_t)job->near;
-  motion->t = 0;
-  motion->wait = -1;
-  motion->state = job->setup.state;
-  if (job->at_two_fold) {
-    motion->state =
-        cli_state_at(k, cli_point_on_surface(k, job->canard.r, job->canard.z));
-    motion->state.mode = (uint8_t)cli_stick_mode(job->canard.s);
-  }
-}
-
 bool cli_step_of(cli_motion_t *motion, double dt) {
-  tf_machine_t k = motion->machine;
+  tf_machine_t k = motion->job->machine;
   const tf_input_t input = tf_input_default(&k);
   set_step_length(&k, (tf_real_t)dt);
   return tf_step_located(&k, &motion->state, &input, &motion->report) >= 0;
 }
 
 cli_instant_t cli_instant(const cli_motion_t *motion) {
-  const tf_machine_t *k = &motion->machine;
-  const double z = (double)motion->state.w - (double)k->omega0;
-  const cli_point_t at = {(double)motion->state.r,
-                          (double)motion->state.v - (double)k->d * z, z};
+  const cli_wide_t *k = &motion->job->wide;
+  const tf_state_t *x = &motion->state;
+  const double z = (double)x->w - k->omega0;
+  const cli_point_t at = {(double)x->r, (double)x->v - k->d * z, z};
   const cli_field_t f = cli_field_at(k, at);
   const double h = (double)(tf_real_t)f.h, g = (double)(tf_real_t)f.g;
-  const bool stays = motion->band > 0 ? fabs(h) <= motion->band
-                                      : !tf_mode_is_slip(motion->state.mode);
-  const double speed =
-      motion->band > 0 ? REST_BANDS * motion->band : REST_SPEED;
-  const bool rests = (motion->band <= 0 && motion->state.mode == TF_PINNED) ||
-                     (stays && fabs(g) <= speed);
+  const bool noisy = motion->band > 0;
+  const bool stays =
+      noisy ? fabs(h) <= motion->band : !tf_mode_is_slip(x->mode);
+  const double speed = noisy ? REST_BANDS * motion->band : REST_SPEED;
+  const bool rests =
+      (!noisy && x->mode == TF_PINNED) || (stays && fabs(g) <= speed);
   return (cli_instant_t){
       .t = motion->t, .at = at, .h = h, .g = g, .on = stays, .rests = rests};
 }
@@ -84,59 +108,73 @@ bool cli_refuse_cycle(cli_motion_t *motion) {
   return true;
 }
 
-// Motions under noise: the set-valued law, stepped by tf_step_located. After
-// every step a normally distributed number of standard deviation size sqrt(dt)
-// is added to h: the Euler-Maruyama method for the stochastic differential
-// inclusion. In the sliding region the next step returns to the surface for any
-// dt. Near the two-fold dt has to resolve the time (size / (dA/dt mu))^(2/3) in
-// which the noise is stronger than the weak attraction. At h = g = 0 the
-// acceleration, of the order of mu/m, depends on the direction alone, so noise
-// decides within (size / (mu/m))^2, and a longer step would decide by itself
-// (--fine).
-
-#define BEFORE 4e-3 // [m], distance of a start before the two-fold
-#define NEAR 0.011  // steps are short where r differs by less than this part
-#define SEVERAL_STEPS 4 // whose rounding slip_rounding is
-
 // Rate of change of A mu where stick passes through the two-fold.
 static double weakening(const cli_job_t *job) {
   const double e = 1e-6;
   const cli_two_fold_t *at = &job->two_fold;
-  const double rise = cli_delassus(&job->machine, at->r + e, at->g) -
-                      cli_delassus(&job->machine, at->r - e, at->g);
-  return fabs(rise / (2 * e) * at->v) * (double)job->machine.contact.tyre.mu;
+  const double rise = cli_delassus(&job->wide, at->r + e, at->g) -
+                      cli_delassus(&job->wide, at->r - e, at->g);
+  return fabs(rise / (2 * e) * at->v) * job->wide.mu;
+}
+
+// Puts a state into stick at (r, z).
+static void put_into_stick(cli_motion_t *motion, double r, double z) {
+  const cli_job_t *job = motion->job;
+  const cli_wide_t *k = &job->wide;
+  motion->state = cli_state_at(k, cli_point_on_surface(k, r, z));
+  motion->state.mode = (uint8_t)cli_stick_mode(job->canard.s);
 }
 
 // Stick on the weak direction, before the two-fold.
-static tf_state_t before_two_fold(const cli_job_t *job) {
-  const tf_machine_t *k = &job->machine;
-  const cli_two_fold_t *at = &job->two_fold;
-  const double s = at->g < 0 ? -1 : 1;
-  const double e = cli_delassus(k, at->r + BEFORE, s) > 0 ? BEFORE : -BEFORE;
-  const double z = at->omega - (double)k->omega0 + at->slope * e;
-  tf_state_t state = cli_state_at(k, cli_point_on_surface(k, at->r + e, z));
-  state.mode = (uint8_t)cli_stick_mode(s);
-  return state;
+static void start_before_two_fold(cli_motion_t *motion) {
+  const cli_wide_t *k = &motion->job->wide;
+  const cli_two_fold_t *at = &motion->job->two_fold;
+  const bool slides = cli_delassus(k, at->r + BEFORE, at->g) > 0;
+  const double e = slides ? BEFORE : -BEFORE;
+  put_into_stick(motion, at->r + e, at->omega - k->omega0 + at->slope * e);
 }
 
-static cli_instant_t start(cli_motion_t *motion) {
+static void begin_noise(cli_motion_t *motion) {
   const cli_job_t *job = motion->job;
-  tf_params_t params = job->params;
-  tf_report_t report;
-  const tf_input_t input = tf_input_default(&job->machine);
+  const tf_machine_t *k = &job->machine;
+  const tf_input_t input = tf_input_default(k);
+  const cli_args_t *args = job->args;
+  motion->size = args->size;
+  if (args->spread > 1) {
+    motion->size *= pow(args->spread, -cli_draw_uniform(motion));
+  }
   const double time = pow(2 * motion->size / weakening(job), 2.0 / 3.0);
   const double resolved = isfinite(time) ? time : 1; // [s], at the two-fold
-  cli_motion_begin(motion);
   if (job->at_two_fold) {
-    motion->state = before_two_fold(job);
+    start_before_two_fold(motion);
   }
   motion->band = 4 * motion->size * sqrt(resolved);
-  motion->length = (double)params.dt;
+  motion->length = (double)k->dt;
   motion->near = (double)(tf_real_t)fmin(job->near, resolved / job->refinement);
-  params.tolerance = 0; // as fine as the number type allows
-  (void)tf_prepare(&motion->machine, &params, NULL);
-  (void)tf_begin(&motion->machine, &motion->state, &input, &report);
-  return cli_instant(motion);
+  (void)tf_begin(k, &motion->state, &input, &motion->report);
+}
+
+void cli_motion_begin(cli_motion_t *motion, const cli_job_t *job,
+                      uint64_t sample) {
+  const bool random = job->args->mechanism == CLI_BY_RANDOM;
+  *motion = (cli_motion_t){.job = job,
+                           .sample = (uint32_t)sample,
+                           .near = (double)(tf_real_t)job->near,
+                           .state = job->setup.state,
+                           .passes = random && job->at_two_fold,
+                           .wait = -1};
+  if (!random) {
+    begin_noise(motion);
+  } else if (job->at_two_fold) {
+    put_into_stick(motion, job->canard.r, job->canard.z);
+  }
+  const cli_instant_t start = cli_instant(motion);
+  cli_track_start(&motion->tracker, job, &start);
+}
+
+void cli_motion_next(cli_motion_t *motion) {
+  cli_track_next(&motion->tracker);
+  motion->passes = motion->job->args->mechanism == CLI_BY_RANDOM;
 }
 
 // The longest step at an instant.
@@ -145,13 +183,12 @@ static double longest_step(const cli_motion_t *motion,
   const cli_two_fold_t *two_fold = &motion->job->two_fold;
   const bool is_near = now->g * two_fold->g > 0 &&
                        fabs(now->at.r - two_fold->r) < NEAR * fabs(two_fold->r);
-  return is_near ? motion->near : (double)motion->machine.dt;
+  return is_near ? motion->near : (double)motion->job->machine.dt;
 }
 
 static void add_noise(cli_motion_t *motion, double dt) {
-  const tf_machine_t *k = &motion->machine;
-  const double mechanism =
-      motion->size * sqrt(dt) * draw_normal(&motion->draws);
+  const tf_machine_t *k = &motion->job->machine;
+  const double mechanism = motion->size * sqrt(dt) * draw_normal(motion);
   motion->state.v -= (tf_real_t)(mechanism / (double)k->sin_gamma);
   const tf_slip_t slip =
       tf_slip(k, motion->state.r, motion->state.v, motion->state.w, k->omega0);
@@ -163,7 +200,7 @@ static double square(double x) { return x * x; }
 // The shortest step under noise: a share of the time in which noise decides at
 // h = g = 0, but so long that the noise of a step is above the rounding of h.
 static double least_step(const cli_motion_t *motion) {
-  const tf_machine_t *k = &motion->machine;
+  const tf_machine_t *k = &motion->job->machine;
   const tf_state_t *x = &motion->state;
   const double rounding =
       (double)slip_rounding(k, x->r, x->v, x->w, k->omega0) / SEVERAL_STEPS;
@@ -176,7 +213,7 @@ static double least_step(const cli_motion_t *motion) {
 // A step of the scene; next to h = g = 0 one in which neither noise nor the
 // motion crosses more than a share of the way there. A step that went further
 // is taken again before its noise is drawn, so the noise does not depend on it.
-static bool advance(cli_motion_t *motion) {
+static bool advance_noise(cli_motion_t *motion) {
   const double share = 1 / motion->job->args->fine;
   const tf_state_t from = motion->state;
   const cli_instant_t at = cli_instant(motion);
@@ -200,4 +237,8 @@ static bool advance(cli_motion_t *motion) {
   return cli_track(&motion->tracker, &now);
 }
 
-const cli_stepper_t cli_noise_stepper = {start, advance, NULL};
+bool cli_motion_advance(cli_motion_t *motion) {
+  return motion->job->args->mechanism == CLI_BY_RANDOM
+             ? cli_random_advance(motion)
+             : advance_noise(motion);
+}

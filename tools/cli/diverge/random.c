@@ -11,7 +11,7 @@
 #include <math.h>
 
 #include "../setup/setup.h"
-#include "motion.h"
+#include "diverge.h"
 
 #define LOCATED 1e-3  // [s], to which the end of a stick is bisected
 #define SHORTEST 2e-9 // [s], to which the time of h = g = 0 is bisected
@@ -22,7 +22,7 @@
 
 static double draw_time(cli_motion_t *motion) {
   const double rate = (double)motion->job->setup.params.rate;
-  const double u = cli_draw_uniform(&motion->draws);
+  const double u = cli_draw_uniform(motion);
   return rate > 0 ? -log(u) / rate : (double)INFINITY;
 }
 
@@ -38,16 +38,15 @@ static unsigned draw_mode(cli_motion_t *motion, unsigned set) {
   if (n < 2) {
     return n == 0 ? TF_NO_MODE : modes[0];
   }
-  return modes[(unsigned)(cli_draw_uniform(&motion->draws) * n) % n];
+  return modes[(unsigned)(cli_draw_uniform(motion) * n) % n];
 }
 
 // Leaves an escaping stick for slip, to a random side.
-static bool leave_stick(cli_motion_t *motion, bool released) {
+static bool leave_stick(cli_motion_t *motion) {
   motion->state.mode = (uint8_t)draw_mode(motion, SLIPS);
   motion->wait = -1;
   cli_instant_t now = cli_instant(motion);
   now.on = false;
-  now.released = released;
   now.h = motion->state.mode == TF_SLIP_PLUS ? 1e-300 : -1e-300;
   return cli_track(&motion->tracker, &now);
 }
@@ -57,22 +56,18 @@ static bool pass_two_fold(cli_motion_t *motion) {
   const cli_job_t *job = motion->job;
   cli_point_t at;
   double reached = 0;
-  const double limit = motion->job->args->patience;
-  const double stay = fmin(draw_time(motion), limit);
-  const bool escaping = cli_canard_after(&job->canard, stay, &at, &reached);
+  const double stay = fmin(draw_time(motion), job->args->patience);
+  cli_cycle_t *cycle = &motion->tracker.cycle;
+  cycle->released = !cli_canard_after(&job->canard, stay, &at, &reached);
+  motion->passes = false;
   motion->t += reached;
-  motion->state = cli_state_at(&job->machine, at);
+  motion->state = cli_state_at(&job->wide, at);
   motion->state.mode = (uint8_t)cli_stick_mode(job->canard.s);
   const cli_instant_t on = cli_instant(motion);
   // To go on from the two-fold is no arrival there, wherever the sign of A is
   // that of its rounding.
   motion->tracker.last = on;
-  return cli_track(&motion->tracker, &on) || leave_stick(motion, !escaping);
-}
-
-static cli_instant_t start(cli_motion_t *motion) {
-  cli_motion_begin(motion);
-  return cli_instant(motion);
+  return cli_track(&motion->tracker, &on) || leave_stick(motion);
 }
 
 // Every mode that may follow from where the motion is.
@@ -91,8 +86,8 @@ static unsigned futures_of(const cli_motion_t *motion) {
 static bool waits(const cli_job_t *job, const tf_state_t *state) {
   const unsigned mode = state->mode;
   return mode == TF_PINNED ||
-         (cli_is_stick(mode) && cli_delassus(&job->machine, (double)state->r,
-                                             cli_stick_sign(mode)) < 0);
+         (cli_is_stick(mode) &&
+          cli_delassus(&job->wide, (double)state->r, cli_stick_sign(mode)) < 0);
 }
 
 // Whether a step ended a stay on h = 0, or something happened to a stick that
@@ -148,7 +143,7 @@ static bool was_at_codim2(cli_motion_t *motion, const tf_state_t *from,
     return false;
   }
   const cli_point_t at = {now.at.r, 0, 0};
-  motion->state = cli_state_at(k, at);
+  motion->state = cli_state_at(&motion->job->wide, at);
   motion->state.mode = TF_PINNED;
   motion->t += passed;
   *set = futures_of(motion);
@@ -189,7 +184,7 @@ static bool track(cli_motion_t *motion, const tf_state_t *from) {
   const cli_instant_t *before = &motion->tracker.last;
   cli_instant_t now = cli_instant(motion);
   const double side = cli_stick_sign(from->mode);
-  const tf_machine_t *k = &motion->job->machine;
+  const cli_wide_t *k = &motion->job->wide;
   const unsigned through = SLIPS | TF_MODE_BIT(from->mode);
   if (cli_is_stick(from->mode) && motion->report.set == through &&
       cli_delassus(k, before->at.r, side) > 0 &&
@@ -221,13 +216,16 @@ static double time_to_rest(const cli_motion_t *motion, const tf_state_t *from,
 
 // One step, to the end of a wait at most. A wait is drawn once, and begins and
 // ends at its own instant, so that its distribution does not depend on dt.
-static bool advance(cli_motion_t *motion) {
+bool cli_random_advance(cli_motion_t *motion) {
+  if (motion->passes) {
+    return pass_two_fold(motion);
+  }
   tf_state_t from = motion->state;
   const bool waiting = waits(motion->job, &from);
   unsigned set = 0;
   // Windings are counted by changes of the sign of h, which need short steps.
-  double length =
-      tf_mode_is_slip(from.mode) ? motion->near : (double)motion->machine.dt;
+  double length = tf_mode_is_slip(from.mode) ? motion->near
+                                             : (double)motion->job->machine.dt;
   if (waiting) {
     motion->wait = motion->wait < 0 ? draw_time(motion) : motion->wait;
     length = fmin(length, motion->wait);
@@ -258,8 +256,7 @@ static bool advance(cli_motion_t *motion) {
   if (track(motion, &from) || !stays || motion->wait > 0) {
     return motion->tracker.cycle.outcome != CLI_CYCLE_OPEN;
   }
-  return from.mode == TF_PINNED ? leave_pinned(motion)
-                                : leave_stick(motion, false);
+  return from.mode == TF_PINNED ? leave_pinned(motion) : leave_stick(motion);
 }
 
 cli_branch_t cli_random_branch(cli_motion_t *motion, unsigned mode,
@@ -269,7 +266,7 @@ cli_branch_t cli_random_branch(cli_motion_t *motion, unsigned mode,
   motion->wait = -1;
   motion->state.mode = (uint8_t)mode;
   cli_instant_t now = cli_instant(motion);
-  cli_track_start(&motion->tracker, &now);
+  cli_track_start(&motion->tracker, motion->job, &now);
   if (tf_mode_is_slip(mode)) {
     motion->tracker.last.on = true;
     now.h = mode == TF_SLIP_PLUS ? 1e-300 : -1e-300;
@@ -297,5 +294,3 @@ cli_branch_t cli_random_branch(cli_motion_t *motion, unsigned mode,
   return motion->state.mode == TF_PINNED ? CLI_BRANCH_TIME
                                          : CLI_BRANCH_ESCAPING;
 }
-
-const cli_stepper_t cli_random_stepper = {start, advance, pass_two_fold};

@@ -9,47 +9,38 @@
 
 #include <math.h>
 
-#include "motion.h"
+#include "diverge.h"
 
 // A motion that lands this often without coming back is in a small cycle.
 #define SMALL_LANDINGS 3
 #define SECTION 1e-3 // [m], behind the two-fold
-
-const char *cli_outcome_name(cli_outcome_t outcome) {
-  static const char *const names[CLI_OUTCOMES] = {
-      "open", "returned", "small_cycle", "rest", "timeout", "refused"};
-  return names[outcome];
-}
 
 // Whether g has the sign that it has at the two-fold.
 static bool two_fold_side(const cli_tracker_t *tracker, double g) {
   return tracker->job->two_fold.g < 0 ? g < 0 : g > 0;
 }
 
-static void begin_cycle(cli_tracker_t *tracker, double t) {
-  const cli_cycle_t fresh = {.arrived = t, .phase = -1};
-  tracker->cycle = fresh;
-  tracker->upper = false;
-  tracker->up_last = -1;
-  tracker->section_t = -1;
-}
-
-void cli_track_start(cli_tracker_t *tracker, const cli_instant_t *at) {
-  begin_cycle(tracker, at->t);
-  tracker->before = tracker->last = *at;
-  tracker->slip_side = 0;
-  tracker->on_since = at->t;
+void cli_track_start(cli_tracker_t *tracker, const cli_job_t *job,
+                     const cli_instant_t *at) {
+  *tracker = (cli_tracker_t){
+      .job = job, .before = *at, .last = *at, .on_since = at->t};
+  tracker->cycle.ended = at->t;
+  cli_track_next(tracker);
 }
 
 void cli_track_next(cli_tracker_t *tracker) {
-  begin_cycle(tracker, tracker->cycle.ended);
+  const cli_cycle_t fresh = {
+      .arrived = tracker->cycle.ended, .phase = -1, .section_t = -1};
+  tracker->cycle = fresh;
+  tracker->upper = false;
+  tracker->up_last = -1;
 }
 
 // When r passes a value between two instants: bisection of the cubic that has r
 // and v of both.
 static double passage(const cli_tracker_t *tracker, const cli_instant_t *a,
                       const cli_instant_t *b, double r) {
-  const double d = (double)tracker->job->machine.d;
+  const double d = tracker->job->wide.d;
   const double dt = b->t - a->t;
   const double va = (a->at.p + d * a->at.z) * dt;
   const double vb = (b->at.p + d * b->at.z) * dt;
@@ -72,10 +63,10 @@ static double passage(const cli_tracker_t *tracker, const cli_instant_t *a,
 static bool has_arrived(cli_tracker_t *tracker, const cli_instant_t *at) {
   const cli_instant_t *last = &tracker->last;
   const double side = tracker->job->two_fold.g;
-  const tf_machine_t *k = &tracker->job->machine;
+  const cli_wide_t *k = &tracker->job->wide;
   if (!isfinite(tracker->job->two_fold.r) || !last->on || !at->on ||
       !two_fold_side(tracker, last->g) || !two_fold_side(tracker, at->g) ||
-      at->t - tracker->on_since < tracker->dwell) {
+      at->t - tracker->on_since < tracker->job->dwell) {
     return false;
   }
   if (!(cli_delassus(k, last->at.r, side) > 0 &&
@@ -94,10 +85,9 @@ static void watch_exit(cli_tracker_t *tracker, const cli_instant_t *at) {
     return;
   }
   cycle->left = true;
-  cycle->released = at->released;
   cycle->exit_t = last->t;
   cycle->exit_r = last->at.r;
-  cycle->exit_omega = last->at.z + (double)tracker->job->machine.omega0;
+  cycle->exit_omega = last->at.z + tracker->job->wide.omega0;
   cycle->exit_g = last->g;
   cycle->side = at->h < 0 ? -1 : 1;
   tracker->slip_side = cycle->side;
@@ -119,9 +109,8 @@ static void watch_windings(cli_tracker_t *tracker, const cli_instant_t *at) {
   if (!cycle->left || cycle->landed) {
     return;
   }
-  if ((last->at.r > section) != (at->at.r > section) &&
-      tracker->section_t < 0 && cycle->phase < 0) {
-    tracker->section_t = passage(tracker, last, at, section);
+  if ((last->at.r > section) != (at->at.r > section) && cycle->section_t < 0) {
+    cycle->section_t = passage(tracker, last, at, section);
   }
   if (at->on) {
     return;
@@ -136,11 +125,10 @@ static void watch_windings(cli_tracker_t *tracker, const cli_instant_t *at) {
     return;
   }
   const double up = crossing(last, at);
-  if (tracker->section_t >= 0 && cycle->phase < 0 && tracker->up_last >= 0 &&
-      tracker->up_last <= tracker->section_t && tracker->section_t <= up) {
+  if (cycle->phase < 0 && tracker->up_last >= 0 &&
+      tracker->up_last <= cycle->section_t && cycle->section_t <= up) {
     cycle->phase =
-        (tracker->section_t - tracker->up_last) / (up - tracker->up_last);
-    cycle->section_t = tracker->section_t;
+        (cycle->section_t - tracker->up_last) / (up - tracker->up_last);
   }
   tracker->up_last = up;
 }
@@ -149,7 +137,7 @@ static void watch_windings(cli_tracker_t *tracker, const cli_instant_t *at) {
 // slip, by extrapolation of h from before them.
 static void reach_surface(cli_tracker_t *tracker, const cli_instant_t *at) {
   const cli_instant_t *last = &tracker->last, *before = &tracker->before;
-  const double v = last->at.p + (double)tracker->job->machine.d * last->at.z;
+  const double v = last->at.p + tracker->job->wide.d * last->at.z;
   const double fall = (before->h - last->h) / (last->t - before->t);
   double dt = at->t - last->t;
   tracker->on_since = at->t;
@@ -172,7 +160,7 @@ static void watch_landing(cli_tracker_t *tracker, const cli_instant_t *at) {
     return;
   }
   if (tracker->upper || at->g == 0 || two_fold_side(tracker, at->g) ||
-      at->rests || at->t - tracker->on_since < tracker->dwell) {
+      at->rests || at->t - tracker->on_since < tracker->job->dwell) {
     return;
   }
   tracker->upper = true;
