@@ -22,8 +22,11 @@ static bool two_fold_side(const cli_tracker_t *tracker, double g) {
 
 void cli_track_start(cli_tracker_t *tracker, const cli_job_t *job,
                      const cli_instant_t *at) {
-  *tracker = (cli_tracker_t){
-      .job = job, .before = *at, .last = *at, .on_since = at->t};
+  *tracker = (cli_tracker_t){.job = job,
+                             .before = *at,
+                             .last = *at,
+                             .on_since = at->t,
+                             .on_r = at->at.r};
   tracker->cycle.ended = at->t;
   cli_track_next(tracker);
 }
