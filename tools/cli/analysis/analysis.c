@@ -19,14 +19,14 @@ typedef struct {
 
 int cli_analysis_check(cli_args_t *args) {
   const bool grid = strcmp(args->command, "design") != 0;
-  if (args->r.text == NULL) {
-    return cli_message(CLI_USAGE, "%s: --r %s is missing", args->command,
-                       grid ? "A:B:N" : "R");
-  }
-  return args->omega.text != NULL
+  const bool has_r = args->r.text != NULL;
+  return has_r && args->omega.text != NULL
              ? CLI_DONE
-             : cli_message(CLI_USAGE, "%s: --omega %s is missing",
-                           args->command, grid ? "A:B:N" : "W");
+             : cli_message(CLI_USAGE, "%s: --%s %s is missing", args->command,
+                           has_r ? "omega" : "r",
+                           grid    ? "A:B:N"
+                           : has_r ? "W"
+                                   : "R");
 }
 
 // The first two are found, the others are of a run.
@@ -224,13 +224,9 @@ int cli_singularities(const cli_args_t *args) {
 
 static int out_of_range(const analysis_t *a, const char *name,
                         tf_real_t value) {
-  const tf_parameter_range_t *range =
-      &tf_parameter_ranges[cli_number_index(name)];
-  return cli_message(CLI_REFUSED,
-                     "--r %s --omega %s: %s would be %g, it must lie in [%g, "
-                     "%g] %s",
+  return cli_message(CLI_REFUSED, "--r %s --omega %s: %s would be %g, it %s",
                      a->args->r.text, a->args->omega.text, name, (double)value,
-                     (double)range->low, (double)range->high, range->unit);
+                     cli_must(cli_number(cli_number_index(name))));
 }
 
 static int refuse(const analysis_t *a, const tf_design_t *design) {
@@ -297,39 +293,35 @@ int cli_design(const cli_args_t *args) {
 typedef int (*row_t)(const analysis_t *a, tf_real_t r, tf_real_t omega,
                      cli_buffer_t *text);
 
-static int write_line(analysis_t *a, uint64_t i, row_t row,
-                      cli_progress_t *progress) {
-  const tf_real_t r = (tf_real_t)cli_range_at(&a->args->r, i);
-  char row_text[ROW_ROOM];
-  for (uint64_t j = 0; j < a->args->omega.count; j++) {
-    cli_buffer_t text = {row_text, 0, ROW_ROOM, false};
+// omega is the inner loop.
+static int write_rows(analysis_t *a, row_t row, cli_progress_t *progress) {
+  const cli_range_t *r = &a->args->r, *omega = &a->args->omega;
+  const uint64_t points = r->count * omega->count;
+  char bytes[ROW_ROOM];
+  for (uint64_t i = 0; i < points; i++) {
+    cli_buffer_t text = {bytes, 0, sizeof bytes, false};
     if (cli_stop_asked()) {
-      return cli_message(CLI_STOPPED, "interrupted at point %" PRIu64,
-                         i * a->args->omega.count + j);
+      return cli_message(CLI_STOPPED, "interrupted at point %" PRIu64, i);
     }
-    const tf_real_t omega = (tf_real_t)cli_range_at(&a->args->omega, j);
-    CLI_TRY(row(a, r, omega, &text));
-    if (!cli_output_lines(&a->output, row_text, text.used)) {
+    CLI_TRY(row(a, (tf_real_t)cli_range_at(r, i / omega->count),
+                (tf_real_t)cli_range_at(omega, i % omega->count), &text));
+    if (!cli_output_lines(&a->output, bytes, text.used)) {
       return CLI_STOPPED; // the message is that of cli_output_end
     }
     const double now = cli_now();
     if (now - a->output.flushed >= FLUSH_EVERY) {
       (void)cli_output_flush(&a->output);
     }
-    const double line = (double)a->args->omega.count;
-    const double done = (double)i * line + (double)(j + 1);
-    const double points = (double)a->args->r.count * line;
-    cli_progress_say(progress, now, done / points, "%.0f of %.0f points", done,
-                     points);
+    cli_progress_say(progress, now, (double)(i + 1) / (double)points,
+                     "%" PRIu64 " of %" PRIu64 " points", i + 1, points);
   }
   return CLI_DONE;
 }
 
-// omega is the inner loop. units: of the columns, for --provenance.
+// units: of the columns, for --provenance.
 static int write_grid(analysis_t *a, const char *header, const char *units,
                       row_t row) {
   char lines[CLI_PROVENANCE_ROOM];
-  int code = CLI_DONE;
   CLI_TRY(cli_output_begin(&a->output, "--out", a->args->out, false));
   if (a->args->provenance) {
     const size_t length =
@@ -339,9 +331,7 @@ static int write_grid(analysis_t *a, const char *header, const char *units,
   (void)cli_output_lines(&a->output, header, strlen(header));
   cli_progress_t progress =
       cli_progress_start(cli_now(), a->output.to.descriptor);
-  for (uint64_t i = 0; i < a->args->r.count && code == CLI_DONE; i++) {
-    code = write_line(a, i, row, &progress);
-  }
+  const int code = write_rows(a, row, &progress);
   cli_progress_clear(&progress);
   return cli_output_end(&a->output, code);
 }

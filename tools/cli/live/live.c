@@ -17,7 +17,6 @@
 
 #include "../host/host.h"
 #include "../text/text.h"
-#include "twofold.h"
 
 #define COLUMNS 512 // that are drawn at most, and rows
 #define ROWS 144
@@ -101,8 +100,9 @@ static const char *measure_terminal(void) {
                                                               : "\033[H";
 }
 
-// The canvas: all that is drawn is put into its cells, and what lies beyond the
-// edge is left out. An ink has a colour, and a mark where the terminal is not
+// The canvas: all that is drawn is put into its cells. Of a text, what lies
+// beyond the edge is left out; all else has its size from that of the terminal.
+// An ink has a colour, and a mark where the terminal is not
 // known to take UTF-8. A cell of braille has two columns of four dots, so a
 // terminal of 80 columns shows a plane of 160 dots.
 
@@ -128,16 +128,8 @@ typedef struct {
 static cell_t cells[ROWS][COLUMNS];
 static char drawing[DRAWING_ROOM];
 
-// NULL beyond the edge.
-static cell_t *cell_at(int row, int column) {
-  return row < ROWS && column < terminal.columns ? &cells[row][column] : NULL;
-}
-
 static void put_cell(int row, int column, unsigned glyph, unsigned ink) {
-  cell_t *cell = cell_at(row, column);
-  if (cell != NULL) {
-    *cell = (cell_t){(uint16_t)glyph, (uint8_t)ink};
-  }
+  cells[row][column] = (cell_t){(uint16_t)glyph, (uint8_t)ink};
 }
 
 CLI_PRINTF(3, 4)
@@ -147,7 +139,7 @@ static void put_text(int row, int column, const char *format, ...) {
   va_start(arguments, format);
   (void)vsnprintf(text, sizeof text, format, arguments);
   va_end(arguments);
-  for (int i = 0; text[i] != '\0'; i++) {
+  for (int i = 0; text[i] != '\0' && column + i < terminal.columns; i++) {
     put_cell(row, column + i, (unsigned char)text[i], NO_INK);
   }
 }
@@ -186,18 +178,21 @@ static void add_row(const cell_t *row, cli_buffer_t *text) {
   }
 }
 
+typedef struct {
+  size_t column; // of a row, whose values it shows
+  double low, high;
+} axis_t;
+
 // A plane on the canvas, of so many cells from a corner on.
 typedef struct {
-  double low, high;
-} extent_t;
-typedef struct {
+  axis_t x, y;
+  int digits; // of the ends of the axes
   int row, column, rows, columns;
-  extent_t x, y;
 } plane_t;
 
 // Dot of a value among n, -1 outside.
-static int place(const extent_t *extent, double value, int n) {
-  const double at = (value - extent->low) / (extent->high - extent->low) * n;
+static int place(const axis_t *axis, double value, int n) {
+  const double at = (value - axis->low) / (axis->high - axis->low) * n;
   return at >= 0 && at < n ? (int)at : -1;
 }
 
@@ -205,23 +200,23 @@ static int place(const extent_t *extent, double value, int n) {
 static void put_dot(const plane_t *plane, int column, int row, unsigned ink) {
   static const uint8_t bits[4][2] = {
       {0x40, 0x80}, {0x04, 0x20}, {0x02, 0x10}, {0x01, 0x08}};
-  cell_t *cell = column < 0 || row < 0
-                     ? NULL
-                     : cell_at(plane->row + plane->rows - 1 - row / 4,
-                               plane->column + column / 2);
-  if (cell != NULL) {
-    const unsigned dots = cell->glyph | BRAILLE | bits[row % 4][column % 2];
-    *cell = (cell_t){(uint16_t)(ink == NOW ? CIRCLE : dots), (uint8_t)ink};
+  if (column >= 0 && row >= 0) {
+    const int at = plane->row + plane->rows - 1 - row / 4;
+    const unsigned before = cells[at][plane->column + column / 2].glyph;
+    put_cell(at, plane->column + column / 2,
+             ink == NOW ? CIRCLE : before | BRAILLE | bits[row % 4][column % 2],
+             ink);
   }
 }
 
-static void plot(const plane_t *plane, double x, double y, unsigned ink) {
-  put_dot(plane, place(&plane->x, x, 2 * plane->columns),
-          place(&plane->y, y, 4 * plane->rows), ink);
+static void plot(const plane_t *plane, const cli_csv_t *at, unsigned ink) {
+  put_dot(plane,
+          place(&plane->x, at->column[plane->x.column], 2 * plane->columns),
+          place(&plane->y, at->column[plane->y.column], 4 * plane->rows), ink);
 }
 
-// The lines x = 0 and y = 0, where they are within the extents.
-static void plot_axes(const plane_t *plane) {
+// The lines x = 0 and y = 0, where they are within the axes.
+static void plot_zeros(const plane_t *plane) {
   const int column = place(&plane->x, 0, 2 * plane->columns);
   const int row = place(&plane->y, 0, 4 * plane->rows);
   for (int i = 0; i < 2 * plane->columns; i += 2) {
@@ -249,24 +244,23 @@ static void plot_axes(const plane_t *plane) {
 #define MIN_ROWS (HEAD + 4 + FOOT)
 
 typedef struct {
-  double t, r, v, omega, h, g;
-  unsigned mode, choices;
-} point_t;
-
-typedef struct {
   uint64_t number; // of the bucket, from 1; 0: empty
   unsigned modes;  // bits TF_MODE_BIT, and bit TF_MODES: several futures
-  point_t last;
+  cli_csv_t last;
 } bucket_t;
 
 struct cli_live {
   double span, next;
   uint64_t newest; // number of a bucket, 0: none
-  point_t last;
-  plane_t left, right;  // (g, h) and (r, omega)
+  cli_csv_t last;
   char said[SAID_ROOM]; // messages
   bucket_t bucket[BUCKETS];
 };
+
+static plane_t planes[] = {
+    {.x = {.column = CLI_CSV_g}, .y = {.column = CLI_CSV_h}, .digits = 2},
+    {.x = {.column = CLI_CSV_r}, .y = {.column = CLI_CSV_omega}, .digits = 3}};
+#define PLANES ((int)(sizeof planes / sizeof planes[0]))
 
 cli_live_t *cli_live_open(double span) {
   static cli_live_t live;
@@ -278,12 +272,12 @@ cli_live_t *cli_live_open(double span) {
   return &live;
 }
 
-void cli_live_note(cli_live_t *live, const double at[6], unsigned mode,
-                   unsigned choices) {
-  if (live == NULL || !(at[0] >= 0) || mode >= TF_MODES) {
+void cli_live_note(cli_live_t *live, const cli_csv_t *at) {
+  if (live == NULL || !(at->column[CLI_CSV_t] >= 0) || at->mode >= TF_MODES) {
     return;
   }
-  const uint64_t number = 1 + (uint64_t)(at[0] / live->span * (BUCKETS - 1));
+  const uint64_t number =
+      1 + (uint64_t)(at->column[CLI_CSV_t] / live->span * (BUCKETS - 1));
   if (number < live->newest) {
     memset(live->bucket, 0, sizeof live->bucket); // it began anew
   }
@@ -292,10 +286,10 @@ void cli_live_note(cli_live_t *live, const double at[6], unsigned mode,
     bucket->number = number;
     bucket->modes = 0;
   }
-  bucket->modes |= TF_MODE_BIT(mode) | (choices > 1 ? 1u << TF_MODES : 0u);
+  bucket->modes |=
+      TF_MODE_BIT(at->mode) | (at->choices > 1 ? 1u << TF_MODES : 0u);
   live->newest = number;
-  live->last = bucket->last =
-      (point_t){at[0], at[1], at[2], at[3], at[4], at[5], mode, choices};
+  live->last = bucket->last = *at;
 }
 
 // The bucket that is `back` before the newest one, NULL where it is empty.
@@ -305,37 +299,27 @@ static const bucket_t *bucket_at(const cli_live_t *live, uint64_t back) {
   return back < live->newest && bucket->number == number ? bucket : NULL;
 }
 
-// Lets an extent hold [low, high] with a margin. It changes only where it has
-// to, so that the picture stands still.
-static void fit(extent_t *extent, double low, double high) {
-  const double size = extent->high - extent->low;
-  if (low >= extent->low && high <= extent->high && high - low > 0.3 * size) {
+// Lets an axis hold all values, with a margin. It changes only where it has to,
+// so that the picture stands still.
+static void fit(const cli_live_t *live, axis_t *axis) {
+  double low = (double)INFINITY, high = -(double)INFINITY;
+  for (uint64_t back = 0; back < BUCKETS; back++) {
+    const bucket_t *bucket = bucket_at(live, back);
+    if (bucket != NULL) {
+      low = fmin(low, bucket->last.column[axis->column]);
+      high = fmax(high, bucket->last.column[axis->column]);
+    }
+  }
+  const double size = axis->high - axis->low;
+  if (low >= axis->low && high <= axis->high && high - low > 0.3 * size) {
     return;
   }
   double margin = 0.08 * (high - low);
   if (!(margin > 0)) {
     margin = low < 0 || low > 0 ? 0.1 * fabs(low) : 1;
   }
-  extent->low = low - margin;
-  extent->high = high + margin;
-}
-
-static void fit_all(cli_live_t *live) {
-  extent_t *const extents[4] = {&live->right.x, &live->right.y, &live->left.y,
-                                &live->left.x};
-  for (int i = 0; i < 4; i++) {
-    double low = (double)INFINITY, high = -(double)INFINITY;
-    for (uint64_t back = 0; back < BUCKETS; back++) {
-      const bucket_t *bucket = bucket_at(live, back);
-      if (bucket != NULL) {
-        const double values[4] = {bucket->last.r, bucket->last.omega,
-                                  bucket->last.h, bucket->last.g};
-        low = fmin(low, values[i]);
-        high = fmax(high, values[i]);
-      }
-    }
-    fit(extents[i], low, high);
-  }
+  axis->low = low - margin;
+  axis->high = high + margin;
 }
 
 // The modes within a column of the lanes, of so many columns.
@@ -353,38 +337,25 @@ static unsigned modes_in(const cli_live_t *live, int column, int columns) {
   return modes;
 }
 
-// One of them; x, y: in, names of its axes. digits: in, of their ends.
-static void draw_plane(plane_t *plane, int column, int rows, const char *x,
-                       const char *y, int digits) {
-  plane->row = HEAD;
-  plane->column = column;
-  plane->rows = rows;
-  plane->columns = terminal.columns / 2 - 1;
-  put_text(HEAD - 1, column - 1, " %s %.*g..%.*g, %s %.*g..%.*g", y, digits,
-           plane->y.low, digits, plane->y.high, x, digits, plane->x.low, digits,
-           plane->x.high);
-  for (int row = HEAD; row < HEAD + rows; row++) {
-    put_cell(row, column - 1, BORDER, FRAME);
+static void draw_plane(const cli_live_t *live, plane_t *plane) {
+  axis_t *x = &plane->x, *y = &plane->y;
+  fit(live, x);
+  fit(live, y);
+  put_text(HEAD - 1, plane->column - 1, " %s %.*g..%.*g, %s %.*g..%.*g",
+           cli_csv_columns[y->column].name, plane->digits, y->low,
+           plane->digits, y->high, cli_csv_columns[x->column].name,
+           plane->digits, x->low, plane->digits, x->high);
+  for (int row = HEAD; row < HEAD + plane->rows; row++) {
+    put_cell(row, plane->column - 1, BORDER, FRAME);
   }
-  plot_axes(plane);
-}
-
-static void plot_point(const cli_live_t *live, const point_t *at,
-                       unsigned ink) {
-  plot(&live->left, at->g, at->h, ink);
-  plot(&live->right, at->r, at->omega, ink);
-}
-
-static void draw_planes(cli_live_t *live, int rows) {
-  draw_plane(&live->left, 1, rows, "g", "h", 2);
-  draw_plane(&live->right, terminal.columns / 2 + 1, rows, "r", "omega", 3);
+  plot_zeros(plane);
   for (uint64_t back = BUCKETS; back > 0; back--) {
     const bucket_t *bucket = bucket_at(live, back - 1);
     if (bucket != NULL) {
-      plot_point(live, &bucket->last, bucket->last.mode + 1);
+      plot(plane, &bucket->last, bucket->last.mode + 1);
     }
   }
-  plot_point(live, &live->last, NOW);
+  plot(plane, &live->last, NOW);
 }
 
 static void draw_lane(const cli_live_t *live, int row, unsigned lane) {
@@ -398,7 +369,7 @@ static void draw_lane(const cli_live_t *live, int row, unsigned lane) {
 }
 
 static void draw_scale(const cli_live_t *live, int row) {
-  const double end = fmax(live->span, live->last.t);
+  const double end = fmax(live->span, live->last.column[CLI_CSV_t]);
   char high[32];
   const int length = snprintf(high, sizeof high, "%.4g s", end);
   put_text(row, 0, "%-*s%.4g", LABEL, "t", end - live->span);
@@ -407,15 +378,16 @@ static void draw_scale(const cli_live_t *live, int row) {
 
 // Draws all of it on the canvas. Returns: how many rows.
 static int compose(cli_live_t *live, const char *title) {
-  const point_t *at = &live->last;
+  const cli_csv_t *at = &live->last;
   const char *said = strrchr(live->said, '\n');
   memset(cells, 0, sizeof cells);
   put_text(0, 0, "%s", title);
   put_text(1, 0,
            "t = %.4f s  %-6s  %u possible  r=%.3g omega=%.3g h=%.3g g=%.3g "
            "v=%.3g",
-           at->t, tf_mode_name(at->mode), at->choices, at->r, at->omega, at->h,
-           at->g, at->v);
+           at->column[CLI_CSV_t], tf_mode_name(at->mode), at->choices,
+           at->column[CLI_CSV_r], at->column[CLI_CSV_omega],
+           at->column[CLI_CSV_h], at->column[CLI_CSV_g], at->column[CLI_CSV_v]);
   if (live->newest == 0) {
     put_text(2, 0, "(nothing yet)");
     return HEAD;
@@ -426,8 +398,13 @@ static int compose(cli_live_t *live, const char *title) {
   }
   const int rows = terminal.rows - HEAD - (int)FOOT;
   const int row = HEAD + (rows < MOST_ROWS ? rows : MOST_ROWS);
-  fit_all(live);
-  draw_planes(live, row - HEAD);
+  for (int i = 0; i < PLANES; i++) {
+    planes[i].row = HEAD;
+    planes[i].rows = row - HEAD;
+    planes[i].column = 1 + i * (terminal.columns / PLANES);
+    planes[i].columns = terminal.columns / PLANES - 1;
+    draw_plane(live, &planes[i]);
+  }
   for (unsigned lane = 0; lane < LANES; lane++) {
     draw_lane(live, row + (int)lane, lane);
   }

@@ -2,7 +2,7 @@
 /// the modes over time. Every function takes NULL for "not asked for".
 #pragma once
 
-#include <stdbool.h>
+#include "../run/row.h"
 
 typedef struct cli_live cli_live_t;
 
@@ -12,10 +12,9 @@ typedef struct cli_live cli_live_t;
 /// Returns: NULL after a message where there is no such terminal.
 cli_live_t *cli_live_open(double span);
 
-/// Shows an instant. at: in, t, r, v, omega, h, g; t does not decrease, except
-/// where a new motion begins.
-void cli_live_note(cli_live_t *live, const double at[6], unsigned mode,
-                   unsigned choices);
+/// Shows an instant. Its time does not decrease, except where a new motion
+/// begins.
+void cli_live_note(cli_live_t *live, const cli_csv_t *at);
 bool cli_live_due(const cli_live_t *live, double now);
 
 /// Draws. title: in, the first line. now: in, cli_now().

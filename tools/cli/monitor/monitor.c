@@ -96,7 +96,7 @@ static bool take_block(monitor_t *monitor, size_t length) {
     if (!completes) {
       continue;
     }
-    cli_live_note(monitor->live, row.column, row.mode, row.choices);
+    cli_live_note(monitor->live, &row);
     if (as != NULL && as->row != NULL &&
         !(begin_rows(monitor) &&
           cli_output_lines(&monitor->output, line, as->row(&row, line)))) {

@@ -10,15 +10,11 @@
 #include "../text/text.h"
 
 void cli_run_show(const cli_run_t *run) {
-  const tf_state_t *state = &run->system.state;
-  const tf_report_t *report = &run->report;
-  const double at[] = {cli_run_time(run, run->done),
-                       (double)state->r,
-                       (double)state->v,
-                       (double)state->w,
-                       (double)report->slip.h,
-                       (double)report->slip.g};
-  cli_live_note(run->live, at, report->mode, report->choices);
+  if (run->live != NULL) {
+    const tf_real_t t = (tf_real_t)cli_run_time(run, run->done);
+    const cli_csv_t row = cli_row(t, &run->system.state, &run->report);
+    cli_live_note(run->live, &row);
+  }
 }
 
 cli_setup_t cli_run_setup(const cli_run_t *run) {

@@ -16,7 +16,8 @@
 #define PLOTTED 6 // columns from the second up to this one
 
 #define COLUMN(name, unit, value) {#name, unit},
-static const cli_quantity_t columns[] = {CLI_CSV_NUMBERS(COLUMN, COLUMN)};
+const cli_quantity_t cli_csv_columns[CLI_CSV_COLUMNS] = {
+    CLI_CSV_NUMBERS(COLUMN, COLUMN)};
 
 static void add(cli_buffer_t *text, const cli_csv_t *row, size_t i) {
   cli_add_number(text, row->column[i], row->is_float);
@@ -36,7 +37,7 @@ static size_t csv(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
 static size_t plotter(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
   cli_buffer_t text = {out, 0, CLI_ROW_ROOM, false};
   for (size_t i = 1; i < PLOTTED; i++) {
-    cli_add_form(&text, "%s:", columns[i].name);
+    cli_add_form(&text, "%s:", cli_csv_columns[i].name);
     add(&text, row, i);
     cli_add(&text, " ");
   }
@@ -52,10 +53,10 @@ static size_t teleplot(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
   cli_buffer_t at = {room, 0, sizeof room, false};
   cli_add_number(&at, row->is_float ? (double)(float)ms : ms, row->is_float);
   for (size_t i = 1; i < CLI_CSV_COLUMNS; i++) {
-    cli_add_form(&text, "%s:%s:", columns[i].name, room);
+    cli_add_form(&text, "%s:%s:", cli_csv_columns[i].name, room);
     add(&text, row, i);
     // The section sign stands before the unit.
-    cli_add_form(&text, "\xC2\xA7%s|g\n", columns[i].unit);
+    cli_add_form(&text, "\xC2\xA7%s|g\n", cli_csv_columns[i].unit);
   }
   cli_add_form(&text, "mode:%s:%s|t\nchoices:%s:%" PRIu64 "|g\n", room,
                tf_mode_name(row->mode), room, (uint64_t)row->choices);
@@ -66,7 +67,7 @@ static size_t json(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
   cli_buffer_t text = {out, 0, CLI_ROW_ROOM, false};
   for (size_t i = 0; i < CLI_CSV_COLUMNS; i++) {
     cli_add_form(&text, "%s\"%s\":", i == 0 ? "{" : ",",
-                 i == 0 ? "timestamp" : columns[i].name);
+                 i == 0 ? "timestamp" : cli_csv_columns[i].name);
     if (isfinite(row->column[i])) {
       add(&text, row, i);
     } else {

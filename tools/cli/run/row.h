@@ -35,6 +35,7 @@ typedef enum {
   CLI_CSV_NUMBERS(CLI_CSV_NAME, CLI_CSV_NAME) "mode,choices"
 #define CLI_CSV_UNITS CLI_CSV_NUMBERS(CLI_CSV_UNIT, CLI_CSV_NEXT_UNIT)
 enum { CLI_CSV_NUMBERS(CLI_CSV_INDEX, CLI_CSV_INDEX) CLI_CSV_COLUMNS };
+extern const cli_quantity_t cli_csv_columns[CLI_CSV_COLUMNS];
 
 typedef struct {
   double column[CLI_CSV_COLUMNS];
