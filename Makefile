@@ -147,7 +147,14 @@ $(BUILD)/$(1)/libsupport.a: $$(call objects_of_$(1),$(SUPPORT))
 	$$(archive)
 $(BUILD)/$(1)/lanes/avx2.o: src/ensemble/ensemble.c $(BUILD)/$(1)/flags
 	$$(call compile,$$(CORE_FLAGS) $$(AVX2_FLAGS) $$(FLAGS_$(1)))
-$(BUILD)/$(1)/twofold: $$(call objects_of_$(1),$(CLI)) \
+# What help prints, as strings of C.
+$(BUILD)/$(1)/help.c: tools/cli/help.txt $(BUILD)/$(1)/flags
+	@{ echo 'extern const char *const cli_help_text[];'; \
+	echo 'const char *const cli_help_text[] = {'; \
+	sed '1,/^$$$$/d; s/["\\]/\\&/g; s/.*/"&",/' $$<; echo '0};'; } >$$@
+$(BUILD)/$(1)/help.o: $(BUILD)/$(1)/help.c
+	$$(call compile,$$(TOOL_FLAGS))
+$(BUILD)/$(1)/twofold: $$(call objects_of_$(1),$(CLI)) $(BUILD)/$(1)/help.o \
     $(if $(AVX2_FLAGS),$(BUILD)/$(1)/lanes/avx2.o) $(BUILD)/$(1)/libtwofold.a
 	$$(link)
 $(call programs,$(TESTS),$(1)): %: %.o $(BUILD)/$(1)/libsupport.a \

@@ -1,7 +1,24 @@
 // The program `twofold`, which links libc, libm and the core: from a command
-// line to a command. Reading is the same for all that take options; what they
-// give is checked together by the command itself. commands.c has the table of
-// the commands and lists the folders.
+// line to a command. It is made of these folders; each line includes only
+// folders below it (check `arrows` has the same table):
+//
+//   .          command (this table), table (of the options), options (reads
+//              them), help, completions, the commands `scenes` and `scene`
+//   monitor/   the command `monitor`; takes only row.h of run/
+//   run/       the command `run`: loop, rows, frames, events, summary
+//   analysis/  singularities, regions, design, atlas and tyre
+//   diverge/   the command `diverge`. Bottom up: canard, tracker, motion (with
+//              noise), random, exhaustive, diverge
+//   sweep/     the command `sweep`; takes only events.h of run/
+//   setup/     a scene, by its name or from a file, with --set and --select
+//              becomes a machine with its initial state; schemes, names; what a
+//              command line gives (args.h)
+//   live/      --live of run and monitor: planes and modes in a terminal
+//   host/      what POSIX provides: clock, signals, files, lines, progress;
+//              files that are gone on with after a kill (sheet)
+//   text/      messages, numbers, options, text in buffers
+//
+// run, analysis, diverge and sweep do not include each other otherwise.
 
 #include "command.h"
 
@@ -10,6 +27,43 @@
 
 #include "host/host.h"
 #include "text/summary.h"
+
+const cli_command_t cli_commands[] = {
+    {"scenes", "", "list the scenes", .raw = cli_scenes},
+    {"scene", "SCENE [OPTION]...",
+     "print a scene as a file that can be changed", .bit = CLI_SCENE,
+     .perform = cli_scene},
+    {"run", "SCENE [OPTION]...", "simulate a scene, one row per instant",
+     .bit = CLI_RUN, .check = cli_run_check, .perform = cli_run},
+    {"monitor", "FILE|DEVICE|- [OPTION]...",
+     "decode frames from a board, a file or a pipe", .bit = CLI_MONITOR,
+     .take = cli_take_source, .check = cli_monitor_check,
+     .perform = cli_monitor},
+    {"singularities", "SCENE [OPTION]...", "all two-folds, as JSON",
+     .bit = CLI_SINGULARITIES, .perform = cli_singularities},
+    {"regions", "SCENE --r A:B:N --omega A:B:N [OPTION]...",
+     "sliding, escaping, crossing: a grid of (r, omega)", .bit = CLI_REGIONS,
+     .check = cli_analysis_check, .perform = cli_regions},
+    {"design", "SCENE --r R --omega W [OPTION]...",
+     "kappa and k2 that put a two-fold at (r, omega)", .bit = CLI_DESIGN,
+     .check = cli_analysis_check, .perform = cli_design},
+    {"atlas", "SCENE --r A:B:N --omega A:B:N [OPTION]...",
+     "for which (r, omega) it is a Teixeira singularity", .bit = CLI_ATLAS,
+     .check = cli_analysis_check, .perform = cli_atlas},
+    {"tyre", "SCENE [OPTION]...", "force and moment over the slip angle",
+     .bit = CLI_TYRE, .perform = cli_tyre},
+    {"diverge", "SCENE [OPTION]...",
+     "what can follow a two-fold: exits, returns, samples", .bit = CLI_DIVERGE,
+     .check = cli_diverge_check, .perform = cli_diverge},
+    {"sweep", "SCENE --over NAME=A:B:N [OPTION]...",
+     "a grid of settings: what becomes of each point", .bit = CLI_SWEEP,
+     .check = cli_sweep_check, .perform = cli_sweep},
+    {"completions", "SHELL", "a script by which a shell completes all this",
+     .raw = cli_completions},
+    {"help", "[COMMAND]", "this text, or the options of a command",
+     .raw = cli_help},
+};
+const size_t cli_command_count = sizeof cli_commands / sizeof cli_commands[0];
 
 static const cli_command_t *find(cli_closest_t *closest) {
   const size_t i = cli_closest_find(closest, cli_commands, cli_command_count,
@@ -20,39 +74,6 @@ static const cli_command_t *find(cli_closest_t *closest) {
 const cli_command_t *cli_find_command(const char *name) {
   cli_closest_t closest = cli_closest_to(name);
   return find(&closest);
-}
-
-// There is help on every word but this one: the closest that has some.
-static int no_help(const char *word) {
-  cli_closest_t closest = cli_closest_to(word);
-  (void)find(&closest);
-  cli_topics_offer(&closest);
-  return cli_message(CLI_USAGE,
-                     "help: no help on '%s'%s; try 'twofold help' or 'twofold "
-                     "help run'",
-                     word, closest.hint);
-}
-
-// Of an option the dashes are left out.
-int cli_help(int argc, char *const argv[]) {
-  if (argc == 0) {
-    cli_print_overview();
-    return cli_finish_stdout();
-  }
-  const char *word = argv[argc - 1];
-  word += strncmp(word, "--", 2) == 0 ? 2 : 0;
-  cli_closest_t closest = cli_closest_to(word);
-  const cli_command_t *command = argc == 1 ? find(&closest) : NULL;
-  if (command != NULL && (command->bit != 0 || command->about != NULL)) {
-    cli_print_page(command);
-  } else if (command != NULL) {
-    cli_print_overview();
-  } else if (argc > 1) {
-    return cli_message(CLI_USAGE, "help: one word at a time");
-  } else if (!cli_topic(word)) {
-    return no_help(argv[argc - 1]);
-  }
-  return cli_finish_stdout();
 }
 
 // The benchmarks need several builds of the core, so they belong to make.

@@ -69,16 +69,13 @@ typedef struct {
 extern const cli_option_t cli_options[];
 extern const size_t cli_option_count;
 
-/// A command. Either it takes options (bit, take, check, perform), or it reads
+/// A command; its page is in help.txt. Either it takes options (bit, take, check, perform), or it reads
 /// its words itself (raw).
 typedef struct {
   const char *name;
-  const char *words;  ///< behind the name, as the help shows them
-  const char *what;   ///< a line of the overview
-  const char *about;  ///< the help before the options
-  const char *notes;  ///< and behind them
-  void (*tail)(void); ///< prints what follows those, NULL: nothing
-  unsigned bit;       ///< in the table of the options
+  const char *words; ///< behind the name, as the help shows them
+  const char *what;  ///< a line of the overview
+  unsigned bit;      ///< in the table of the options
   /// Takes a positional argument. NULL: it is the scene.
   int (*take)(void *args, const char *word);
   /// Options that need or exclude each other. NULL: all go together.
@@ -87,7 +84,7 @@ typedef struct {
   int (*raw)(int argc, char *const argv[]);
 } cli_command_t;
 
-/// The table of all commands: commands.c.
+/// The table of all commands: command.c.
 extern const cli_command_t cli_commands[];
 extern const size_t cli_command_count;
 
@@ -113,28 +110,5 @@ int cli_complete(int argc, char *const argv[]);
 
 int cli_scenes(int argc, char *const argv[]);
 
-/// What the codes of all commands mean.
-#define CLI_EXIT_CODES                                                        \
-  "Exit codes: 0 done; 2 wrong usage; 3 a parameter was refused; 4 stopped; " \
-  "5 done, with steps that were degraded, coarse or stalled; 6 done, with "   \
-  "frames that were lost or broken, or with a value that is not finite."
-
-/// Prints text in lines of at most 79 columns. A line that begins with a blank
-/// is printed as it is. first: in, columns of the first line that are in use.
-/// margin: in, columns before each other one.
-void cli_print_filled(const char *text, size_t first, size_t margin);
-
-/// Prints a line for each command; the help of one of them.
-void cli_print_overview(void);
-void cli_print_page(const cli_command_t *command);
-
-/// Prints what an option (its name without the dashes) or a word of its values
-/// is. Returns: whether there is any.
-bool cli_print_option(const char *word);
-
-/// Prints what there is to say about a word: a parameter, column, mode, option,
-/// scene, ... Returns: whether there is something.
-bool cli_topic(const char *word);
-
-/// Offers all words to a search for the closest one.
-void cli_topics_offer(cli_closest_t *closest);
+/// Prints the sections of help.txt that have a word. Returns: whether there are.
+bool cli_print_section(const char *word);

@@ -1,6 +1,6 @@
-// Completions. The script of a shell asks the program itself, by the command
-// `complete WORD...`, what may stand behind these words: so it offers what the
-// tables of commands and options have, and is as old as no program.
+// Completions. The script of a shell, a section of help.txt, runs the command
+// `complete WORD...`, which prints what may stand behind these words: so it
+// offers what the tables of commands and options have, and never grows old.
 
 #include <stdio.h>
 #include <string.h>
@@ -9,37 +9,8 @@
 #include "text/text.h"
 #include "twofold.h"
 
-static const struct {
-  const char *shell, *script;
-} scripts[] = {
-    {"bash",
-     "_twofold() {\n"
-     "  local words\n"
-     "  words=$(\"${COMP_WORDS[0]}\" complete \\\n"
-     "    \"${COMP_WORDS[@]:1:COMP_CWORD-1}\") || compopt +o default\n"
-     "  COMPREPLY=($(compgen -W \"$(cut -f 1 <<<\"$words\")\" -- \\\n"
-     "    \"${COMP_WORDS[COMP_CWORD]}\"))\n"
-     "}\n"
-     "complete -o default -F _twofold twofold"},
-    {"zsh",
-     "#compdef twofold\n"
-     "_twofold() {\n"
-     "  local text=\"$($words[1] complete ${words[2,CURRENT-1]})\" files=$?\n"
-     "  local -a offered=(${(f)text//:/\\:})\n"
-     "  offered=(\"${offered[@]/$'\\t'/:}\")\n"
-     "  _describe word offered\n"
-     "  (( files )) || _files\n"
-     "}\n"
-     "if [ \"$funcstack[1]\" = _twofold ]; then _twofold; else "
-     "compdef _twofold twofold; fi"},
-    {"fish",
-     "function __twofold\n"
-     "  set -l words (commandline -opc)\n"
-     "  $words[1] complete $words[2..]\n"
-     "end\n"
-     "complete -c twofold -f -a '(__twofold)'\n"
-     "complete -c twofold -n '__twofold >/dev/null' -F"}};
-#define SHELLS (sizeof scripts / sizeof scripts[0])
+static const char *const shells[] = {"bash", "zsh", "fish"};
+#define SHELLS (sizeof shells / sizeof shells[0])
 
 // A word, and of what it means a clause.
 static void offer(const char *word, const char *what) {
@@ -57,7 +28,7 @@ static void offer_words(const cli_command_t *command) {
   if (strcmp(command->name, "help") == 0) {
     offer_commands();
   } else if (strcmp(command->name, "completions") == 0) {
-    for (size_t i = 0; i < SHELLS; i++) offer(scripts[i].shell, "");
+    for (size_t i = 0; i < SHELLS; i++) offer(shells[i], "");
   } else if (command->bit != 0 && command->take == NULL) {
     for (size_t i = 0; i < TF_SCENES; i++) {
       offer(tf_scenes[i]->name, tf_scenes[i]->shows);
@@ -98,11 +69,11 @@ int cli_complete(int argc, char *const argv[]) {
 }
 
 int cli_completions(int argc, char *const argv[]) {
-  for (size_t i = 0; argc == 1 && i < SHELLS; i++) {
-    if (strcmp(argv[0], scripts[i].shell) == 0) {
-      (void)puts(scripts[i].script);
-      return cli_finish_stdout();
-    }
-  }
-  return cli_message(CLI_USAGE, "completions: of which shell? (bash zsh fish)");
+  char section[32];
+  (void)snprintf(section, sizeof section, "completions-%s",
+                 argc == 1 ? argv[0] : "");
+  return cli_print_section(section)
+             ? cli_finish_stdout()
+             : cli_message(CLI_USAGE,
+                           "completions: of which shell? (bash zsh fish)");
 }

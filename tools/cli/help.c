@@ -1,68 +1,54 @@
-// Help from the tables. Columns of options and of words that a value may be are
-// as in the manuals of other programs; what depends on the length of a text is
-// found here, so that a row of a table holds only words.
+// Help: on a word it prints all that the tables of parameters, options, scenes
+// and outcomes have of it, and sections of help.txt, which the Makefile puts
+// into the program. Columns are as in the manuals of other programs.
 
 #include <stdio.h>
 #include <string.h>
 
 #include "command.h"
+#include "sweep/point.h"
 #include "twofold.h"
 
-#define WIDTH 79   // columns
-#define COLUMN 23  // at which the text of an option begins
-#define CHOICE 13  // and behind that, the meaning of a word
-#define COMMAND 21 // at which the text of a command begins
+#define WIDTH 79     // columns
+#define COLUMN 23    // at which the text of an option begins
+#define CHOICE 13    // and behind that, the meaning of a word
+#define COMMAND 21   // at which the text of a command begins
+#define WORD_ROOM 32 // more than any word of a section has
 
-// Begins a line. Returns: its column.
-static size_t new_line(size_t margin) {
-  (void)printf("\n%*s", (int)margin, "");
-  return margin;
-}
+// Its lines, and NULL.
+extern const char *const cli_help_text[];
 
-void cli_print_filled(const char *text, size_t first, size_t margin) {
-  size_t column = first, begin = first; // begin: of this line's text
-  while (*text != '\0') {
-    const size_t line = strcspn(text, "\n");
-    if (*text == ' ') {
-      (void)printf("%.*s", (int)line, text);
-      text += line;
-    }
-    size_t word = strcspn(text, " \n");
-    while (word > WIDTH - margin) { // a long list of columns
-      size_t kept = WIDTH - column;
-      while (kept > 0 && text[kept - 1] != ',') {
-        kept--;
-      }
-      (void)printf("%.*s", (int)kept, text);
-      text += kept;
-      word -= kept;
-      column = begin = new_line(margin);
-    }
-    if (column > begin && column + 1 + word > WIDTH) {
-      column = begin = new_line(margin);
-    } else if (column > begin && word > 0) {
-      (void)putchar(' ');
-      column++;
-    }
-    (void)printf("%.*s", (int)word, text);
-    column += word;
-    text += word;
-    if (*text == '\n') {
-      column = begin = new_line(margin);
-      text++;
-    } else {
-      text += strspn(text, " ");
+// The length of the first line of a text. A word that is longer than a line, as
+// a list of columns is, goes on behind a comma.
+static size_t line_length(const char *text, size_t room) {
+  size_t end = room;
+  if (strlen(text) <= room) {
+    return strlen(text);
+  }
+  while (end > 0 && text[end] != ' ') {
+    end--;
+  }
+  const char *next = text + end + (text[end] == ' ' ? 1 : 0);
+  if (strcspn(next, " ") > room) {
+    for (end = room; end > 0 && text[end - 1] != ',';) {
+      end--;
     }
   }
-  (void)putchar('\n');
+  return end;
 }
 
-static bool is_number(const cli_option_t *option) {
-  return option->kind == CLI_WHOLE || option->kind == CLI_REAL;
+// Prints text in lines, the first of which begins at the margin.
+static void print_filled(const char *text, size_t margin) {
+  for (int indent = 0; *text != '\0'; indent = (int)margin) {
+    const size_t length = line_length(text, WIDTH - margin);
+    (void)printf("%*s%.*s\n", indent, "", (int)length, text);
+    text += length;
+    text += strspn(text, " ");
+  }
 }
 
-// The words of a value are told with the first option that takes them.
-static bool is_told_before(const cli_option_t *option) {
+// The words of a value are printed with the first option that takes them.
+static bool is_printed_before(const cli_option_t *option) {
   for (const cli_option_t *at = cli_options; at < option; at++) {
     if (at->choices == option->choices &&
         (at->commands & option->commands) != 0) {
@@ -72,63 +58,32 @@ static bool is_told_before(const cli_option_t *option) {
   return false;
 }
 
-static void describe(const cli_option_t *option, size_t first, size_t margin) {
+// margin: of the words of a value.
+static void describe(const cli_option_t *option, size_t column, size_t margin) {
   char out[1024];
-  const size_t room = sizeof out;
-  int used = snprintf(out, room, "%s", option->what);
-  if (is_number(option)) {
-    used +=
-        snprintf(out + used, room - (size_t)used, "; in %s%.10g, %.10g]%s%s",
-                 (option->how & CLI_OPEN) != 0 ? "(" : "[", option->low,
-                 option->high, option->unit != NULL ? " " : "",
-                 option->unit != NULL ? option->unit : "");
+  int used = snprintf(out, sizeof out, "%s", option->what);
+  if (option->kind == CLI_WHOLE || option->kind == CLI_REAL) {
+    used += snprintf(out + used, sizeof out - (size_t)used,
+                     "; in %s%.10g, %.10g]%s%s",
+                     (option->how & CLI_OPEN) != 0 ? "(" : "[", option->low,
+                     option->high, option->unit != NULL ? " " : "",
+                     option->unit != NULL ? option->unit : "");
+    if (option->usual > 0) {
+      (void)snprintf(out + used, sizeof out - (size_t)used, ", default %g",
+                     option->usual);
+    }
   }
-  if (is_number(option) && option->usual > 0) {
-    (void)snprintf(out + used, room - (size_t)used, ", default %g",
-                   option->usual);
-  }
-  cli_print_filled(out, first, first);
+  print_filled(out, column);
   for (const cli_choice_t *at = option->choices;
-       at != NULL && at->name != NULL && !is_told_before(option); at++) {
+       at != NULL && at->name != NULL && !is_printed_before(option); at++) {
     if (at->what[0] != '\0') {
       (void)printf("%*s%-*s", (int)margin, "", CHOICE, at->name);
-      cli_print_filled(at->what, margin + CHOICE, margin + CHOICE);
+      print_filled(at->what, margin + CHOICE);
     }
   }
 }
 
-static void print_option(const cli_option_t *option) {
-  const int used = printf("  %s %s", option->name,
-                          option->value != NULL ? option->value : "");
-  (void)printf("%*s", used < COLUMN ? COLUMN - used : 1, "");
-  describe(option, COLUMN, COLUMN);
-}
-
-void cli_print_overview(void) {
-  (void)puts("usage: twofold COMMAND\n");
-  for (size_t i = 0; i < cli_command_count; i++) {
-    const cli_command_t *command = &cli_commands[i];
-    const int first = (int)strcspn(command->words, " |");
-    const int used = printf("  %s %.*s", command->name, first, command->words);
-    (void)printf("%*s%s\n", used < COMMAND ? COMMAND - used : 2, "",
-                 command->what);
-  }
-  (void)fputs(
-      "  help WORD          a parameter, column, mode, law, option, scene, or: "
-      "csv,\n"
-      "                     inputs, exit, save, replay, summary, provenance\n"
-      "  --version          version and number type\n"
-      "\n",
-      stdout);
-  cli_print_filled(CLI_EXIT_CODES, 0, 0);
-}
-
-void cli_print_page(const cli_command_t *command) {
-  (void)printf("usage: twofold %s %s\n\n", command->name, command->words);
-  if (command->about != NULL) {
-    cli_print_filled(command->about, 0, 0);
-    (void)putchar('\n');
-  }
+static void print_options(const cli_command_t *command) {
   for (size_t i = 0; i < cli_option_count; i++) {
     const cli_option_t *option = &cli_options[i];
     if ((option->commands & command->bit) == 0) {
@@ -136,52 +91,194 @@ void cli_print_page(const cli_command_t *command) {
     }
     if (option->name == NULL) {
       (void)puts(option->what);
-    } else {
-      print_option(option);
+      continue;
     }
-  }
-  if (command->notes != NULL) {
-    (void)putchar('\n');
-    cli_print_filled(command->notes, 0, 0);
-  }
-  if (command->tail != NULL) {
-    command->tail();
+    const int used = printf("  %s %s", option->name,
+                            option->value != NULL ? option->value : "");
+    (void)printf("%*s", used < COLUMN ? COLUMN - used : 1, "");
+    describe(option, COLUMN, COLUMN);
   }
 }
 
-static void print_commands(const cli_option_t *option) {
-  const char *separator = "of";
+static void print_commands(void) {
   for (size_t i = 0; i < cli_command_count; i++) {
-    if ((option->commands & cli_commands[i].bit) != 0) {
-      (void)printf("%s '%s'", separator, cli_commands[i].name);
-      separator = ",";
+    const cli_command_t *command = &cli_commands[i];
+    const int first = (int)strcspn(command->words, " |");
+    const int used = printf("  %s %.*s", command->name, first, command->words);
+    (void)printf("%*s%s\n", used < COMMAND ? COMMAND - used : 2, "",
+                 command->what);
+  }
+}
+
+static void print_numbers(void) {
+  cli_print_ranges();
+  for (size_t i = CLI_R; i < CLI_NUMBERS; i++) {
+    const tf_parameter_range_t *range = cli_number(i);
+    (void)printf("  %-9s [%g, %g] %s, at the start\n", range->name,
+                 (double)range->low, (double)range->high, range->unit);
+  }
+}
+
+static void print_outcomes(void) {
+  for (size_t i = 0; i < CLI_MEASURES; i++) {
+    const cli_measure_info_t *info = &cli_measures[i];
+    (void)printf("  %-16s %-6s %s\n", info->name, info->unit, info->what);
+  }
+}
+
+// page: the command that a section is the page of, NULL: none.
+static void print_line(const char *line, const cli_command_t *page) {
+  if (strcmp(line, "OPTIONS") == 0 && page != NULL) {
+    print_options(page);
+  } else if (strcmp(line, "COMMANDS") == 0) {
+    print_commands();
+  } else if (strcmp(line, "PARAMETERS") == 0) {
+    cli_print_ranges();
+  } else if (strcmp(line, "NUMBERS") == 0) {
+    print_numbers();
+  } else if (strcmp(line, "OUTCOMES") == 0) {
+    print_outcomes();
+  } else {
+    (void)puts(line);
+  }
+}
+
+// Cuts the next word off the words of a heading. Returns: whether there is one.
+static bool next_word(const char **words, char word[WORD_ROOM]) {
+  *words += strspn(*words, "[ ]");
+  const size_t length = strcspn(*words, " ]");
+  (void)snprintf(word, WORD_ROOM, "%.*s", (int)length, *words);
+  *words += length;
+  return length > 0;
+}
+
+static bool print_sections(cli_closest_t *closest) {
+  bool found = false, prints = false, is_heading = false;
+  const cli_command_t *page = NULL;
+  for (const char *const *line = cli_help_text; *line != NULL; line++) {
+    const char *words = *line;
+    char word[WORD_ROOM];
+    if (words[0] == '[') {
+      prints = prints && is_heading;
+      for (bool first = !is_heading; next_word(&words, word); first = false) {
+        page = first ? cli_find_command(word) : page;
+        prints = prints || strcmp(word, closest->word) == 0;
+        cli_closest_offer(closest, word);
+      }
+      is_heading = true;
+      found = found || prints;
+      continue;
     }
+    if (prints && is_heading && page != NULL) {
+      (void)printf("usage: twofold %s %s\n\n", page->name, page->words);
+    }
+    if (prints) {
+      print_line(*line, page);
+    }
+    is_heading = false;
   }
+  return found;
 }
 
-// A word of a value is told with those beside it: some say "likewise".
+bool cli_print_section(const char *word) {
+  cli_closest_t closest = cli_closest_to(word);
+  return print_sections(&closest);
+}
+
+static bool print_parameter(cli_closest_t *closest) {
+  const size_t i = cli_closest_find(closest, tf_parameter_ranges, TF_PARAMETERS,
+                                    sizeof tf_parameter_ranges[0]);
+  if (i == TF_PARAMETERS) {
+    return false;
+  }
+  (void)printf("Parameter %s: %s. --set %s=VALUE; name, range, unit:\n",
+               closest->word, cli_parameter_about[i], closest->word);
+  cli_print_range(i);
+  return true;
+}
+
+static bool print_scene(cli_closest_t *closest) {
+  for (size_t i = 0; i < TF_SCENES; i++) {
+    const tf_scene_t *scene = tf_scenes[i];
+    if (strcmp(scene->name, closest->word) == 0) {
+      (void)printf(
+          "Scene %s: %s.\nIt leaves out: %s. 'twofold scene %s' prints it.\n",
+          scene->name, scene->shows, scene->leaves_out, scene->name);
+      return true;
+    }
+    cli_closest_offer(closest, scene->name);
+  }
+  return false;
+}
+
+static bool print_outcome(cli_closest_t *closest) {
+  const size_t i = cli_closest_find(closest, cli_measures, CLI_MEASURES,
+                                    sizeof cli_measures[0]);
+  if (i == CLI_MEASURES) {
+    return false;
+  }
+  const cli_measure_info_t *info = &cli_measures[i];
+  (void)printf("Outcome %s of 'sweep': %s%s%s.\n", info->name,
+               info->what[0] != '\0' ? info->what : "state at the end",
+               info->unit[0] != '\0' ? ", unit " : "", info->unit);
+  return true;
+}
+
+// An option is printed for its name without the dashes, for what its value is,
+// and for a word that it may be, beside the others: some say "likewise".
 static bool is_of(const cli_option_t *option, const char *word) {
-  const cli_choice_t *at = option->choices;
-  while (at != NULL && at->name != NULL &&
-         (at->what[0] == '\0' || strcmp(at->name, word) != 0)) {
-    at++;
+  bool is = strcmp(option->name + 2, word) == 0 ||
+            (option->noun != NULL && strcmp(option->noun, word) == 0);
+  for (const cli_choice_t *at = option->choices; at != NULL && at->name != NULL;
+       at++) {
+    is = is || (at->what[0] != '\0' && strcmp(at->name, word) == 0);
   }
-  return option->name != NULL && (strcmp(option->name + 2, word) == 0 ||
-                                  (at != NULL && at->name != NULL));
+  return is;
 }
 
-bool cli_print_option(const char *word) {
+static bool print_option(cli_closest_t *closest) {
   bool found = false;
   for (size_t i = 0; i < cli_option_count; i++) {
     const cli_option_t *option = &cli_options[i];
-    if (is_of(option, word)) {
-      (void)printf("%s %s ", option->name,
-                   option->value != NULL ? option->value : "");
-      print_commands(option);
-      (void)puts(":");
-      describe(option, 0, 2);
-      found = true;
+    if (option->name == NULL) {
+      continue;
     }
+    cli_closest_offer(closest, option->name + 2);
+    if (!is_of(option, closest->word)) {
+      continue;
+    }
+    (void)printf("%s %s", option->name,
+                 option->value != NULL ? option->value : "");
+    const char *separator = " of";
+    for (size_t k = 0; k < cli_command_count; k++) {
+      if (cli_takes(&cli_commands[k], option)) {
+        (void)printf("%s '%s'", separator, cli_commands[k].name);
+        separator = ",";
+      }
+    }
+    (void)puts(":");
+    describe(option, 0, 2);
+    found = true;
   }
   return found;
+}
+
+// A word may be several things: `string` is a law and a scene.
+int cli_help(int argc, char *const argv[]) {
+  if (argc > 1) {
+    return cli_message(CLI_USAGE, "help: one word at a time");
+  }
+  const char *word = argc > 0 ? argv[0] : "overview";
+  const size_t dashes = strncmp(word, "--", 2) == 0 ? 2 : 0;
+  cli_closest_t closest = cli_closest_to(word + dashes);
+  bool found = print_parameter(&closest);
+  found = print_option(&closest) || found;
+  found = print_scene(&closest) || found;
+  found = print_outcome(&closest) || found;
+  found = print_sections(&closest) || found;
+  return found ? cli_finish_stdout()
+               : cli_message(CLI_USAGE,
+                             "help: no help on '%s'%s; try 'twofold help' or "
+                             "'twofold help run'",
+                             word, closest.hint);
 }

@@ -20,7 +20,7 @@ another one is seen where boards compile all of src/ as one file.
 The rooms of tools/ stand in a row: each includes and imports what is in those
 before it, what lies in tools/ itself, and, from `study` on, the reference of
 the tests and their random machines. The folders of the command line are in the
-order that tools/cli/commands.c describes. In port/ each file includes only what
+order that tools/cli/command.c describes. In port/ each file includes only what
 its line in a table allows, so that the loop knows neither the simulation nor
 the core: it drives whatever app.h declares.
 """
