@@ -4,28 +4,17 @@
  * they reach first and on whichever side. */
 #include "sample.h"
 
-typedef struct {
-  real F, M;
-} hold_t;
-
-/* F and M under which r rests and w follows the turntable: the reference's
- * rates are affine in both, and M does not act on p. */
-static hold_t hold(const tf_params_t *p, const tf_input_t *u, tf_real_t r) {
+/* F and M under which r rests and w follows the turntable. */
+static ref_force_t hold(const tf_params_t *p, const tf_input_t *u,
+                        tf_real_t r) {
   const ref_machine_t q = reference_of(p, u);
-  const ref_state_t x = {.r = wide(r), .piece = 1};
-  const ref_rate_t none = ref_rate(&q, x, (ref_force_t){0, 0});
-  const ref_rate_t by_F = ref_rate(&q, x, (ref_force_t){1, 0});
-  const ref_rate_t by_M = ref_rate(&q, x, (ref_force_t){0, 1});
-  const real F = -none.p / (by_F.p - none.p);
-  const real z = none.z + F * (by_F.z - none.z);
-  return (hold_t){F, -z / (by_M.z - none.z)};
+  const ref_affine_t at =
+      ref_affine(&q, (ref_state_t){.r = wide(r), .piece = 1});
+  return ref_rest_force(&at);
 }
 
-/* How far both are from the borders of the hull of the law; < 0 beyond one. */
-static real margin(const paper_t *p, hold_t by) {
-  const real M = fabsl(by.M);
-  return fminl(4 * p->mu / 3 - M / (3 * p->kappa) - fabsl(by.F),
-               p->kappa * p->mu - M);
+static real margin(const ref_machine_t *law, ref_force_t by) {
+  return ref_rest_margin(law, by, REF_HEXAGON);
 }
 
 TEST(pinned_wheel_stays_as_long_as_the_law_has_its_force) {
@@ -35,6 +24,7 @@ TEST(pinned_wheel_stays_as_long_as_the_law_has_its_force) {
     q.dt = TF_R(0.05);
     q.tolerance = TF_R(1e-6);
     const paper_t p = paper_of(&q);
+    const ref_machine_t law = {.mu = p.mu, .kappa = p.kappa};
     const tf_machine_t k = prepared(&q);
     tf_input_t u = tf_input_default(&k);
     tf_state_t x = {.r = uniform(-0.5, 0.5), .w = u.omega0, .mode = TF_PINNED};
@@ -44,18 +34,18 @@ TEST(pinned_wheel_stays_as_long_as_the_law_has_its_force) {
     u.alpha = uniform(-3, 3);
     const real size = 3 + p.mu + p.k2 + p.m * (4 + p.omega0 * p.omega0);
     const real slack = 1e4L * EPSILON * size * (1 + fabsl(1 / sinl(p.gamma)));
-    hold_t by = hold(&q, &u, x.r);
-    for (int n = 0; n < 40 && margin(&p, by) > slack; n++) {
-      const hold_t before = by;
+    ref_force_t by = hold(&q, &u, x.r);
+    for (int n = 0; n < 40 && margin(&law, by) > slack; n++) {
+      const ref_force_t before = by;
       const tf_real_t start = x.r;
       u.omega0 += u.alpha * k.dt / 2;
-      const hold_t midway = hold(&q, &u, x.r);
+      const ref_force_t midway = hold(&q, &u, x.r);
       u.omega0 += u.alpha * k.dt / 2;
       by = hold(&q, &u, x.r);
       const tf_status_t status = tf_step_located(&k, &x, &u, &report);
       const bool rests = x.mode == TF_PINNED && x.r == start;
-      if (status == TF_OK && rests) CHECK(margin(&p, by) >= -slack);
-      if (rests && fminl(margin(&p, midway), margin(&p, by)) > slack) {
+      if (status == TF_OK && rests) CHECK(margin(&law, by) >= -slack);
+      if (rests && fminl(margin(&law, midway), margin(&law, by)) > slack) {
         steps++;
         fell_back += status != TF_OK;
         if (status != TF_OK) continue;
@@ -64,7 +54,7 @@ TEST(pinned_wheel_stays_as_long_as_the_law_has_its_force) {
         continue;
       }
       /* Left for a stick, that may be before: it attracts. */
-      if (n == 0 || !tf_mode_is_slip(x.mode) || margin(&p, by) > 0) break;
+      if (n == 0 || !tf_mode_is_slip(x.mode) || margin(&law, by) > 0) break;
       left[before.F > 0][p.kappa * p.mu - fabsl(by.M) > 0]++;
       break;
     }

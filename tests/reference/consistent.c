@@ -1,8 +1,6 @@
 /// @file
-/// The consistent modes of an instant; see reference.h. Near h = g = 0 the
-/// slip is (h, g) = rho (sin angle, cos angle), and its rate depends on the
-/// angle alone: rho' = out(angle), rho angle' = turn(angle). A motion reaches
-/// or leaves the point along a zero of turn, a limit direction, or in stick.
+/// The consistent modes of an instant; see reference.h. A motion reaches or
+/// leaves h = g = 0 along a zero of turn, a limit direction, or in stick.
 #include <string.h>
 
 #include "reference.h"
@@ -39,14 +37,8 @@ void ref_consistent_edge(const ref_machine_t *machine, ref_state_t x,
   }
 }
 
-typedef struct {
-  real_t out, turn;
-} polar_t;
-
-// The rate of (rho, angle) times (1, rho); side names the half plane of h, so
-// that angles 0 and pi are taken as limits from there.
-static polar_t polar(const ref_machine_t *machine, const ref_affine_t *f,
-                     real_t angle, int side) {
+ref_polar_t ref_polar(const ref_machine_t *machine, const ref_affine_t *f,
+                      real_t angle, int side) {
   const real_t s = ref_sin(angle), c = ref_cos(angle);
   const real_t h = side * s > 0 ? s : 0;
   const ref_slip_t slip = {h, c};
@@ -54,7 +46,7 @@ static polar_t polar(const ref_machine_t *machine, const ref_affine_t *f,
       ref_slip_force(machine, slip, ref_piece_at(machine, slip, side));
   const real_t dh = f->h + f->h_F * force.F + f->h_M * force.M;
   const real_t dg = f->g + f->g_F * force.F + f->g_M * force.M;
-  return (polar_t){dh * s + dg * c, dh * c - dg * s};
+  return (ref_polar_t){dh * s + dg * c, dh * c - dg * s};
 }
 
 // To the last digit of either number.
@@ -62,10 +54,10 @@ enum { HALVINGS = 120 };
 
 static real_t bisect(const ref_machine_t *machine, const ref_affine_t *f,
                      real_t low, real_t high, int side) {
-  const bool rises = polar(machine, f, high, side).turn > 0;
+  const bool rises = ref_polar(machine, f, high, side).turn > 0;
   for (int i = 0; i < HALVINGS; ++i) {
     const real_t mid = (low + high) / 2;
-    if ((polar(machine, f, mid, side).turn > 0) == rises) {
+    if ((ref_polar(machine, f, mid, side).turn > 0) == rises) {
       high = mid;
     } else {
       low = mid;
@@ -77,18 +69,13 @@ static real_t bisect(const ref_machine_t *machine, const ref_affine_t *f,
 static void limit_direction(const ref_machine_t *machine, const ref_affine_t *f,
                             real_t angle, int side, bool rises,
                             ref_consistent_t *out) {
-  const polar_t rate = polar(machine, f, angle, side);
-  if (out->directions < REF_MAX_WAYS) {
-    out->direction[out->directions++] =
-        (ref_direction_t){angle, rate.out, !rises};
-  }
-  if (rate.out > 0) {
+  const real_t growth = ref_polar(machine, f, angle, side).growth;
+  if (growth > 0) {
     add(out, (ref_way_t){
                  .mode = side > 0 ? REF_SLIP_PLUS : REF_SLIP_MINUS,
                  .attracting = !rises,
-                 .rate = rate.out,
+                 .rate = growth,
                  .angle = angle,
-                 .family = rises,
              });
   }
 }
@@ -101,78 +88,100 @@ static int scan(const ref_machine_t *machine, const ref_affine_t *f, int side,
   enum { POINTS = 1501 };
   const real_t from = side > 0 ? 0 : half_turn;
   real_t before = from;
-  polar_t last = polar(machine, f, from, side);
+  ref_polar_t last = ref_polar(machine, f, from, side);
   const int sign = last.turn > 0 ? 1 : -1;
   bool same = true;
   for (int i = 1; i <= POINTS; ++i) {
     const real_t angle =
         from + half_turn * (1 - ref_cos(half_turn * i / POINTS)) / 2;
-    const polar_t now = polar(machine, f, angle, side);
+    const ref_polar_t now = ref_polar(machine, f, angle, side);
     if ((now.turn > 0) != (last.turn > 0)) {
       limit_direction(machine, f, bisect(machine, f, before, angle, side), side,
                       now.turn > 0, out);
       same = false;
     }
-    *winding += (angle - before) / 2 *
-                (last.out / ref_abs(last.turn) + now.out / ref_abs(now.turn));
+    *winding +=
+        (angle - before) / 2 *
+        (last.growth / ref_abs(last.turn) + now.growth / ref_abs(now.turn));
     before = angle;
     last = now;
   }
   return same ? sign : 0;
 }
 
-// Stick on the side s of g: leaves where lambda holds h' = 0 within the law
-// and g' leads to that side.
-static bool stick(const ref_machine_t *machine, const ref_affine_t *f,
-                  ref_state_t x, int s, ref_consistent_t *out) {
-  const ref_edge_t edge = ref_edge(machine, x, s);
-  if (!ref_sticks(machine) || !holds(&edge) || edge.A == 0) {
-    return false;
-  }
-  const ref_force_t force = ref_stick_force(machine, s, edge.N / edge.A);
-  const real_t dg = f->g + f->g_F * force.F + f->g_M * force.M;
-  if (s * dg > 0) {
-    add(out, (ref_way_t){.mode = s > 0 ? REF_STICK_PLUS : REF_STICK_MINUS,
-                         .attracting = edge.A > 0,
-                         .rate = s * dg,
-                         .angle = s > 0 ? 0 : half_turn});
-  }
-  return true;
+// Whether lambda holds h' = 0 within the law on the side s of g.
+static bool can_stick(const ref_machine_t *machine, const ref_edge_t *edge) {
+  return ref_sticks(machine) && holds(edge) && edge->A != 0;
 }
 
-// h' = g' = 0 solved for the force; it lasts only where r z stays 0.
-static void rest(const ref_machine_t *machine, const ref_affine_t *f,
-                 ref_state_t x, ref_consistent_t *out) {
-  const ref_machine_t *q = machine;
-  const real_t det = f->h_F * f->g_M - f->h_M * f->g_F;
-  if (!ref_sticks(q) || det == 0 || x.z != 0) {
-    return;
+real_t ref_stick_growth(const ref_machine_t *machine, const ref_affine_t *f,
+                        int s) {
+  const ref_edge_t edge = ref_edge_of(machine, f, s);
+  if (!can_stick(machine, &edge)) {
+    return 0;
   }
-  const real_t F = (f->h_M * f->g - f->h * f->g_M) / det;
-  const real_t M = (f->g_F * f->h - f->g * f->h_F) / det;
-  const real_t size_F = ref_abs(F), size_M = ref_abs(M);
-  const bool coulomb = q->law == REF_COULOMB;
-  const real_t kappa = coulomb ? 0 : q->kappa;
-  const real_t limit = coulomb ? q->mu : 4 * q->mu / 3 - size_M / (3 * kappa);
-  out->resting = (ref_force_t){F, M};
-  out->rests[REF_BOW_TIE] = size_M <= kappa * size_F && size_F <= q->mu;
-  out->rests[REF_SQUARE] = size_M <= kappa * q->mu && size_F <= q->mu;
-  out->rests[REF_HEXAGON] = size_M <= kappa * q->mu && size_F <= limit;
+  const ref_force_t force = ref_stick_force(machine, s, edge.N / edge.A);
+  return ref_larger(0, s * (f->g + f->g_F * force.F + f->g_M * force.M));
+}
+
+// h' = g' = 0 solved for the force.
+ref_force_t ref_rest_force(const ref_affine_t *f) {
+  const real_t det = f->h_F * f->g_M - f->h_M * f->g_F;
+  if (det == 0) {
+    return (ref_force_t){0, 0};
+  }
+  return (ref_force_t){(f->h_M * f->g - f->h * f->g_M) / det,
+                       (f->g_F * f->h - f->g * f->h_F) / det};
+}
+
+real_t ref_rest_margin(const ref_machine_t *machine, ref_force_t force,
+                       ref_rest_t law) {
+  const ref_machine_t *q = machine;
+  const real_t F = ref_abs(force.F), M = ref_abs(force.M);
+  const real_t kappa = q->law == REF_COULOMB ? 0 : q->kappa;
+  real_t most = q->mu;
+  if (law == REF_HEXAGON && kappa > 0) {
+    most = 4 * q->mu / 3 - M / (3 * kappa);
+  }
+  return ref_smaller(most - F, kappa * (law == REF_BOW_TIE ? F : q->mu) - M);
+}
+
+void ref_consistent_field(const ref_machine_t *machine,
+                          const ref_affine_t *field, ref_consistent_t *out) {
+  memset(out, 0, sizeof *out);
+  real_t winding = 0;
+  const int up = scan(machine, field, 1, out, &winding);
+  const int down = scan(machine, field, -1, out, &winding);
+  bool winds = up != 0 && up == down;
+  for (int s = 1; s >= -1; s -= 2) {
+    const ref_edge_t edge = ref_edge_of(machine, field, s);
+    const real_t growth = ref_stick_growth(machine, field, s);
+    winds = winds && !can_stick(machine, &edge);
+    if (growth > 0) {
+      add(out, (ref_way_t){.mode = s > 0 ? REF_STICK_PLUS : REF_STICK_MINUS,
+                           .attracting = edge.A > 0,
+                           .rate = growth,
+                           .angle = s > 0 ? 0 : half_turn});
+    }
+  }
+  out->spiral = winds && winding > 0;
+  if (ref_sticks(machine) &&
+      field->h_F * field->g_M != field->h_M * field->g_F) {
+    out->resting = ref_rest_force(field);
+    for (int law = 0; law < REF_RESTS; ++law) {
+      out->rests[law] =
+          ref_rest_margin(machine, out->resting, (ref_rest_t)law) >= 0;
+    }
+  }
 }
 
 void ref_consistent_codim2(const ref_machine_t *machine, ref_state_t x,
                            ref_consistent_t *out) {
-  memset(out, 0, sizeof *out);
-  const ref_affine_t f = ref_affine(machine, x);
-  real_t winding = 0;
-  const int up = scan(machine, &f, 1, out, &winding);
-  const int down = scan(machine, &f, -1, out, &winding);
-  const bool right = stick(machine, &f, x, 1, out);
-  const bool left = stick(machine, &f, x, -1, out);
-  if (up != 0 && up == down && !right && !left) {
-    out->spiral = winding > 0;
+  const ref_affine_t field = ref_affine(machine, x);
+  ref_consistent_field(machine, &field, out);
+  if (x.z != 0) { // r z does not stay 0
+    memset(out->rests, 0, sizeof out->rests);
   }
-  rest(machine, &f, x, out);
 }
 
 // Kinds of future in the order of the rule. Where the law of stick holds the
@@ -192,7 +201,7 @@ enum {
 
 static int kind_of(const ref_way_t *way) {
   if (way->mode <= REF_SLIP_MINUS) {
-    return way->family ? FAMILY : ATTRACTING_SLIP;
+    return way->attracting ? ATTRACTING_SLIP : FAMILY;
   }
   return way->attracting ? ATTRACTING_STICK : ESCAPING_STICK;
 }

@@ -134,21 +134,10 @@ static real_t trial(ref_orbit_t *orbit, real_t H, ref_state_t *end) {
   return error(orbit, coarser, *end);
 }
 
-void ref_rest_margins(const ref_orbit_t *orbit, ref_state_t x, real_t *hull,
-                      real_t *bow) {
-  const ref_machine_t *q = orbit->machine;
-  const ref_rate_t free = ref_rate(q, x, (ref_force_t){0, 0});
-  const real_t J = q->m * (q->beta * q->beta + x.r * x.r);
-  const real_t F = -q->m * free.p / q->sine;
-  const real_t M = ref_abs(-J * free.z - F * x.r * q->cosine);
-  const real_t side = q->kappa * q->mu - M;
-  *bow = q->kappa * ref_abs(F) - M;
-  if (orbit->law == REF_HEXAGON) {
-    *hull = ref_smaller(side, 4 * q->mu / 3 - M / (3 * q->kappa) - ref_abs(F));
-  } else {
-    *hull =
-        ref_smaller(orbit->law == REF_SQUARE ? side : *bow, q->mu - ref_abs(F));
-  }
+real_t ref_bow_margin(const ref_machine_t *machine, ref_state_t x) {
+  const ref_affine_t field = ref_affine(machine, x);
+  const ref_force_t by = ref_rest_force(&field);
+  return machine->kappa * ref_abs(by.F) - ref_abs(by.M);
 }
 
 static void watch(watched_t *out, ref_at_t at, real_t value) {
@@ -190,6 +179,15 @@ static void watch_stick(const ref_orbit_t *orbit, ref_state_t x,
   watch(out, REF_AT_MINUS, side * edge.minus);
 }
 
+// The force of rest within its law, and within |M| = kappa |F|.
+static void watch_rest(const ref_orbit_t *orbit, ref_state_t x,
+                       watched_t *out) {
+  const ref_affine_t field = ref_affine(orbit->machine, x);
+  watch(out, REF_AT_HULL,
+        ref_rest_margin(orbit->machine, ref_rest_force(&field), orbit->law));
+  watch(out, REF_AT_BOW, orbit->piece.side * ref_bow_margin(orbit->machine, x));
+}
+
 static watched_t watched(const ref_orbit_t *orbit, ref_state_t x,
                          real_t until) {
   watched_t out = {.count = 0};
@@ -199,10 +197,7 @@ static watched_t watched(const ref_orbit_t *orbit, ref_state_t x,
   } else if (orbit->mode != REF_PINNED) {
     watch_stick(orbit, x, &out);
   } else if (orbit->machine->knots > 0) {
-    real_t hull, bow;
-    ref_rest_margins(orbit, x, &hull, &bow);
-    watch(&out, REF_AT_HULL, hull);
-    watch(&out, REF_AT_BOW, orbit->piece.side * bow);
+    watch_rest(orbit, x, &out);
   }
   return out;
 }

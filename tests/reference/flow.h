@@ -19,10 +19,8 @@ typedef enum {
   REF_AT_NONE
 } ref_at_t;
 
-/// Rest, by inputs that move: how far the force is within the law, and within
-/// |M| = kappa |F|.
-void ref_rest_margins(const ref_orbit_t *orbit, ref_state_t x, ref_real_t *hull,
-                      ref_real_t *bow);
+/// Rest, by inputs that move: how far the force is within |M| = kappa |F|.
+ref_real_t ref_bow_margin(const ref_machine_t *machine, ref_state_t x);
 /// Takes one step, at most to the time `until`.
 ref_at_t ref_advance(ref_orbit_t *orbit, ref_real_t until);
 /// How (r, p, z, t) change in stretched time.

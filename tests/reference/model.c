@@ -218,13 +218,18 @@ ref_force_t ref_stick_force(const ref_machine_t *machine, int s,
   return (ref_force_t){lambda, (real_t)s * kappa * lambda};
 }
 
-ref_edge_t ref_edge(const ref_machine_t *machine, ref_state_t x, int s) {
-  const ref_affine_t f = ref_affine(machine, x);
+ref_edge_t ref_edge_of(const ref_machine_t *machine, const ref_affine_t *field,
+                       int s) {
   const ref_force_t unit = ref_stick_force(machine, s, 1);
-  ref_edge_t edge = {.N = f.h, .A = -f.h_F - unit.M * f.h_M};
+  ref_edge_t edge = {.N = field->h, .A = -field->h_F - unit.M * field->h_M};
   edge.plus = edge.N - edge.A * machine->mu;
   edge.minus = edge.N + edge.A * machine->mu;
   return edge;
+}
+
+ref_edge_t ref_edge(const ref_machine_t *machine, ref_state_t x, int s) {
+  const ref_affine_t f = ref_affine(machine, x);
+  return ref_edge_of(machine, &f, s);
 }
 
 real_t ref_speed_scale(const ref_machine_t *machine, ref_state_t x) {

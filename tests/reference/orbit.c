@@ -46,10 +46,8 @@ static void enter(ref_orbit_t *orbit, ref_mode_t mode) {
     orbit->piece.side = ref_sign(ref_edge(q, orbit->x, orbit->piece.roll).A);
   } else if (mode == REF_PINNED) {
     ref_state_t later = orbit->x;
-    real_t hull, bow;
     later.t += shortly;
-    ref_rest_margins(orbit, later, &hull, &bow);
-    orbit->piece.side = ref_sign(bow);
+    orbit->piece.side = ref_sign(ref_bow_margin(q, later));
   }
 }
 
@@ -144,7 +142,6 @@ static bool fall(ref_orbit_t *orbit) {
       return false;
     }
     orbit->x.t -= rho / speed;
-    orbit->angle = ref_atan2(slip.h, slip.g);
   }
   reach_codim2(orbit, 0);
   return true;

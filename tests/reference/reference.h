@@ -147,6 +147,8 @@ bool ref_by_angle(const ref_machine_t *machine);
 bool ref_has_kink(const ref_machine_t *machine);
 bool ref_sticks(const ref_machine_t *machine);
 ref_edge_t ref_edge(const ref_machine_t *machine, ref_state_t x, int s);
+ref_edge_t ref_edge_of(const ref_machine_t *machine, const ref_affine_t *field,
+                       int s);
 /// F = lambda, M = s kappa lambda; the moment of REF_COULOMB is 0.
 ref_force_t ref_stick_force(const ref_machine_t *machine, int s,
                             ref_real_t lambda);
@@ -161,29 +163,26 @@ typedef enum {
   REF_RESTS
 } ref_rest_t;
 
-/// One way in which the motion goes on.
+/// The force that keeps h = g = 0 in a field; 0 where none does.
+ref_force_t ref_rest_force(const ref_affine_t *field);
+/// How far a force of rest is within a law; < 0 beyond.
+ref_real_t ref_rest_margin(const ref_machine_t *machine, ref_force_t force,
+                           ref_rest_t law);
+
+/// One way in which the motion goes on. At h = g = 0 a slip that does not
+/// attract is one of a family of motions that share its direction.
 typedef struct {
   ref_mode_t mode;
   bool attracting;  ///< stick: A > 0. Slip at h = g = 0: angle is attracting
   ref_real_t rate;  ///< at h = g = 0: d rho/dt of leaving, > 0
   ref_real_t angle; ///< slip at h = g = 0: atan2(h, g) [rad], 0 to 2 pi
-  bool family;      ///< slip at h = g = 0: many motions share the direction
 } ref_way_t;
-
-/// What the field of slip does at h = g = 0: an angle that does not change.
-typedef struct {
-  ref_real_t angle; ///< atan2(h, g) [rad], 0 to 2 pi
-  ref_real_t speed; ///< of sqrt(g^2 + h^2) along it [m/s^2]; < 0 arrives
-  bool attracting;  ///< angles next to it turn to it
-} ref_direction_t;
 
 #define REF_MAX_WAYS 24
 typedef struct {
   ref_way_t list[REF_MAX_WAYS];
-  ref_direction_t direction[REF_MAX_WAYS]; ///< h = g = 0: all, leaving or not
-  ref_force_t resting;                     ///< force that rest takes
-  int count;                               ///< of list
-  int directions;                          ///< of direction
+  int count;
+  ref_force_t resting;   ///< h = g = 0: force that rest takes
   bool rests[REF_RESTS]; ///< h = g = 0: rest is possible under the law
   bool spiral;           ///< winds out, with no limit direction
 } ref_consistent_t;
@@ -192,9 +191,23 @@ typedef struct {
 void ref_consistent_edge(const ref_machine_t *machine, ref_state_t x,
                          ref_consistent_t *out);
 /// The consistent modes at h = g = 0: limit directions, sticks that leave,
-/// rest.
+/// rest; and those of a field, on a wheel that does not move on in r.
 void ref_consistent_codim2(const ref_machine_t *machine, ref_state_t x,
                            ref_consistent_t *out);
+void ref_consistent_field(const ref_machine_t *machine,
+                          const ref_affine_t *field, ref_consistent_t *out);
+/// Near h = g = 0 the slip is (h, g) = rho (sin angle, cos angle), and its rate
+/// depends on the angle alone: rho' = growth, rho angle' = turn. side names the
+/// half plane of h: angles 0 and pi are limits from there.
+typedef struct {
+  ref_real_t growth, turn;
+} ref_polar_t;
+ref_polar_t ref_polar(const ref_machine_t *machine, const ref_affine_t *field,
+                      ref_real_t angle, int side);
+/// How fast the stick on the side s of g leaves h = g = 0 [m/s^2]; 0 where it
+/// does not, or has no force within the law.
+ref_real_t ref_stick_growth(const ref_machine_t *machine,
+                            const ref_affine_t *field, int s);
 /// The declared rule where the mode is lost: attracting stick, slip along an
 /// attracting direction, rest, other slip, escaping stick; of one kind the one
 /// that leaves faster. A stick that arrives is held by the bow tie before it
@@ -241,7 +254,6 @@ struct ref_orbit {
   ref_rest_t law;
   ref_mode_t mode;
   ref_mode_t arrived; ///< mode in which h = g = 0 was last reached
-  ref_real_t angle;   ///< atan2(h, g) of the slip that fell into it [rad]
   ref_piece_t piece;  ///< of the law; in stick, side is the sign of A
   ref_stop_t stop;
   int events, codim2_count;

@@ -1,5 +1,5 @@
-/* codim2_field.h - the field of slip at h = g = 0 by the paper's law: how fast
- * a slip of a given direction rotates and grows there. */
+/* codim2_field.h - the field of slip at h = g = 0, by the reference and by the
+ * core. */
 #ifndef TESTS_SUPPORT_CODIM2_FIELD_H
 #define TESTS_SUPPORT_CODIM2_FIELD_H
 
@@ -8,58 +8,19 @@
 
 #define STICKS (TF_MODE_BIT(TF_STICK_PLUS) | TF_MODE_BIT(TF_STICK_MINUS))
 
-/* The accelerations of h and g at h = g = 0: without friction, by F = 1 N and
- * by M = 1 N m. */
-typedef struct {
-  paper_t paper;
-  real h[3], g[3];
-} field_t;
+static const ref_rest_t rest_laws[TF_REST_LAWS] = {
+    [TF_REST_HULL] = REF_HEXAGON,
+    [TF_REST_SQUARE] = REF_SQUARE,
+    [TF_REST_BOW_TIE] = REF_BOW_TIE};
 
-/* A machine at h = g = 0, and the field there by the paper and by the core. */
+/* A machine at h = g = 0, and the field there. */
 typedef struct {
   tf_params_t params;
   tf_machine_t k;
-  tf_input_t u;
-  tf_real_t r;
-  field_t at;
+  ref_machine_t q;
+  ref_affine_t at;
   codim2_field_t field;
 } place_t;
-
-/* At a speed of the turntable, under its acceleration and the loads of the
- * input: the paper has none, they act by the inverse mass matrix. */
-static inline field_t field_at(const tf_params_t *params, const tf_input_t *u,
-                               tf_real_t r, real omega0) {
-  field_t at = {.paper = paper_of(params)};
-  at.paper.omega0 = omega0;
-  const real x[3] = {wide(r), 0, omega0}, alpha = wide(u->alpha);
-  const real Q_r = wide(u->force), beta = at.paper.beta;
-  const real Q_phi = wide(u->torque) + at.paper.d * Q_r;
-  const real by_mass = 1 / (at.paper.m * (beta * beta + x[0] * x[0]));
-  real h_x[3], g_x[3];
-  paper_h_x(&at.paper, x, h_x);
-  paper_g_x(&at.paper, x, g_x);
-  for (int by = 0; by < 3; by++) {
-    real dx[3];
-    paper_rhs_time(&at.paper, x, by == 1, by == 2, dx);
-    dx[1] += Q_r / at.paper.m + by_mass * at.paper.d * Q_phi;
-    dx[2] += by_mass * Q_phi - alpha;
-    for (int i = 0; i < 3; i++) {
-      at.h[by] += h_x[i] * dx[i];
-      at.g[by] += g_x[i] * dx[i];
-    }
-    if (by == 0) continue;
-    at.h[by] -= at.h[0];
-    at.g[by] -= at.g[0];
-  }
-  return at;
-}
-
-/* How fast g grows in the stick on one side of g = 0. */
-static inline real stick_growth(const field_t *at, int roll) {
-  const real moment = (real)roll * at->paper.kappa;
-  const real lambda = -at->h[0] / (at->h[1] + moment * at->h[2]);
-  return (real)roll * (at->g[0] + lambda * (at->g[1] + moment * at->g[2]));
-}
 
 /* Slip of 1 m/s at an angle from the h axis of one side: the rate of that angle
  * [rad/s] and of the length of the slip [m/s^2]. */
@@ -67,14 +28,16 @@ typedef struct {
   real rotation, growth;
 } slip_rate_t;
 
-static inline slip_rate_t slip_rate_at(const field_t *at, int side,
-                                       real angle) {
-  const real h = (real)side * cosl(angle), g = sinl(angle);
-  real F, M;
-  paper_friction(&at->paper, h, g, &F, &M);
-  const real dh = at->h[0] + F * at->h[1] + M * at->h[2];
-  const real dg = at->g[0] + F * at->g[1] + M * at->g[2];
-  return (slip_rate_t){(real)side * (dg * h - dh * g), dh * h + dg * g};
+static inline slip_rate_t slip_rate_at(const place_t *c, int side, real angle) {
+  const real from_g = (real)side * (PAPER_PI / 2 - angle);
+  const ref_polar_t rate = ref_polar(&c->q, &c->at, from_g, side);
+  return (slip_rate_t){-(real)side * rate.turn, rate.growth};
+}
+
+/* Whether the stick on a side of g leaves h = g = 0 and attracts. */
+static inline bool leaves_attracting(const ref_machine_t *q,
+                                     const ref_affine_t *at, int side) {
+  return ref_edge_of(q, at, side).A > 0 && ref_stick_growth(q, at, side) > 0;
 }
 
 /* Some of the machines as in the other tests, most of extreme shapes, where two

@@ -41,7 +41,7 @@ static bool watches_ties(const ref_consistent_t *f, const ref_way_t *taken) {
     const ref_way_t *way = &f->list[i];
     const bool alike =
         (way->mode > REF_SLIP_MINUS) == (taken->mode > REF_SLIP_MINUS) &&
-        way->attracting == taken->attracting && way->family == taken->family;
+        way->attracting == taken->attracting;
     if (way != taken && alike &&
         fabsl(way->rate - taken->rate) < 0.01L * taken->rate) {
       return true;
@@ -63,9 +63,7 @@ static void on_event(const ref_orbit_t *orbit, ref_event_t event) {
     if (orbit->arrived >= REF_STICK_PLUS && met->stick_since >= 0) {
       met->stuck = fmin(met->stuck, (double)(orbit->at.t - met->stick_since));
     }
-    met->several |=
-        taken && (taken->family || watches_ties(f, taken) ||
-                  (taken->mode >= REF_STICK_PLUS && !taken->attracting));
+    met->several |= taken && (!taken->attracting || watches_ties(f, taken));
     met->left_rest |= orbit->arrived == REF_PINNED;
   }
   // A wheel along the slot has A = N = 0 on the axis: rounding decides there.
@@ -106,11 +104,10 @@ static ref_stop_t follow(const lib_machine_t *machine, const ref_machine_t *q,
 
 // A wheel put on the turntable that does not stay there, which is most of them.
 static bool slides_off(const lib_machine_t *machine, const ref_machine_t *q) {
-  ref_orbit_t orbit = {.tolerance = 1e-11L, .law = rest_laws[machine->rest]};
-  ref_state_t start = draw_start(machine, q);
-  start.piece = q->knots > 0;
-  ref_begin(&orbit, q, start, REF_MODES);
-  return start.p == 0 && start.z == 0 && orbit.mode != REF_PINNED;
+  met_t met;
+  ref_state_t x;
+  follow(machine, q, 0, 0, &met, &x);
+  return machine->v == 0 && machine->omega == machine->omega0 && !met.rested;
 }
 
 typedef struct {

@@ -1,45 +1,32 @@
 /* Steps that reach h = g = 0 or leave it, most of them located, against the
- * field of slip by the paper's law. */
+ * reference. */
 #include "codim2_field.h"
-#include "model/rates.h"
 #include "sim.h"
-
-static place_t any_place(int n) {
-  place_t c = {.params = any_params(n)};
-  c.params.dt = TF_R(1e-6);
-  c.k = prepared(&c.params);
-  c.u = tf_input_default(&c.k);
-  c.r = uniform(-0.6, 0.6);
-  c.at = field_at(&c.params, &c.u, c.r, wide(c.u.omega0));
-  const rates_t rates = rates_at(&c.k, &c.u, c.r, 0, 0, c.u.omega0);
-  c.field = tf_codim2_field_of(&c.k, &rates);
-  return c;
-}
-
-static unsigned faster_stick(const field_t *at) {
-  return stick_growth(at, -1) > stick_growth(at, 1) ? TF_STICK_MINUS
-                                                    : TF_STICK_PLUS;
-}
 
 /* Where both sticks leave h = g = 0 the faster one is taken, whatever the sign
  * of the rounding that g has. */
 TEST(of_two_sticks_the_faster_is_taken) {
   int taken[2] = {0};
   for (int n = 0; n < 20000; n++) {
-    const place_t c = any_place(n);
-    consistent_modes_t out;
-    tf_report_t report;
-    tf_codim2_modes(&c.k.contact, &c.field, &out);
-    if ((out.solutions.set & out.solutions.attracting & STICKS) != STICKS)
+    tf_params_t params = any_params(n);
+    params.dt = TF_R(1e-6);
+    sim_t s = sim_of(&params);
+    s.x.r = uniform(-0.6, 0.6);
+    s.x.w = s.u.omega0;
+    const ref_machine_t q = reference_of(&params, &s.u);
+    const ref_affine_t at =
+        ref_affine(&q, (ref_state_t){.r = wide(s.x.r), .piece = 1});
+    if (!leaves_attracting(&q, &at, 1) || !leaves_attracting(&q, &at, -1))
       continue;
-    tf_state_t x = {
-        .r = c.r, .v = TF_REAL_EPSILON * uniform(-1e-4, 1e-4), .w = c.u.omega0};
-    const tf_slip_t slip = tf_slip(&c.k, x.r, x.v, x.w, c.u.omega0);
-    x.mode = slip.h > 0 ? TF_SLIP_MINUS : TF_SLIP_PLUS; /* to be ignored */
-    const tf_status_t status = tf_step_located(&c.k, &x, &c.u, &report);
-    if (!ok_to_resolution(status) || x.mode == TF_PINNED) continue;
-    CHECK(x.mode == faster_stick(&c.at));
-    taken[x.mode == TF_STICK_MINUS]++;
+    s.x.v = TF_REAL_EPSILON * uniform(-1e-4, 1e-4);
+    const tf_slip_t slip = tf_slip(&s.k, s.x.r, s.x.v, s.x.w, s.u.omega0);
+    s.x.mode = slip.h > 0 ? TF_SLIP_MINUS : TF_SLIP_PLUS; /* to be ignored */
+    if (!ok_to_resolution(sim_step(&s, LOCATED)) || s.x.mode == TF_PINNED)
+      continue;
+    const bool minus =
+        ref_stick_growth(&q, &at, -1) > ref_stick_growth(&q, &at, 1);
+    CHECK(s.x.mode == (minus ? TF_STICK_MINUS : TF_STICK_PLUS));
+    taken[minus]++;
   }
   printf("# stick+ %d times, stick- %d times\n", taken[0], taken[1]);
   CHECK(taken[0] > 20 && taken[1] > 20);

@@ -1,5 +1,5 @@
 /* A rest that ends within a step on a turntable that changes its speed, against
- * the conditions by the paper's equations, looked for at close instants. When
+ * the conditions by the reference, looked for at close instants. When
  * it ends: law/test_pinned.c and law/test_located_turntable.c. */
 #include "codim2_field.h"
 #include "event/trajectory.h"
@@ -10,40 +10,19 @@ enum { INSTANTS = 512 };
 typedef struct {
   tf_params_t params;
   tf_machine_t k;
+  ref_machine_t q;
   tf_input_t u;
   tf_real_t r, omega, length;
 } rest_t;
 
-/* The field at a time, under the turntable that has moved on. */
-static field_t field_after(const rest_t *c, real t) {
-  return field_at(&c->params, &c->u, c->r,
-                  wide(c->omega) + wide(c->u.alpha) * t);
-}
-
-/* How far the force that holds the wheel is within its law; < 0 beyond. */
-static real margin_of_law(const rest_t *c, const field_t *at) {
-  const real mu = at->paper.mu, kappa = at->paper.kappa;
-  const real det = at->h[1] * at->g[2] - at->h[2] * at->g[1];
-  const real F = fabsl(at->h[2] * at->g[0] - at->h[0] * at->g[2]) / fabsl(det);
-  const real M = fabsl(at->h[0] * at->g[1] - at->h[1] * at->g[0]) / fabsl(det);
-  if (c->params.rest == TF_REST_HULL)
-    return fminl(4 * mu / 3 - M / (3 * kappa) - F, mu - M / kappa);
-  return fminl(mu - F, (c->params.rest == TF_REST_SQUARE ? mu : F) - M / kappa);
-}
-
-/* How far an attracting stick is from being consistent; > 0 where it is. */
-static real margin_of_stick(const field_t *at, int roll) {
-  const real kappa = (real)roll * at->paper.kappa;
-  const real A = -(at->h[1] + kappa * at->h[2]), lambda = at->h[0] / A;
-  const real room = (at->paper.mu - fabsl(lambda)) * A;
-  return A > 0 ? fminl(stick_growth(at, roll), room) : -1;
-}
-
-/* < 0 where the rest has ended. */
+/* How far the force that holds the wheel is within its law; < 0 where the rest
+ * has ended, also by a stick that attracts. */
 static real margin_of_rest(const rest_t *c, real t) {
-  const field_t at = field_after(c, t);
-  const real sticks = fmaxl(margin_of_stick(&at, 1), margin_of_stick(&at, -1));
-  return fminl(margin_of_law(c, &at), -sticks);
+  const ref_state_t x = {.r = wide(c->r), .t = t, .piece = 1};
+  const ref_affine_t at = ref_affine(&c->q, x);
+  if (leaves_attracting(&c->q, &at, 1) || leaves_attracting(&c->q, &at, -1))
+    return -1;
+  return ref_rest_margin(&c->q, ref_rest_force(&at), rest_laws[c->params.rest]);
 }
 
 /* Whether it ends within its length, even if it might go on later. */
@@ -67,6 +46,7 @@ static rest_t any_rest(int n) {
   const real F = wide(uniform(-1, 1) * c.params.mu);
   load_for(&c.params, &c.u, c.r, F,
            wide(uniform(-1, 1) * c.params.mu * c.params.kappa));
+  c.q = reference_of(&c.params, &c.u);
   return c;
 }
 

@@ -1,79 +1,45 @@
-/* Modes that are consistent at h = g = 0, against a search through all angles
- * with the paper's law and field. */
+/* Modes that are consistent at h = g = 0, and the course of a slip there,
+ * against the reference. */
 #include "codim2_field.h"
-
-static real bisected(const field_t *at, int side, real low, real high) {
-  const bool up = slip_rate_at(at, side, low).rotation > 0;
-  for (int i = 0; i < 80; i++) {
-    const real middle = (low + high) / 2;
-    if ((slip_rate_at(at, side, middle).rotation > 0) == up)
-      low = middle;
-    else
-      high = middle;
-  }
-  return (low + high) / 2;
-}
-
-/* A limit direction along which slip of one side grows: how fast, and whether
- * it attracts its neighbours; 0: there is none. */
-typedef struct {
-  real growth;
-  bool attracts;
-} exit_t;
-
-/* Of those that attract, or else of all, the fastest; on a grid of angles,
- * which misses two that are close to each other. */
-static exit_t search(const field_t *at, int side) {
-  enum { ANGLES = 100 };
-  const real quarter = PAPER_PI / 2, edge = 1e-7L;
-  exit_t best = {0, false};
-  for (int roll = -1; roll <= 1; roll += 2) {
-    real low = 0, rotation = 0;
-    for (int i = 0; i <= ANGLES; i++) {
-      const real share = fminl(fmaxl((real)i / ANGLES, edge), 1 - edge);
-      const real angle = (real)roll * quarter * share, before = rotation;
-      rotation = slip_rate_at(at, side, angle).rotation;
-      if (i > 0 && (before > 0) != (rotation > 0)) {
-        const real way = bisected(at, side, low, angle);
-        const exit_t next = {slip_rate_at(at, side, way).growth,
-                             (before > 0) == (roll > 0)};
-        if (next.growth > 0 && (next.attracts == best.attracts
-                                    ? next.growth > best.growth
-                                    : next.attracts || best.growth == 0))
-          best = next;
-      }
-      low = angle;
-    }
-  }
-  return best;
-}
 
 /* A machine, and a field that no machine has: its friction may drive, so that
  * directions from which the neighbours turn away lead out as well. */
 static place_t any_field(int n) {
   place_t c = {.params = any_params(n)};
-  const tf_params_t *params = &c.params;
-  field_t *at = &c.at;
-  c.k = prepared(params);
-  at->paper = paper_of(params);
-  for (int i = 0; i < 3; i++) {
-    at->h[i] = wide(uniform(-1, 1));
-    at->g[i] = wide(uniform(-1, 1));
-  }
+  ref_affine_t *at = &c.at;
+  c.k = prepared(&c.params);
+  const tf_input_t u = tf_input_default(&c.k);
+  c.q = reference_of(&c.params, &u);
+  real *const part[] = {&at->h, &at->g, &at->h_F, &at->g_F, &at->h_M, &at->g_M};
+  for (int i = 0; i < 6; i++) *part[i] = wide(uniform(-1, 1));
   if (tap_bits() % 2) {
-    at->h[1] = fabsl(at->h[1]);
-    at->h[0] = -wide(params->mu) * at->h[1] * wide(uniform(1, TF_R(4.0) / 3));
-    at->h[2] *= 0.02L / wide(params->kappa);
-    at->g[0] *= 0.02L;
-    at->g[1] *= 0.02L;
+    at->h_F = fabsl(at->h_F);
+    at->h = -c.q.mu * at->h_F * wide(uniform(1, TF_R(4.0) / 3));
+    at->h_M *= 0.02L / c.q.kappa;
+    at->g *= 0.02L;
+    at->g_F *= 0.02L;
   }
-  const tf_real_t mu = params->mu, kappa_mu = params->kappa * mu;
-  c.field = (codim2_field_t){{(tf_real_t)at->h[0], mu * (tf_real_t)at->h[1],
-                              kappa_mu * (tf_real_t)at->h[2]},
-                             {(tf_real_t)at->g[0], mu * (tf_real_t)at->g[1],
-                              kappa_mu * (tf_real_t)at->g[2]},
+  const tf_real_t mu = c.params.mu, kappa_mu = c.params.kappa * mu;
+  c.field = (codim2_field_t){{(tf_real_t)at->h, mu * (tf_real_t)at->h_F,
+                              kappa_mu * (tf_real_t)at->h_M},
+                             {(tf_real_t)at->g, mu * (tf_real_t)at->g_F,
+                              kappa_mu * (tf_real_t)at->g_M},
                              {2, 2}};
   return c;
+}
+
+/* The fastest of the limit directions out to one side that attract their
+ * neighbours, or else of all; rate 0: there is none. */
+static ref_way_t exit_of(const ref_consistent_t *found, ref_mode_t mode) {
+  ref_way_t best = {.rate = 0};
+  for (int i = 0; i < found->count; i++) {
+    const ref_way_t next = found->list[i];
+    if (next.mode == mode && (next.attracting == best.attracting
+                                  ? next.rate > best.rate
+                                  : next.attracting || best.rate == 0))
+      best = next;
+  }
+  return best;
 }
 
 TEST(exits_of_any_field_are_those_of_a_search) {
@@ -81,18 +47,20 @@ TEST(exits_of_any_field_are_those_of_a_search) {
   for (int n = 0; n < samples(2000); n++) {
     const place_t c = any_field(n);
     consistent_modes_t out;
+    ref_consistent_t found;
     tf_codim2_modes(&c.k.contact, &c.field, &out);
+    ref_consistent_field(&c.q, &c.at, &found);
     for (int slip = 0; slip < 2; slip++) {
       const unsigned bit = TF_MODE_BIT(TF_SLIP_PLUS + slip);
       const bool attracts = out.solutions.attracting & bit;
-      const exit_t want = search(&c.at, slip == 0 ? 1 : -1);
+      const ref_way_t want = exit_of(&found, (ref_mode_t)slip);
       const real got = (out.solutions.set & bit)
                            ? fabsl(wide(out.solutions.departure[slip]))
                            : 0;
       const real size = 1 + wide(c.params.mu) * (1 + wide(c.params.kappa));
-      if (attracts != want.attracts || fabsl(got - want.growth) > 1e-3L * size)
+      if (attracts != want.attracting || fabsl(got - want.rate) > 1e-3L * size)
         close++;
-      else if (want.growth > 0)
+      else if (want.rate > 0)
         (attracts ? attract++ : repel++);
     }
   }
@@ -139,13 +107,13 @@ typedef struct {
   real h, g;
 } followed_t;
 
-static followed_t followed(const field_t *at, int side, real start,
+static followed_t followed(const place_t *c, int side, real start,
                            real distance) {
   const real quarter = PAPER_PI / 2 - 1e-9L;
   real angle = start, time = 0;
   followed_t out = {false, false, 0, 0};
   for (int n = 0; n < 200000; n++) {
-    const slip_rate_t rate = slip_rate_at(at, side, angle);
+    const slip_rate_t rate = slip_rate_at(c, side, angle);
     const real size = fabsl(rate.rotation) + fabsl(rate.growth);
     real step = 2e-3L * distance / size;
     if (step > 1 - time) step = 1 - time;
@@ -175,7 +143,7 @@ TEST(slip_takes_its_course) {
                             (tf_real_t)(distance * sinl(start))};
     const codim2_course_t is =
         tf_codim2_course(&c.k.contact, &c.field, slip, side < 0 ? MINUS : PLUS);
-    const followed_t want = followed(&c.at, side, start, distance);
+    const followed_t want = followed(&c, side, start, distance);
     if (want.sticks) {
       leaves_h += is.mode != (side > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS);
       close += is.mode == (side > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS);
@@ -205,7 +173,7 @@ TEST(a_course_ends_with_the_signs_of_its_mode) {
     const place_t c = any_field(n);
     const int side = n & 1 ? 1 : -1;
     const real angle = tap_uniform(-1.5, 1.5);
-    const slip_rate_t rate = slip_rate_at(&c.at, side, angle);
+    const slip_rate_t rate = slip_rate_at(&c, side, angle);
     const real time = tap_uniform(0, 1), off = tap_uniform(-0.1, 0.1);
     /* Along -rate, for a time, past h = g = 0 by a share of that. */
     const real C = cosl(angle), S = sinl(angle);

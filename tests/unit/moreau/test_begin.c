@@ -183,12 +183,9 @@ TEST(begin_counts_rounding_as_zero) {
 /* The modes in which the reference leaves h = g = 0, or rests there. */
 static unsigned reference_set(const ref_machine_t *q, tf_rest_law_t rest,
                               ref_state_t x) {
-  static const ref_rest_t law[TF_REST_LAWS] = {[TF_REST_HULL] = REF_HEXAGON,
-                                               [TF_REST_SQUARE] = REF_SQUARE,
-                                               [TF_REST_BOW_TIE] = REF_BOW_TIE};
   ref_consistent_t found;
   ref_consistent_codim2(q, x, &found);
-  unsigned set = found.rests[law[rest]] ? BIT(TF_PINNED) : 0;
+  unsigned set = found.rests[rest_laws[rest]] ? BIT(TF_PINNED) : 0;
   for (int i = 0; i < found.count; i++) set |= BIT(found.list[i].mode);
   return set;
 }
