@@ -12,7 +12,7 @@
 #define TRIES 4      // ... before the command is sent again, so often in all
 #define GIVEN_UP 16  // states after which an answer no longer counts as due
 
-hil_code_t hil_message(hil_code_t code, const char *format, ...) {
+int hil_message(int code, const char *format, ...) {
   va_list arguments;
   va_start(arguments, format);
   (void)fputs("hil: ", stderr);
@@ -24,29 +24,31 @@ hil_code_t hil_message(hil_code_t code, const char *format, ...) {
 
 // The first session that the board reports, and the number with which to begin.
 // Another one later means that the board has forgotten the run.
-static hil_code_t take_session(hil_board_t *board, const uint8_t *at) {
+static int take_session(hil_board_t *board, const uint8_t *at) {
   const uint32_t session = (uint32_t)tf_wire_get(at + 13, 4);
-  if (session == board->session) return HIL_EQUAL;
+  if (session == board->session) return CLI_DONE;
   if (board->session != 0)
-    return hil_message(HIL_STOPPED, "%s: the board was started anew",
+    return hil_message(CLI_STOPPED, "%s: the board was started anew",
                        board->source.name);
   if ((at[4] & 16u) != 0 && board->key == NULL)
-    return hil_message(HIL_REFUSED, "the board wants a tag (--key)");
+    return hil_message(CLI_REFUSED, "the board wants a tag (--key)");
   board->session = session;
+  board->has_session = true;
   board->sequence = (uint32_t)tf_wire_get(at + 17, 4);
-  return HIL_EQUAL;
+  board->deadman = (uint32_t)tf_wire_get(at + 21, 4);
+  return CLI_DONE;
 }
 
 // Scene and step determine the machine on the board; the hash confirms it.
-static hil_code_t take_schema(hil_board_t *board, const tf_frame_t *frame) {
+static int take_schema(hil_board_t *board, const tf_frame_t *frame) {
   const uint8_t *at = frame->payload;
   const size_t R = TF_REAL_BYTES;
   if (frame->length < 31 + R || at[0] != R)
-    return hil_message(HIL_REFUSED, "the board computes in %s, this is %s",
+    return hil_message(CLI_REFUSED, "the board computes in %s, this is %s",
                        at[0] == 4 ? "float" : "double",
                        R == 4 ? "float" : "double");
   if (at[3] != 0 || (at[4] & 2u) == 0)
-    return hil_message(HIL_REFUSED, "the board %s",
+    return hil_message(CLI_REFUSED, "the board %s",
                        at[3] != 0 ? "does not step by tf_step"
                                   : "takes no commands (UPLINK=yes)");
   const char *name = (const char *)at + 29 + R;
@@ -55,16 +57,14 @@ static hil_code_t take_schema(hil_board_t *board, const tf_frame_t *frame) {
   for (int i = 0; ends && i < TF_SCENES; i++)
     if (!strcmp(tf_scenes[i]->name, name)) board->scene = tf_scenes[i];
   if (board->scene == NULL)
-    return hil_message(HIL_REFUSED, "the board's scene is not known here");
+    return hil_message(CLI_REFUSED, "the board's scene is not known here");
   board->params = board->scene->params;
   board->params.dt = tf_wire_get_real(at + 29);
   board->seed = (uint32_t)tf_wire_get(at + 5, 4);
   if (tf_params_hash(&board->params) != tf_wire_get(at + 9, 4))
-    return hil_message(HIL_REFUSED,
+    return hil_message(CLI_REFUSED,
                        "the board's parameters are not those of scene %s",
                        board->scene->name);
-  board->deadman = (uint32_t)tf_wire_get(at + 21, 4);
-  board->has_schema = true;
   return take_session(board, at);
 }
 
@@ -74,23 +74,29 @@ static void take_state(hil_board_t *board, const tf_frame_t *frame) {
     rest = board->stride % tick; // Euclid's
     board->stride = tick;
   }
-  if (board->count == board->room || frame->tick % board->every != 0) return;
+  if (board->count == board->room || frame->tick % board->plan.every != 0)
+    return;
   if (board->count > 0 && board->samples[board->count - 1].tick >= frame->tick)
     return; // the board is not running
   hil_sample_t *sample = &board->samples[board->count++];
-  memset(sample, 0, sizeof *sample);
   sample->tick = frame->tick;
   memcpy(sample->state, frame->payload, TF_STATE_BYTES);
   board->has_new = true;
 }
 
 static void take_report(hil_board_t *board, const tf_frame_t *frame) {
-  hil_sample_t *last = &board->samples[board->count];
   if (!board->listens || board->count == 0) return;
-  last--;
+  hil_sample_t *last = &board->samples[board->count - 1];
   if (last->tick != frame->tick) return;
   memcpy(last->report, frame->payload, TF_REPORT_BYTES);
   last->has_report = true;
+}
+
+size_t hil_board_waiting(const hil_board_t *board) {
+  size_t waiting = 0;
+  for (size_t i = board->count; i > 0 && board->count - i < GIVEN_UP; i--)
+    waiting += board->samples[i - 1].sent && !board->samples[i - 1].answered;
+  return waiting;
 }
 
 // An answer belongs to the command of its type and number, and the first one
@@ -106,7 +112,10 @@ static void take_answer(hil_board_t *board, const tf_frame_t *frame) {
     board->answer = value == TF_ANSWER_OLD && board->tries > 1 ? 0 : value;
     board->has_answer = true;
     // Schemas of before may have waited on the line, and name old numbers.
-    if (type == TF_UP_DESCRIBE) board->session = 0;
+    if (type == TF_UP_DESCRIBE) {
+      board->session = 0;
+      board->has_session = false;
+    }
     return;
   }
   if (type == TF_UP_STOP && sequence == board->stop_number && value == 0) {
@@ -125,7 +134,7 @@ static void take_answer(hil_board_t *board, const tf_frame_t *frame) {
   }
 }
 
-static hil_code_t take(hil_board_t *board, const tf_frame_t *frame) {
+static int take(hil_board_t *board, const tf_frame_t *frame) {
   if (frame->type == TF_DOWN_SCHEMA) return take_schema(board, frame);
   if (frame->type == TF_DOWN_STATE && frame->length == TF_STATE_BYTES)
     take_state(board, frame);
@@ -140,84 +149,80 @@ static hil_code_t take(hil_board_t *board, const tf_frame_t *frame) {
     tf_read_heartbeat(frame->payload, &board->heartbeat);
     board->has_heartbeat = true;
   }
-  return HIL_EQUAL;
+  return CLI_DONE;
 }
 
-static hil_code_t listen_for(hil_board_t *board, int milliseconds) {
+static int listen_for(hil_board_t *board, int milliseconds) {
   uint8_t bytes[512];
   size_t length = 0, taken = 0;
   tf_frame_t frame;
   const cli_source_found_t found = cli_source_read(
       &board->source, bytes, sizeof bytes, milliseconds, &length);
-  if (cli_stop_asked()) return hil_message(HIL_STOPPED, "interrupted");
+  if (cli_stop_asked()) return hil_message(CLI_STOPPED, "interrupted");
   if (found == CLI_SOURCE_GONE || found == CLI_SOURCE_END)
-    return hil_message(HIL_STOPPED, "%s: the board went away",
+    return hil_message(CLI_STOPPED, "%s: the board went away",
                        board->source.name);
   for (const uint8_t *at = bytes;
        tf_decoder_block(&board->decoder, at, length, &taken, &frame);) {
     at += taken;
     length -= taken;
-    HIL_TRY(take(board, &frame));
+    CLI_TRY(take(board, &frame));
   }
-  return HIL_EQUAL;
+  board->is_answered = hil_board_waiting(board) == 0;
+  return CLI_DONE;
 }
 
 // number: in, the next one, or that of a command that is sent again.
-static hil_code_t send_as(hil_board_t *board, uint32_t number, tf_type_t type,
-                          uint64_t tick, const uint8_t *data, size_t length) {
+static int send_as(hil_board_t *board, uint32_t number, tf_type_t type,
+                   uint64_t tick, const uint8_t *data, size_t length) {
   uint8_t wire[TF_FRAME_SIZE(TF_COMMAND_BYTES)];
   if (length > 0) memcpy(wire + TF_COMMAND_AT, data, length);
   const size_t size = tf_command_seal(
       wire, (uint8_t)type, length, board->session, &number, tick, board->key);
   // The board does not count questions.
   if (type != TF_UP_DESCRIBE) board->sequence = number;
-  if (cli_source_write(&board->source, wire, size)) return HIL_EQUAL;
-  return hil_message(HIL_STOPPED, "%s: %s", board->source.name,
+  if (cli_source_write(&board->source, wire, size)) return CLI_DONE;
+  return hil_message(CLI_STOPPED, "%s: %s", board->source.name,
                      strerror(board->source.error));
 }
 
-hil_code_t hil_board_await(hil_board_t *board,
-                           bool (*holds)(const hil_board_t *board),
-                           double patience) {
+int hil_board_await(hil_board_t *board, const bool *flag, double patience) {
   const double until = cli_now() + patience;
-  while (!holds(board) && cli_now() < until) HIL_TRY(listen_for(board, 100));
-  return HIL_EQUAL;
+  while (!*flag && cli_now() < until) CLI_TRY(listen_for(board, 100));
+  return CLI_DONE;
 }
-
-static bool has_answer(const hil_board_t *board) { return board->has_answer; }
 
 // The command is sent again, with the same number, if no answer comes, whether
 // it was lost or its answer was: the board takes a number once.
-hil_code_t hil_board_order(hil_board_t *board, tf_type_t type,
-                           const uint8_t *data, size_t length) {
+int hil_board_order(hil_board_t *board, tf_type_t type, const uint8_t *data,
+                    size_t length) {
   board->ordered = type;
   board->number = board->sequence;
   board->tries = 0;
   board->has_answer = false;
   while (!board->has_answer && board->tries < TRIES) {
     board->tries++;
-    HIL_TRY(send_as(board, board->number, type, 0, data, length));
-    HIL_TRY(hil_board_await(board, has_answer, PATIENCE));
+    CLI_TRY(send_as(board, board->number, type, 0, data, length));
+    CLI_TRY(hil_board_await(board, &board->has_answer, PATIENCE));
   }
   if (!board->has_answer)
-    return hil_message(HIL_STOPPED,
+    return hil_message(CLI_STOPPED,
                        "%s: no answer: it takes no commands, or its line "
                        "does not carry its records (EVERY)",
                        board->source.name);
   if (board->answer != 0)
-    return hil_message(HIL_REFUSED, "the board refuses command %02X: %d",
+    return hil_message(CLI_REFUSED, "the board refuses command %02X: %d",
                        (unsigned)type, board->answer);
-  return HIL_EQUAL;
+  return CLI_DONE;
 }
 
-hil_code_t hil_board_stop_at(hil_board_t *board, uint64_t tick) {
+int hil_board_stop_at(hil_board_t *board, uint64_t tick) {
   board->has_stopped = false;
   board->stop_number = board->sequence;
   return send_as(board, board->sequence, TF_UP_STOP, tick, NULL, 0);
 }
 
-hil_code_t hil_board_drive(hil_board_t *board, hil_sample_t *sample,
-                           uint64_t tick) {
+int hil_board_drive(hil_board_t *board, hil_sample_t *sample, uint64_t tick) {
   uint8_t payload[5 * TF_REAL_BYTES];
   uint8_t *at = payload;
   const tf_input_t *input = &sample->input;
@@ -227,14 +232,8 @@ hil_code_t hil_board_drive(hil_board_t *board, hil_sample_t *sample,
   at = tf_wire_put_real(at, input->torque);
   (void)tf_wire_put_real(at, input->alpha);
   sample->sent = true;
+  board->is_answered = false;
   sample->sequence = board->sequence;
   return send_as(board, board->sequence, TF_UP_INPUT, tick, payload,
                  sizeof payload);
-}
-
-size_t hil_board_waiting(const hil_board_t *board) {
-  size_t waiting = 0;
-  for (size_t i = board->count; i > 0 && board->count - i < GIVEN_UP; i--)
-    waiting += board->samples[i - 1].sent && !board->samples[i - 1].answered;
-  return waiting;
 }

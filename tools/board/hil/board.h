@@ -8,25 +8,24 @@
 #include "cli/host/source.h"
 #include "cli/text/text.h"
 
-/// Exit codes.
-typedef enum {
-  HIL_EQUAL = 0,   ///< closed loop and pure host run have the same bits
-  HIL_DIFFERS = 1, ///< they do not
-  HIL_USAGE = 2,
-  HIL_REFUSED = 3, ///< this program cannot drive the board
-  HIL_STOPPED = 4  ///< the line failed, or was silent for too long
-} hil_code_t;
+/// Of the exit codes of message.h: the closed loop has not the bits of the pure
+/// host run. CLI_DONE: it has. CLI_REFUSED: this program cannot drive the board.
+/// CLI_STOPPED: the line failed, or was silent for too long.
+enum { HIL_DIFFERS = 1 };
 
 /// Prints "hil: " and a message on standard error. Returns: the code.
-hil_code_t hil_message(hil_code_t code, const char *format, ...)
-    CLI_PRINTF(2, 3);
+int hil_message(int code, const char *format, ...) CLI_PRINTF(2, 3);
 
-/// Leaves the function with the code of a call where that is not HIL_EQUAL.
-#define HIL_TRY(call)                             \
-  do {                                            \
-    const hil_code_t hil_tried = (call);          \
-    if (hil_tried != HIL_EQUAL) return hil_tried; \
-  } while (0)
+typedef struct {
+  uint64_t steps;  ///< number of steps
+  uint64_t every;  ///< steps from sample to sample
+  uint64_t delay;  ///< steps from a sample to the effect of its input
+  uint64_t silent; ///< from this step on no input is sent
+  uint64_t
+      deadman; ///< ticks that an input holds; HIL_BOARDS: as the board says
+  bool in_lockstep; ///< the board waits for each input
+} hil_plan_t;
+#define HIL_BOARDS UINT64_MAX
 
 /// A state as it was received, with the controller's response to it. Payloads
 /// are kept as bytes, because the bytes on the line are what is compared.
@@ -44,16 +43,16 @@ typedef struct {
 } hil_sample_t;
 
 typedef struct {
+  hil_plan_t plan;
   cli_source_t source;
   tf_decoder_t decoder;
   uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
   uint32_t sequence;  ///< number of the next command
   const uint8_t *key; ///< NULL: the board wants no tag
   // From the schema frame.
-  bool has_schema;
-  uint32_t session;       ///< that commands name; 0: not known yet
-  uint32_t deadman;       ///< ticks that an input holds
-  uint32_t deadman_found; ///< ... before this host changed it
+  uint32_t session; ///< that commands name; 0: not known yet
+  bool has_session; ///< it is not 0
+  uint32_t deadman; ///< ticks that an input holds, before this host changes it
   tf_params_t params;
   const tf_scene_t *scene;
   uint32_t seed;
@@ -68,8 +67,7 @@ typedef struct {
   bool has_stopped;
   uint64_t stopped_at;
   // The states of the run in order, one for each tick that is a multiple of
-  // `every`.
-  uint32_t every;
+  // plan.every.
   uint64_t stride; ///< divides the ticks of all states that came; 0: of none
   hil_sample_t *samples;
   size_t count, room;
@@ -77,41 +75,28 @@ typedef struct {
   size_t expired_count; ///< at most `room`
   bool listens;         ///< states are kept
   bool has_new;         ///< a state has come since the last response
+  bool is_answered;     ///< no recent input waits for its answer
   tf_heartbeat_t heartbeat;
   bool has_heartbeat;
 } hil_board_t;
 
-/// Reads until something holds, or for as many seconds. Returns: HIL_EQUAL, and
-/// the caller asks whether it holds; after a message another code. So do the
-/// others.
-hil_code_t hil_board_await(hil_board_t *board,
-                           bool (*holds)(const hil_board_t *board),
-                           double patience);
+/// Reads until a flag of the board is set, or for as many seconds. Returns:
+/// CLI_DONE, and the caller looks whether it is.
+int hil_board_await(hil_board_t *board, const bool *flag, double patience);
 
 /// Sends a command and waits until it has taken effect. data: NULL where it has
 /// none.
-hil_code_t hil_board_order(hil_board_t *board, tf_type_t type,
-                           const uint8_t *data, size_t length);
+int hil_board_order(hil_board_t *board, tf_type_t type, const uint8_t *data,
+                    size_t length);
 
 /// Sends a stop that takes effect at a tick; `has_stopped` says that it did.
-hil_code_t hil_board_stop_at(hil_board_t *board, uint64_t tick);
+int hil_board_stop_at(hil_board_t *board, uint64_t tick);
 
 /// Sends the input of a sample, which takes effect at the given tick or later.
-hil_code_t hil_board_drive(hil_board_t *board, hil_sample_t *sample,
-                           uint64_t tick);
+int hil_board_drive(hil_board_t *board, hil_sample_t *sample, uint64_t tick);
 
 /// Number of recent samples whose input has no answer yet.
 size_t hil_board_waiting(const hil_board_t *board);
-
-typedef struct {
-  uint64_t steps;   ///< number of steps
-  uint32_t every;   ///< steps from sample to sample
-  uint32_t delay;   ///< steps from a sample to the effect of its input
-  bool in_lockstep; ///< the board waits for each input
-  uint64_t silent;  ///< from this step on no input is sent
-  bool has_deadman; ///< the board is told how long an input holds ...
-  uint32_t deadman; ///< ... in ticks; else it keeps its own number
-} hil_plan_t;
 
 typedef struct {
   size_t compared, differ; ///< states and reports, byte for byte
@@ -127,16 +112,14 @@ typedef struct {
 
 /// Reads the board's schema, stops the board at the start of its scene and sets
 /// how long its inputs hold.
-/// Returns: HIL_EQUAL; after a message another code.
-hil_code_t hil_prepare(hil_board_t *board, const hil_plan_t *plan);
+int hil_prepare(hil_board_t *board);
 
-/// Runs the board according to the plan, then stops it. Returns: as above.
-hil_code_t hil_drive(hil_board_t *board, const hil_plan_t *plan);
+/// Runs the board according to the plan, then stops it.
+int hil_drive(hil_board_t *board);
 
 /// Runs the digital twin, controller and machine in one process without a line
 /// and without a clock, whose bits the closed loop should have, and compares.
 /// Inputs take effect at the ticks that the board's answers give: the planned
 /// ones, unless an input was late.
-/// Returns: HIL_EQUAL, HIL_DIFFERS, HIL_REFUSED (a step is refused).
-hil_code_t hil_twin_compare(hil_board_t *board, const hil_plan_t *plan,
-                            hil_verdict_t *verdict);
+/// Returns: CLI_DONE, HIL_DIFFERS, CLI_REFUSED (a step is refused).
+int hil_twin_compare(hil_board_t *board, hil_verdict_t *verdict);

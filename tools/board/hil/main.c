@@ -15,14 +15,12 @@
 #include "cli/text/text.h"
 
 typedef struct {
-  const char *device, *csv;
+  const char *device, *csv, *key;
   uint64_t baud;
-  bool has_key;
-  uint8_t key[TF_KEY_BYTES];
   hil_plan_t plan;
 } options_t;
 
-static hil_code_t usage(void) {
+static int usage(void) {
   (void)fputs(
       "hil DEVICE: drives the board at the other end of a serial line\n"
       "  --baud B        speed of the line; default: unchanged\n"
@@ -40,50 +38,50 @@ static hil_code_t usage(void) {
       "Exit codes: 0 the loop has the bits of a pure host run, 1 it does not,\n"
       "2 usage, 3 the board cannot be driven, 4 the line failed.\n",
       stderr);
-  return HIL_USAGE;
+  return CLI_USAGE;
 }
 
 // Returns: whether the option is known and its value good.
 static bool read_option(options_t *options, const char *name,
                         const char *value) {
-  uint64_t n = 0;
-  if (!strcmp(name, "--baud"))
-    return cli_read_whole(value, 1, 100000000, &options->baud);
-  if (!strcmp(name, "--steps"))
-    return cli_read_whole(value, 1, 10000000, &options->plan.steps);
-  if (!strcmp(name, "--every") || !strcmp(name, "--delay")) {
-    const bool every = name[2] == 'e';
-    const bool good = cli_read_whole(value, every, 65536, &n);
-    *(every ? &options->plan.every : &options->plan.delay) = (uint32_t)n;
-    return good;
+  hil_plan_t *plan = &options->plan;
+  const struct {
+    const char *name;
+    uint64_t low, high;
+    uint64_t *number; // NULL: text
+    const char **text;
+  } known[] = {{"--baud", 1, 100000000, &options->baud, NULL},
+               {"--steps", 1, 10000000, &plan->steps, NULL},
+               {"--every", 1, 65536, &plan->every, NULL},
+               {"--delay", 0, 65536, &plan->delay, NULL},
+               {"--silent", 0, 10000000, &plan->silent, NULL},
+               {"--deadman", 0, UINT32_MAX, &plan->deadman, NULL},
+               {"--key", 0, 0, NULL, &options->key},
+               {"--csv", 0, 0, NULL, &options->csv}};
+  for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
+    if (strcmp(name, known[i].name) != 0) continue;
+    if (known[i].number != NULL)
+      return cli_read_whole(value, known[i].low, known[i].high,
+                            known[i].number);
+    *known[i].text = value;
+    return true;
   }
-  if (!strcmp(name, "--silent"))
-    return cli_read_whole(value, 0, 10000000, &options->plan.silent);
-  if (!strcmp(name, "--deadman")) {
-    options->plan.has_deadman = cli_read_whole(value, 0, UINT32_MAX, &n);
-    options->plan.deadman = (uint32_t)n;
-    return options->plan.has_deadman;
-  }
-  if (!strcmp(name, "--key")) {
-    const char *wrong = cli_read_key(value, options->key);
-    options->has_key = wrong == NULL;
-    if (wrong != NULL) (void)hil_message(HIL_USAGE, "%s: %s", value, wrong);
-    return options->has_key;
-  }
-  if (!strcmp(name, "--csv")) options->csv = value;
-  return !strcmp(name, "--csv");
+  return false;
 }
 
-static hil_code_t read_options(options_t *options, int argc, char **argv) {
-  *options = (options_t){
-      .plan = {.steps = 2000, .every = 10, .delay = 20, .silent = UINT64_MAX}};
+static int read_options(options_t *options, int argc, char **argv) {
+  *options = (options_t){.plan = {.steps = 2000,
+                                  .every = 10,
+                                  .delay = 20,
+                                  .silent = UINT64_MAX,
+                                  .deadman = HIL_BOARDS}};
   for (int i = 1; i < argc; i++) {
     if (!strcmp(argv[i], "--lockstep")) {
       options->plan.in_lockstep = true;
     } else if (argv[i][0] != '-') {
       options->device = argv[i];
     } else if (i + 1 == argc || !read_option(options, argv[i], argv[i + 1])) {
-      return hil_message(HIL_USAGE, "%s %s: not understood", argv[i],
+      return hil_message(CLI_USAGE, "%s %s: not understood", argv[i],
                          i + 1 < argc ? argv[i + 1] : "");
     } else {
       i++;
@@ -91,8 +89,8 @@ static hil_code_t read_options(options_t *options, int argc, char **argv) {
   }
   if (options->plan.in_lockstep) options->plan.delay = 0;
   if (options->plan.delay > 2 * options->plan.every)
-    return hil_message(HIL_USAGE, "--delay is at most twice --every");
-  return options->device == NULL ? usage() : HIL_EQUAL;
+    return hil_message(CLI_USAGE, "--delay is at most twice --every");
+  return options->device == NULL ? usage() : CLI_DONE;
 }
 
 #define ROW_ROOM 256
@@ -116,8 +114,8 @@ static size_t make_row(const hil_sample_t *sample, char row[ROW_ROOM]) {
 }
 
 // A row for every state that was read, in a file that gets its name when it is
-// whole. Returns: HIL_EQUAL, or HIL_STOPPED after a message.
-static hil_code_t write_csv(const hil_board_t *board, const char *name) {
+// whole. Returns: CLI_DONE, or CLI_STOPPED after a message.
+static int write_csv(const hil_board_t *board, const char *name) {
   static const char header[] = "step,r,v,omega,mode,omega0,torque,effect\n";
   static cli_output_t output; // holds the buffer
   char row[ROW_ROOM];
@@ -125,29 +123,29 @@ static hil_code_t write_csv(const hil_board_t *board, const char *name) {
     (void)cli_output_lines(&output, header, sizeof header - 1);
     for (size_t i = 0; i < board->count; i++)
       (void)cli_output_lines(&output, row, make_row(&board->samples[i], row));
-    if (cli_output_close(&output, true)) return HIL_EQUAL;
+    if (cli_output_close(&output, true)) return CLI_DONE;
   }
-  return hil_message(HIL_STOPPED, "%s: %s", name, cli_output_reason(&output));
+  return hil_message(CLI_STOPPED, "%s: %s", name, cli_output_reason(&output));
 }
 
-static void print_summary(const hil_board_t *board, const hil_plan_t *plan,
-                          const hil_verdict_t *v) {
+static void print_summary(const hil_board_t *board, const hil_verdict_t *v) {
+  const hil_plan_t *plan = &board->plan;
   const tf_state_t *end = &v->end;
   printf("board     scene %s, %s, dt = %g s, parameters %08" PRIx32 "\n",
          board->scene->name, TF_REAL_BYTES == 4 ? "float" : "double",
          (double)board->params.dt, tf_params_hash(&board->params));
-  printf("loop      %" PRIu64 " steps, an input every %" PRIu32 " steps, ",
+  printf("loop      %" PRIu64 " steps, an input every %" PRIu64 " steps, ",
          plan->steps, plan->every);
   if (plan->in_lockstep)
     printf("in lockstep\n");
   else
-    printf("in effect %" PRIu32 " steps later\n", plan->delay);
+    printf("in effect %" PRIu64 " steps later\n", plan->delay);
   printf("inputs    %zu: %zu late, %zu without an answer; %zu states missed; ",
          v->inputs, v->late, v->unanswered, v->missing);
-  if (board->deadman == 0)
+  if (plan->deadman == 0)
     printf("held without end");
   else
-    printf("held for %" PRIu32 " ticks", board->deadman);
+    printf("held for %" PRIu64 " ticks", plan->deadman);
   printf(", expired %" PRIu32 " times\n", v->expired);
   printf("line      %" PRIu32 " frames, %" PRIu32 " broken, %" PRIu32 " lost",
          board->decoder.frames, board->decoder.bad, board->decoder.lost);
@@ -181,44 +179,42 @@ static void print_summary(const hil_board_t *board, const hil_plan_t *plan,
            v->late + v->missing > 0 ? ", late inputs as answered" : "");
 }
 
-static hil_code_t perform(hil_board_t *board, const options_t *options) {
+static int perform(hil_board_t *board, const options_t *options) {
   hil_verdict_t verdict;
   tf_decoder_init(&board->decoder, board->buffer, sizeof board->buffer);
   if (!cli_source_open(&board->source, options->device, options->baud, true))
-    return hil_message(HIL_STOPPED, "%s: %s", options->device,
+    return hil_message(CLI_STOPPED, "%s: %s", options->device,
                        strerror(board->source.error));
-  hil_code_t code = hil_prepare(board, &options->plan);
-  if (code == HIL_EQUAL) code = hil_drive(board, &options->plan);
+  int code = hil_prepare(board);
+  if (code == CLI_DONE) code = hil_drive(board);
   cli_source_close(&board->source);
-  HIL_TRY(code);
-  if (options->csv != NULL) HIL_TRY(write_csv(board, options->csv));
-  code = hil_twin_compare(board, &options->plan, &verdict);
-  if (code == HIL_EQUAL || code == HIL_DIFFERS)
-    print_summary(board, &options->plan, &verdict);
+  CLI_TRY(code);
+  if (options->csv != NULL) CLI_TRY(write_csv(board, options->csv));
+  code = hil_twin_compare(board, &verdict);
+  if (code == CLI_DONE || code == HIL_DIFFERS) print_summary(board, &verdict);
   return code;
 }
 
 int main(int argc, char **argv) {
+  static hil_board_t board;
+  static uint8_t key[TF_KEY_BYTES];
   options_t options;
   cli_guard_descriptors();
-  hil_code_t code = read_options(&options, argc, argv);
-  if (code != HIL_EQUAL) return (int)code;
-  hil_board_t *board = calloc(1, sizeof *board);
-  if (board == NULL) return HIL_STOPPED;
-  board->every = options.plan.every;
-  board->key = options.has_key ? options.key : NULL;
-  board->room = (size_t)(options.plan.steps / options.plan.every) + 64;
-  board->samples = calloc(board->room, sizeof *board->samples);
-  board->expired = calloc(board->room, sizeof *board->expired);
-  if (board->samples != NULL && board->expired != NULL) {
-    cli_catch_signals();
-    code = perform(board, &options);
-    if (ferror(stdout) || fflush(stdout) || ferror(stderr)) code = HIL_STOPPED;
-  } else {
-    code = hil_message(HIL_STOPPED, "out of memory");
+  CLI_TRY(read_options(&options, argc, argv));
+  if (options.key != NULL) {
+    const char *wrong = cli_read_key(options.key, key);
+    if (wrong != NULL)
+      return hil_message(CLI_USAGE, "%s: %s", options.key, wrong);
+    board.key = key;
   }
-  free(board->samples);
-  free(board->expired);
-  free(board);
-  return (int)code;
+  board.plan = options.plan;
+  board.room = (size_t)(board.plan.steps / board.plan.every) + 64;
+  board.samples = calloc(board.room, sizeof *board.samples);
+  board.expired = calloc(board.room, sizeof *board.expired);
+  if (board.samples == NULL || board.expired == NULL)
+    return hil_message(CLI_STOPPED, "out of memory");
+  cli_catch_signals();
+  const int code = perform(&board, &options);
+  return ferror(stdout) || fflush(stdout) || ferror(stderr) ? CLI_STOPPED
+                                                            : code;
 }

@@ -16,29 +16,30 @@ typedef struct {
   double squares;
 } twin_t;
 
-// Whether a frame on the wire has the given payload.
-static bool is_payload(const uint8_t *wire, size_t size, const uint8_t *payload,
-                       size_t length) {
-  uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
-  tf_decoder_t decoder;
-  tf_frame_t frame = {0};
-  size_t taken = 0;
-  tf_decoder_init(&decoder, buffer, sizeof buffer);
-  // The leading zero alone does not make a frame.
-  return tf_decoder_block(&decoder, wire, size, &taken, &frame) &&
-         frame.length == length && memcmp(frame.payload, payload, length) == 0;
+// Whether a frame carries the given payload, by the frame that this one makes.
+static bool carries(const uint8_t *wire, size_t size, uint64_t tick,
+                    tf_type_t type, const uint8_t *payload, size_t length) {
+  uint8_t again[TF_FRAME_SIZE(TF_REPORT_BYTES)];
+  uint32_t sequence = 0;
+  memcpy(again + TF_FRAME_AT, payload, length);
+  return tf_frame_seal(again, (uint8_t)type, length, &sequence, tick) == size &&
+         memcmp(again, wire, size) == 0;
 }
 
 static bool same(const tf_simulation_t *simulation,
                  const hil_sample_t *sample) {
   uint8_t wire[TF_FRAME_SIZE(TF_REPORT_BYTES)];
+  const uint64_t tick = simulation->state.tick;
   uint32_t sequence = 0;
   size_t size = tf_send_state(wire, &sequence, &simulation->state);
-  if (!is_payload(wire, size, sample->state, TF_STATE_BYTES)) return false;
+  if (!carries(wire, size, tick, TF_DOWN_STATE, sample->state, TF_STATE_BYTES))
+    return false;
   if (!sample->has_report) return true;
-  size = tf_send_report(wire, &sequence, simulation->state.tick,
-                        &simulation->report, simulation->stepped);
-  return is_payload(wire, size, sample->report, TF_REPORT_BYTES);
+  sequence = 0;
+  size = tf_send_report(wire, &sequence, tick, &simulation->report,
+                        simulation->stepped);
+  return carries(wire, size, tick, TF_DOWN_REPORT, sample->report,
+                 TF_REPORT_BYTES);
 }
 
 static void note_difference(hil_verdict_t *verdict, uint64_t tick) {
@@ -93,8 +94,8 @@ static void expire(twin_t *twin) {
 
 // Counts late, unanswered and missing inputs. Those that could not take effect
 // within the run are not sent.
-static void count_times(const hil_board_t *board, const hil_plan_t *plan,
-                        hil_verdict_t *verdict) {
+static void count_times(const hil_board_t *board, hil_verdict_t *verdict) {
+  const hil_plan_t *plan = &board->plan;
   size_t met = 0;
   for (size_t i = 0; i < board->count; i++) {
     const hil_sample_t *sample = &board->samples[i];
@@ -109,28 +110,28 @@ static void count_times(const hil_board_t *board, const hil_plan_t *plan,
   if (end > 0) verdict->missing = (size_t)((end - 1) / plan->every + 1) - met;
 }
 
-hil_code_t hil_twin_compare(hil_board_t *board, const hil_plan_t *plan,
-                            hil_verdict_t *verdict) {
+int hil_twin_compare(hil_board_t *board, hil_verdict_t *verdict) {
+  const uint64_t steps = board->plan.steps;
   static twin_t twin;
   twin = (twin_t){.board = board, .verdict = verdict};
   *verdict = (hil_verdict_t){0};
-  count_times(board, plan, verdict);
+  count_times(board, verdict);
   if (tf_simulation_open(&twin.simulation, board->scene, &board->params,
                          board->seed) != TF_OK)
-    return hil_message(HIL_REFUSED, "the scene cannot be started here");
+    return hil_message(CLI_REFUSED, "the scene cannot be started here");
   tf_simulation_t *simulation = &twin.simulation;
-  simulation->deadman = board->deadman;
-  while (simulation->state.tick <= plan->steps) {
+  simulation->deadman = (uint32_t)board->plan.deadman;
+  while (simulation->state.tick <= steps) {
     const uint64_t tick = simulation->state.tick;
     while (twin.next < board->count && board->samples[twin.next].tick == tick)
       compare(&twin);
     apply(&twin);
-    if (tick == plan->steps) break;
+    if (tick == steps) break;
     expire(&twin);
     const tf_input_t input = tf_simulation_input(simulation, board->scene);
     if (tf_step(&simulation->machine, &simulation->state, &input,
                 &simulation->report) < 0)
-      return hil_message(HIL_REFUSED, "step %lu is refused",
+      return hil_message(CLI_REFUSED, "step %lu is refused",
                          (unsigned long)tick);
   }
   verdict->end = simulation->state;
@@ -140,5 +141,5 @@ hil_code_t hil_twin_compare(hil_board_t *board, const hil_plan_t *plan,
   // An input without an answer counts as one that never arrived.
   return verdict->differ || verdict->wrong || verdict->compared < 2
              ? HIL_DIFFERS
-             : HIL_EQUAL;
+             : CLI_DONE;
 }
