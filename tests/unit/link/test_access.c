@@ -8,34 +8,6 @@
 #include "twofold.h"
 #include "uplink.h"
 
-/* A frame as it went over the line. */
-typedef struct {
-  uint8_t wire[TF_FRAME_SIZE(TF_COMMAND_BYTES)];
-  size_t size;
-} recorded_t;
-
-static recorded_t record(tf_type_t type, uint32_t session, uint32_t number,
-                         const uint8_t *key) {
-  recorded_t frame;
-  frame.size =
-      tf_command_seal(frame.wire, (uint8_t)type, 0, session, &number, 0, key);
-  return frame;
-}
-
-/* What a frame does to a board that stands at a boundary, as its answer. */
-static int effect_of(board_t *board, const recorded_t *frame) {
-  const acting_t before = acting(board);
-  const tf_state_t state = board->simulation.state;
-  hear(board, frame->wire, frame->size);
-  const unsigned effective = boundary(board);
-  const int code = code_of(board);
-  CHECK((code == TF_ANSWER_DONE) == (effective == 1));
-  if (code != TF_ANSWER_DONE)
-    CHECK(acts_alike(board, &before) &&
-          same_state(&state, &board->simulation.state));
-  return code;
-}
-
 /* The session is made of all that was stirred in, and is never 0. */
 TEST(session_depends_on_every_reading) {
   board_t board;
@@ -53,115 +25,165 @@ TEST(session_depends_on_every_reading) {
     send_plain(&board, TF_UP_DESCRIBE);
     CHECK(board.link.session == seen[n]);
   }
-  switch_on(&board, "chaos"); /* a board without a clock */
+  switch_on(&board, "chaos");     /* a board without a clock */
+  send_plain(&board, TF_UP_STOP); /* before it has a session */
+  CHECK_TOLD(&board, 0, TF_ANSWER_FOREIGN);
   send_plain(&board, TF_UP_DESCRIBE);
   CHECK(board.link.session == 1);
 }
 
-static int answer_to(board_t *board, tf_type_t type, uint32_t session,
-                     uint32_t number, const uint8_t *key) {
-  const recorded_t frame = record(type, session, number, key);
-  return effect_of(board, &frame);
-}
+/* A command as it is sent: so many bytes of `fill`. */
+typedef struct {
+  uint32_t number;
+  uint8_t type, length, fill;
+} sent_t;
 
-/* Commands in turn, each with all numbers from the first to the last. */
-TEST(numbers_act_once_and_end) {
-  static const struct {
-    tf_type_t type;
-    uint32_t first, last;
-    int code;
-  } cases[] = {
-      {TF_UP_STOP, 100, 100, TF_ANSWER_DONE},
-      {TF_UP_START, 0, 100, TF_ANSWER_OLD},
-      /* A number that was refused for another reason is used up too: nothing
-       * was saved, and later something is. */
-      {TF_UP_RESTORE, 101, 101, TF_ANSWER_EMPTY},
-      {TF_UP_SNAPSHOT, 102, 102, TF_ANSWER_DONE},
-      {TF_UP_RESTORE, 101, 101, TF_ANSWER_OLD},
-      /* The last one is never taken, so that none comes again: the schema has
-       * it as the least one. */
-      {TF_UP_STOP, UINT32_MAX - 3, UINT32_MAX - 1, TF_ANSWER_DONE},
-      {TF_UP_START, UINT32_MAX - 1, UINT32_MAX, TF_ANSWER_OLD},
-      {TF_UP_START, 0, 1, TF_ANSWER_OLD}};
-  board_t board;
-  power_up(&board, "chaos");
-  const uint32_t session = board.link.session;
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
-    for (uint64_t n = cases[i].first; n <= cases[i].last; n++)
-      CHECK(answer_to(&board, cases[i].type, session, (uint32_t)n, NULL) ==
-            cases[i].code);
-  CHECK(board.link.lost == 100 + (UINT32_MAX - 3 - 103));
-  CHECK(board.link.next == UINT32_MAX && board.link.session == session);
-  CHECK(!board.simulation.running);
-}
+/* What docs/PROTOCOL.md makes of commands, beside their data: which numbers are
+ * used up, what waits, what had no room. */
+typedef struct {
+  uint32_t next, lost, ignored;
+  unsigned waiting;
+  sent_t waits[TF_LINK_QUEUE];
+} model_t;
 
-/* Nor do they use up their number; without a session, too short to say
- * anything. */
-TEST(foreign_commands_do_nothing) {
-  board_t board;
-  power_up(&board, "chaos");
-  const uint32_t session = board.link.session;
-  for (unsigned bit = 0; bit < 32; bit++)
-    CHECK(answer_to(&board, TF_UP_STOP, session ^ 1u << bit, 0, NULL) ==
-          TF_ANSWER_FOREIGN);
-  CHECK(answer_to(&board, TF_UP_STOP, 0, 0, NULL) == TF_ANSWER_FOREIGN);
-  recorded_t frame;
-  uint32_t next = 0;
-  for (size_t length = 0; length < TF_SESSION_BYTES; length++) {
-    frame.size = tf_frame_seal(frame.wire, TF_UP_STOP, length, &next, 0);
-    CHECK(effect_of(&board, &frame) == TF_ANSWER_LENGTH);
+#define NOTHING 999  /* no answer */
+#define OUTCOME 1000 /* what its data make of it */
+
+static bool waits_already(const model_t *model, const sent_t *sent) {
+  for (unsigned i = 0; i < model->waiting; i++) {
+    const sent_t *one = &model->waits[i];
+    if (one->number == sent->number && one->type == sent->type &&
+        one->length == sent->length &&
+        (one->fill == sent->fill || one->length == 0))
+      return true;
   }
-  CHECK(board.link.next == 0 && board.simulation.running);
+  return false;
 }
 
-/* The number of a command that waits, but another type, or one byte more, less
- * or other than it has: no copy of it. */
-TEST(another_command_of_a_number_that_waits_is_old) {
-  uint8_t data[6] = {TF_RULE_PERSIST, 1, 2, 3, 4, 5};
-  board_t board;
-  power_up(&board, "chaos");
-  send(&board, TF_UP_STOP, 5, NULL, 0);
-  send(&board, TF_UP_RULE, 5, data, 5);
-  for (size_t length = 0; length <= sizeof data; length++)
-    for (int type = TF_UP_RULE - 1; type <= TF_UP_RULE + 1; type++) {
-      const bool same = type == TF_UP_RULE && length == 5;
-      board.up--;
-      send(&board, (tf_type_t)type, 5, data, length);
-      CHECK(board.link.waiting == 2);
-      boundary(&board);
-      CHECK(code_of(&board) == (same ? 999 : TF_ANSWER_OLD));
-      CHECK(code_of(&board) == 999);
-    }
-  for (size_t i = 0; i < 5; i++) {
-    data[i] ^= 1;
-    board.up--;
-    send(&board, TF_UP_RULE, 5, data, 5);
-    boundary(&board);
-    CHECK(code_of(&board) == TF_ANSWER_OLD);
-    data[i] ^= 1;
+/* Of a command for the step `ahead` of the present one. */
+static int expected(model_t *model, const sent_t *sent, uint64_t ahead) {
+  static const uint8_t lengths[] = {5 * R, 1 + R, 5, 0, 0, 0, 0, 0, 0, 0, 4};
+  const bool is_clear = sent->type == TF_UP_CLEAR;
+  if (sent->number < model->next || sent->number == UINT32_MAX)
+    return waits_already(model, sent) ? NOTHING : TF_ANSWER_OLD;
+  const int arrival = sent->length > (is_clear ? 0 : TF_COMMAND_DATA)
+                          ? TF_ANSWER_LENGTH
+                      : is_clear && ahead > 0 ? TF_ANSWER_FAR
+                                              : TF_ANSWER_DONE;
+  if (arrival == TF_ANSWER_DONE && is_clear) {
+    model->ignored += model->waiting;
+    model->waiting = 0;
   }
+  if (arrival == TF_ANSWER_DONE && model->waiting == TF_LINK_QUEUE) {
+    model->ignored++;
+    return NOTHING;
+  }
+  model->lost += sent->number - model->next;
+  model->next = sent->number + 1;
+  if (arrival != TF_ANSWER_DONE) return arrival;
+  if (ahead > TF_LINK_AHEAD) return TF_ANSWER_FAR;
+  if (ahead > 0) {
+    model->waits[model->waiting++] = *sent;
+    return NOTHING;
+  }
+  if (sent->type < TF_UP_INPUT || sent->type > TF_UP_DEADMAN)
+    return TF_ANSWER_UNKNOWN;
+  return sent->length == lengths[sent->type - TF_UP_INPUT] ||
+                 (sent->type == TF_UP_INPUT && sent->length == 0)
+             ? OUTCOME
+             : TF_ANSWER_LENGTH;
 }
 
-/* A clear that is dated, or carries anything, is refused like any command: what
- * waits goes on waiting. What found no room has no answer. */
-TEST(refused_clear_keeps_the_queue) {
-  static const uint64_t dates[] = {1, 1000, (uint64_t)1 << 32,
-                                   (uint64_t)1 << 63, UINT64_MAX};
-  const uint8_t data[TF_COMMAND_DATA] = {0};
-  board_t board;
-  power_up(&board, "chaos");
-  for (int i = 0; i <= TF_LINK_QUEUE; i++)
-    send(&board, TF_UP_STOP, 60000, NULL, 0);
-  for (unsigned i = 0; i < 5 + TF_COMMAND_DATA; i++) {
-    const bool is_dated = i < 5;
-    send(&board, TF_UP_CLEAR, is_dated ? dates[i] : 0, data,
-         is_dated ? 0 : i - 4);
-    CHECK(board.link.waiting == TF_LINK_QUEUE);
-    CHECK_TOLD(&board, 0, is_dated ? TF_ANSWER_FAR : TF_ANSWER_LENGTH);
+static unsigned one_of(unsigned count) {
+  return (unsigned)(tap_bits() % count);
+}
+
+/* Mostly a command that may act. */
+static sent_t draw(const model_t *model, bool locked) {
+  static const uint8_t lengths[] = {0, 0, 0, 4, 5, 1 + R, 5 * R};
+  const unsigned most = TF_COMMAND_DATA + (locked ? 0 : TF_TAG_BYTES);
+  sent_t sent = {.number = model->next,
+                 .type = (uint8_t)(TF_UP_INPUT + one_of(11)),
+                 .length = lengths[one_of(7)],
+                 .fill = (uint8_t)one_of(2)};
+  const unsigned fault = one_of(16);
+  if (fault == 0 && model->waiting > 0) {
+    sent = model->waits[one_of(model->waiting)];
+    sent.fill ^= one_of(2);
   }
-  CHECK(board.link.ignored == 1);
-  send_plain(&board, TF_UP_CLEAR);
-  CHECK(board.link.waiting == 1 && board.link.ignored == 1 + TF_LINK_QUEUE);
+  if (fault == 1) sent.number = (uint32_t)(tap_bits() % (model->next + 1ull));
+  if (fault == 2) sent.number = UINT32_MAX;
+  if (fault == 3) sent.number += one_of(4);
+  if (one_of(4) == 0) sent.type = (uint8_t)tap_bits();
+  if (one_of(4) == 0) sent.length = (uint8_t)one_of(most + 1);
+  /* A question has no number, and these move the step, which the model does
+   * not. */
+  if (sent.type == TF_UP_DESCRIBE || sent.type == TF_UP_RESET ||
+      (sent.type == TF_UP_RESTORE && sent.length == TF_COMMAND_DATA))
+    sent.type = TF_UP_STOP;
+  return sent;
+}
+
+/* Random commands, some of them of another session, under another key or under
+ * none. Those act that the model lets act, each is answered as it says, and
+ * what is refused changes nothing. */
+static void walk(const uint8_t *lock) {
+  static const uint64_t dates[] = {
+      0, 0, 0, 0, 0, 1, TF_LINK_AHEAD, TF_LINK_AHEAD + 1, (uint64_t)1 << 62};
+  const int count = samples(80000);
+  board_t board;
+  model_t model = {0};
+  power_up(&board, "chaos");
+  board.lock = lock;
+  board.simulation.state.tick = lock != NULL ? ((uint64_t)1 << 40) + 5 : 0;
+  for (int n = 0; n < count; n++) {
+    uint8_t wire[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)], key[TF_KEY_BYTES] = {0};
+    sent_t sent = draw(&model, lock != NULL);
+    const uint64_t ahead = dates[one_of(9)];
+    const unsigned fault = one_of(16), bit = one_of(128);
+    if (n > count / 2 && model.next < UINT32_MAX / 2)
+      sent.number = UINT32_MAX - 1000;
+    if (lock != NULL) memcpy(key, lock, sizeof key);
+    if (fault == 0) key[bit / 8] ^= (uint8_t)(1u << bit % 8);
+    const int want = lock != NULL && fault < 2 ? TF_ANSWER_TAG
+                     : fault == 2              ? TF_ANSWER_FOREIGN
+                                               : expected(&model, &sent, ahead);
+    uint32_t number = sent.number;
+    memset(wire + TF_COMMAND_AT, sent.fill, sent.length);
+    const size_t size = tf_command_seal(
+        wire, sent.type, sent.length,
+        board.link.session ^ (fault == 2 ? 1u << bit % 32 : 0), &number,
+        ahead > 0 ? board.simulation.state.tick + ahead : 0,
+        lock != NULL && fault != 1 ? key : NULL);
+    const acting_t before = acting(&board);
+    const tf_state_t state = board.simulation.state;
+    hear(&board, wire, size);
+    const unsigned effective = boundary(&board);
+    const int code = code_of(&board);
+    const bool good =
+        want != OUTCOME ? code == want
+                        : code == TF_ANSWER_DONE || code == TF_BAD_PARAMETER ||
+                              code == TF_BAD_STATE || code == TF_ANSWER_EMPTY;
+    if (!CHECK(good))
+      printf("# %d: %d, not %d: type %02X, number %u of %u, length %u\n", n,
+             code, want, sent.type, sent.number, model.next, sent.length);
+    CHECK(effective == (code == TF_ANSWER_DONE) && code_of(&board) == NOTHING);
+    CHECK(code == TF_ANSWER_DONE ||
+          (acts_alike(&board, &before) &&
+           same_state(&state, &board.simulation.state)));
+    CHECK(board.link.next == model.next && board.link.lost == model.lost &&
+          board.link.ignored == model.ignored &&
+          board.link.waiting == model.waiting);
+  }
+  CHECK(model.next == UINT32_MAX && model.ignored > 100);
+}
+
+TEST(only_admitted_commands_act) { walk(NULL); }
+
+TEST(only_commands_with_the_tag_act) {
+  uint8_t key[TF_KEY_BYTES];
+  for (unsigned i = 0; i < sizeof key; i++) key[i] = (uint8_t)tap_bits();
+  walk(key);
 }
 
 /* Numbers that a board counts, or draws, begin sessions that differ as they do,
@@ -223,43 +245,6 @@ TEST(tag_is_siphash_of_the_body) {
     CHECK(tf_command_seal(wire, TF_UP_INPUT, TF_COMMAND_MOST + more, 1, &number,
                           0, key) == (more ? 0 : sizeof wire));
   CHECK(number == 7);
-}
-
-TEST(commands_without_the_tag_do_nothing) {
-  uint8_t key[TF_KEY_BYTES], other[TF_KEY_BYTES];
-  for (unsigned i = 0; i < sizeof key; i++) key[i] = (uint8_t)tap_bits();
-  board_t board;
-  switch_on(&board, "chaos");
-  board.lock = key;
-  send_plain(&board, TF_UP_DESCRIBE); /* anyone may ask */
-  boundary(&board);
-  CHECK(code_of(&board) == TF_ANSWER_DONE);
-  const uint32_t session = board.link.session;
-  CHECK(answer_to(&board, TF_UP_STOP, session, 0, NULL) == TF_ANSWER_TAG);
-  for (unsigned bit = 0; bit < 128; bit++) {
-    memcpy(other, key, sizeof key);
-    other[bit / 8] ^= (uint8_t)(1u << bit % 8);
-    CHECK(answer_to(&board, TF_UP_STOP, session, 0, other) == TF_ANSWER_TAG);
-  }
-  /* Another number, by someone who can make a CRC but not a tag. Each bit that
-   * a tag is of is in the message of SipHash. */
-  const recorded_t frame = record(TF_UP_STOP, session, 0, key);
-  const tf_frame_t good = frame_of(frame.wire, frame.size);
-  recorded_t forged;
-  memcpy(forged.wire + TF_FRAME_AT, good.payload, good.length);
-  uint32_t number = 1;
-  forged.size = tf_frame_seal(forged.wire, good.type, good.length, &number, 0);
-  CHECK(effect_of(&board, &forged) == TF_ANSWER_TAG);
-  CHECK(board.link.next == 0 && board.simulation.running);
-  CHECK(effect_of(&board, &frame) == TF_ANSWER_DONE);
-  CHECK(!board.simulation.running);
-  CHECK(effect_of(&board, &frame) == TF_ANSWER_OLD);
-  /* Commands with data, as a host with the key sends them. */
-  board.key = key;
-  board.up = 1;
-  send_parameter(&board, 0, index_of("mu"), 2);
-  CHECK(boundary(&board) == 1);
-  CHECK(answer_of(&board).value == 2);
 }
 
 /* Only a controller prolongs its inputs: no other command, no broken or

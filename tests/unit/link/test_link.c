@@ -104,52 +104,6 @@ TEST(set_parameter_is_validated_and_answered) {
   CHECK(answer.index == 255);
 }
 
-TEST(lengths_types_and_dates_are_checked) {
-  board_t board;
-  power_up(&board, "chaos");
-  uint8_t payload[TF_COMMAND_DATA + TF_TAG_BYTES];
-  memset(payload, 1, sizeof payload);
-  const acting_t before = acting(&board);
-  const tf_state_t state = board.simulation.state;
-  for (unsigned type = 0; type < 256; type++)
-    for (unsigned length = 1; length <= sizeof payload; length++) {
-      const bool meant =
-          (type == TF_UP_INPUT && length == 5 * R) ||
-          (type == TF_UP_PARAMETER && length == 1 + R) ||
-          (type == TF_UP_RULE && length == 5) || type == TF_UP_DESCRIBE ||
-          (type == TF_UP_DEADMAN && length == 4) ||
-          (type == TF_UP_RESTORE && length == 8 + TF_STATE_BYTES);
-      if (meant) continue;
-      send(&board, (tf_type_t)type, 0, payload, length);
-      /* The number is used up, and the answer comes at the boundary. */
-      CHECK(board.link.next == board.up && code_of(&board) == 999);
-      CHECK(boundary(&board) == 0);
-      const bool known = (type >= TF_UP_INPUT && type <= TF_UP_DEADMAN) ||
-                         length > TF_COMMAND_DATA;
-      CHECK(code_of(&board) == (known ? TF_ANSWER_LENGTH : TF_ANSWER_UNKNOWN));
-      CHECK(acts_alike(&board, &before));
-      CHECK(same_state(&state, &board.simulation.state));
-    }
-  send(&board, TF_UP_STOP, TF_LINK_AHEAD + 1, NULL, 0);
-  send(&board, TF_UP_STOP, UINT64_MAX, NULL, 0);
-  send(&board, TF_UP_STOP, TF_LINK_AHEAD, NULL, 0);
-  CHECK_TOLD(&board, 0, TF_ANSWER_FAR, TF_ANSWER_FAR);
-  CHECK(answer_of(&board).length == 0 && board.link.waiting == 1);
-  /* How far ahead counts from the present tick, however long the board runs. */
-  board.link.waiting = 0;
-  board.simulation.state.tick = TF_LINK_AHEAD + 5;
-  send(&board, TF_UP_STOP, 2 * TF_LINK_AHEAD + 6, NULL, 0);
-  send(&board, TF_UP_STOP, 2 * TF_LINK_AHEAD + 5, NULL, 0);
-  CHECK_TOLD(&board, 0, TF_ANSWER_FAR);
-  CHECK(answer_of(&board).length == 0 && board.link.waiting == 1);
-  /* Longer than any command: counted by the decoder, not written. */
-  uint8_t wire[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)];
-  memset(wire, 7, sizeof wire);
-  hear(&board, wire,
-       tf_frame_seal(wire, TF_UP_STOP, TF_FRAME_PAYLOAD, &board.up, 0));
-  CHECK(board.link.decoder.too_long == 1 && board.link.waiting == 1);
-}
-
 /* The numbers of bytes are those of test_device.py and test_make.py. */
 TEST(records_are_as_many_as_the_line_carries) {
   board_t board;
