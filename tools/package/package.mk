@@ -141,9 +141,9 @@ $(BUILD)/fmu/windows.o: $(DIST)/c/twofold.c
 	@mkdir -p $(@D)
 	@echo '  CC    $@'
 	@$(MINGW) $(FMU_WINDOWS) -c $< -o $@
-$(BUILD)/fmu/describe: tools/package/fmu/describe.c \
-    tools/package/fmu/variables.c $(SCENE_READER) $(BUILD)/fmu/twofold.o \
-    tools/package/fmu/variables.h tools/motion.h
+$(BUILD)/fmu/describe: $(addprefix tools/package/fmu/,describe.c variables.c \
+    model.c motion.c message.c fmu.h) $(SCENE_READER) $(BUILD)/fmu/twofold.o \
+    tools/motion.h
 	@echo '  LINK  $@'
 	@$(CC) $(COMMON) $(WARN) -Itools $(EXTRA) $(filter %.c %.o,$^) -lm -o $@
 

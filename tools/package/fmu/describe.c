@@ -7,7 +7,7 @@
 #include "cli/setup/scene_file.h"
 #include "cli/setup/setup.h"
 #include "cli/text/text.h"
-#include "variables.h"
+#include "fmu.h"
 
 static void print_number(const char *name, double value) {
   char text[CLI_REAL_ROOM];
@@ -23,31 +23,27 @@ static void print_members(const fmu_variable_t *variable) {
   printf("]");
 }
 
-static void print_variable(const fmu_variable_t *variable, unsigned reference,
-                           double start) {
+static void print_variable(unsigned reference, double start) {
   static const char *const kinds[] = {"real",  "truth", "member",
                                       "small", "seed",  "count"};
   static const char *const roles[] = {"parameter", "input", "output"};
-  static const char *comma = "";
-  if (variable->kind == FMU_KIND_UNKNOWN) return;
-  const size_t parameter = cli_number_index(variable->name);
+  const fmu_variable_t variable = fmu_variable(reference);
+  const bool is_told = variable.about[0] != '\0';
   printf(
       "%s\n  {\"name\": \"%s\", \"reference\": %u, \"unit\": \"%s\",\n"
       "   \"about\": \"%s\",\n   \"kind\": \"%s\", \"role\": \"%s\"",
-      comma, variable->name, reference, variable->unit,
-      variable->about[0] == '\0' ? cli_parameter_about[parameter]
-                                 : variable->about,
-      kinds[variable->kind], roles[variable->role]);
-  comma = ",";
-  print_number("low", variable->low);
-  print_number("high", variable->high);
+      reference > 1 ? "," : "", variable.name, reference, variable.unit,
+      is_told ? variable.about : cli_parameter_about[reference - 1],
+      kinds[variable.kind], roles[variable.role]);
+  print_number("low", variable.low);
+  print_number("high", variable.high);
   print_number("start", start);
-  if (variable->member != NULL) print_members(variable);
+  if (variable.member != NULL) print_members(&variable);
   printf("}");
 }
 
 int main(int argc, char *argv[]) {
-  fmu_values_t values;
+  double values[FMU_VARIABLES];
   const tf_scene_t *scene = NULL;
   if (argc != 2) {
     (void)fprintf(stderr, "usage: describe SCENE\n");
@@ -55,7 +51,7 @@ int main(int argc, char *argv[]) {
   }
   const int code = cli_take_scene(&scene, argv[1]);
   if (code != 0) return code;
-  fmu_defaults(&values, scene);
+  fmu_defaults(values, scene);
   printf(
       "{\"scene\": \"%s\", \"shows\": \"%s\",\n"
       " \"version\": \"%s\"",
@@ -67,15 +63,7 @@ int main(int argc, char *argv[]) {
     printf("%s\"%s\"", status > TF_STEP_TOO_LONG ? ", " : "",
            tf_status_name((tf_status_t)status));
   printf("],\n \"variables\": [");
-  for (size_t i = 0; i < FMU_REALS; i++) {
-    const fmu_variable_t variable = fmu_real(i);
-    print_variable(&variable, FMU_REAL_REFERENCE + (unsigned)i, values.real[i]);
-  }
-  for (size_t i = 0; i < FMU_WHOLES; i++) {
-    const fmu_variable_t variable = fmu_whole(i);
-    print_variable(&variable, FMU_WHOLE_REFERENCE + (unsigned)i,
-                   (double)values.whole[i]);
-  }
+  for (unsigned i = 1; i < FMU_VARIABLES; i++) print_variable(i, values[i]);
   printf("\n]}\n");
   return 0;
 }

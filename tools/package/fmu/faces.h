@@ -13,7 +13,7 @@
 #ifndef TWOFOLD_FMU_FACES_H
 #define TWOFOLD_FMU_FACES_H
 
-#include "model.h"
+#include "fmu.h"
 
 #if defined(__GNUC__)
 #pragma GCC diagnostic ignored "-Wmissing-prototypes"
@@ -67,23 +67,21 @@
                                          const uint32_t references[], \
                                          size_t n, FMI_VALUES(const type_t))
 
-/// A variable of the instance as the interface has it, and back. Any number but
-/// 0 is true.
+/// A value of the interface as a number. Any but 0 is true.
 #define NUMBER(value) ((double)(value))
 #define TRUTH(value) ((value) != 0 ? 1.0 : 0.0)
 
 /// Reads variables; of those to be set checks all before it sets one, so that a
 /// refused call leaves the instance as it was.
-#define ACCESS(Type, type_t, kinds, from_t, read, number)                     \
+#define ACCESS(Type, type_t, kinds, number)                                   \
   GET(Type, type_t) {                                                         \
     ENTER("Get" #Type, READABLE);                                             \
     fmu_status_t status =                                                     \
         fmu_check_lists(fmu, n, FMI_COUNT, references, values);               \
     for (size_t i = 0; i < n && status == FMU_OK; i++) {                      \
-      status = fmu_check_get(fmu, references[i], kinds, #Type);               \
-      if (status != FMU_OK) break;                                            \
-      const from_t value = read(fmu, references[i]);                          \
-      values[i] = (type_t)value;                                              \
+      double value = 0;                                                       \
+      status = fmu_get(fmu, references[i], kinds, #Type, &value);             \
+      if (status == FMU_OK) values[i] = (type_t)value;                        \
     }                                                                         \
     return status;                                                            \
   }                                                                           \
@@ -99,10 +97,9 @@
     return status;                                                            \
   }
 
-/// Types of which this FMU has no variable: every reference is refused.
-#define NOTHING(...) 0
-#define NO_ACCESS(Type, type_t) \
-  ACCESS(Type, type_t, 0, type_t, NOTHING, NOTHING)
+/// Types of which this FMU has no variable: every reference is refused. A text
+/// is passed as an address, which nothing looks at.
+#define NO_ACCESS(Type, type_t) ACCESS(Type, type_t, 0, NUMBER)
 
 /// Copies of the state, whose functions the versions spell differently.
 #define COPIES(State, Deserialize, byte_t)                                    \

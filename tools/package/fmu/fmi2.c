@@ -1,5 +1,5 @@
 // FMI 2.0, co-simulation: each function checks the phase, translates, and
-// leaves the work to model.h. The version has no event mode and no early
+// leaves the work to fmu.h. The version has no event mode and no early
 // return: the outputs `events` and `event_time` tell of what happened inside a
 // communication step.
 
@@ -13,6 +13,8 @@
 #define FMI_VALUES(type_t) type_t values[]
 #define FMI_COUNT n
 #define FMI_MOVING ((unsigned)FMU_STEP)
+#include <string.h>
+
 #include "faces.h"
 
 // Types of the C interface, written from the text of the standard
@@ -56,19 +58,18 @@ FMI_EXPORT void *FMI(Instantiate)(fmi2_string_t name, fmi2_type_t type,
                                   fmi2_string_t token, fmi2_string_t resources,
                                   const fmi2_callbacks_t *callbacks,
                                   FMI_BOOLEAN visible, FMI_BOOLEAN logging) {
-  fmu_t teller = fmu_teller("fmi2Instantiate", name, logging != 0);
-  if (callbacks != NULL && callbacks->logger != NULL) {
-    teller.environment = callbacks->environment;
-    teller.logger = (void (*)(void))callbacks->logger;
-    teller.emit = emit;
-  }
   // Discard is for a step of which a part is done, and importers go on.
-  teller.refusal = FMU_ERROR;
-  if (type != FMI2_CO_SIMULATION) {
-    (void)fmu_error(&teller, "this FMU is for co-simulation");
-    return NULL;
+  fmu_t own = {.call = "fmi2Instantiate",
+               .logs = FMU_LOGS(logging),
+               .refusal = FMU_ERROR};
+  if (name != NULL) strncpy(own.name, name, sizeof own.name - 1);
+  if (callbacks != NULL && callbacks->logger != NULL) {
+    own.environment = callbacks->environment;
+    own.logger = (void (*)(void))callbacks->logger;
+    own.emit = emit;
   }
-  return fmu_new(&teller, token);
+  return type == FMI2_CO_SIMULATION ? fmu_new(&own, token)
+                                    : fmu_refuse_type(&own);
 }
 
 CALL(SetupExperiment, FMU_INSTANTIATED,
@@ -82,12 +83,10 @@ CALL(EnterInitializationMode, FMU_INSTANTIATED,
 CALL(ExitInitializationMode, FMU_INITIALIZATION, fmu_initialized(fmu, FMU_STEP),
      void *instance)
 
-ACCESS(Real, double, KIND(REAL) | KIND(COUNT), double, fmu_get_real, NUMBER)
-ACCESS(Integer, int, KIND(MEMBER) | KIND(SMALL) | KIND(SEED), int64_t,
-       fmu_get_whole, NUMBER)
-ACCESS(Boolean, FMI_BOOLEAN, KIND(TRUTH), int64_t, fmu_get_whole, TRUTH)
-
-NO_ACCESS(String, fmi2_string_t)
+ACCESS(Real, double, KIND(REAL) | KIND(COUNT), NUMBER)
+ACCESS(Integer, int, KIND(MEMBER) | KIND(SMALL) | KIND(SEED), NUMBER)
+ACCESS(Boolean, FMI_BOOLEAN, KIND(TRUTH), TRUTH)
+NO_ACCESS(String, uintptr_t)
 
 COPIES(FMUstate, DeSerialize, char)
 

@@ -1,5 +1,5 @@
 // FMI 3.0, co-simulation: each function checks the phase, translates, and
-// leaves the work to model.h.
+// leaves the work to fmu.h.
 
 #ifndef FMI3_FUNCTION_PREFIX
 #define FMI3_FUNCTION_PREFIX
@@ -15,7 +15,6 @@
 
 // Types of the C interface, written from the text of the standard
 // (fmi-standard.org).
-typedef const char *fmi3_string_t;
 typedef int fmi3_kind_t; // enumerations of which no value is used here
 
 typedef void fmi3_log_t(void *environment, fmu_status_t status,
@@ -31,19 +30,43 @@ static void emit(const fmu_t *fmu, fmu_status_t status, const char *category,
   ((fmi3_log_t *)fmu->logger)(fmu->environment, status, category, text);
 }
 
+static fmu_t made_by(const char *call, bool logging, void *environment,
+                     fmi3_log_t *logger) {
+  return (fmu_t){.call = call,
+                 .logs = FMU_LOGS(logging),
+                 .environment = environment,
+                 .logger = (void (*)(void))logger,
+                 .emit = logger == NULL ? NULL : emit,
+                 .refusal = FMU_DISCARD};
+}
+
 FMI_EXPORT void *FMI(InstantiateCoSimulation)(
     const char *name, const char *token, const char *resources, bool visible,
     bool logging, bool event_mode, bool early_return,
     const uint32_t intermediate[], size_t n_intermediate, void *environment,
     fmi3_log_t *logger, fmi3_update_t *update) {
-  fmu_t teller = fmu_teller("fmi3InstantiateCoSimulation", name, logging);
-  teller.environment = environment;
-  teller.logger = (void (*)(void))logger;
-  teller.emit = logger == NULL ? NULL : emit;
-  teller.refusal = FMU_DISCARD;
-  teller.event_mode = event_mode;
-  teller.early_return = early_return;
-  return fmu_new(&teller, token);
+  fmu_t own =
+      made_by("fmi3InstantiateCoSimulation", logging, environment, logger);
+  own.event_mode = event_mode;
+  own.early_return = early_return;
+  return fmu_new(&own, token);
+}
+
+FMI_EXPORT void *FMI(InstantiateModelExchange)(
+    const char *name, const char *token, const char *resources, bool visible,
+    bool logging, void *environment, fmi3_log_t *logger) {
+  fmu_t own =
+      made_by("fmi3InstantiateModelExchange", logging, environment, logger);
+  return fmu_refuse_type(&own);
+}
+
+FMI_EXPORT void *FMI(InstantiateScheduledExecution)(
+    const char *name, const char *token, const char *resources, bool visible,
+    bool logging, void *environment, fmi3_log_t *logger,
+    fmi3_clock_update_t *update, fmi3_lock_t *lock, fmi3_lock_t *unlock) {
+  fmu_t own = made_by("fmi3InstantiateScheduledExecution", logging, environment,
+                      logger);
+  return fmu_refuse_type(&own);
 }
 
 FMI_EXPORT fmu_status_t FMI(EnterInitializationMode)(
@@ -102,46 +125,20 @@ FMI_EXPORT fmu_status_t FMI(DoStep)(void *instance, double time, double length,
 
 COPIES(FMUState, Deserialize, uint8_t)
 
-ACCESS(Float64, double, KIND(REAL), double, fmu_get_real, NUMBER)
-ACCESS(Int32, int32_t, KIND(SMALL), int64_t, fmu_get_whole, NUMBER)
-ACCESS(UInt32, uint32_t, KIND(SEED), int64_t, fmu_get_whole, NUMBER)
-ACCESS(Int64, int64_t, KIND(MEMBER), int64_t, fmu_get_whole, NUMBER)
-ACCESS(UInt64, uint64_t, KIND(COUNT), int64_t, fmu_get_whole, NUMBER)
-ACCESS(Boolean, bool, KIND(TRUTH), int64_t, fmu_get_whole, TRUTH)
-
-// Types of which this FMU has no variable.
+ACCESS(Float64, double, KIND(REAL), NUMBER)
+ACCESS(Int32, int32_t, KIND(SMALL), NUMBER)
+ACCESS(UInt32, uint32_t, KIND(SEED), NUMBER)
+ACCESS(Int64, int64_t, KIND(MEMBER), NUMBER)
+ACCESS(UInt64, uint64_t, KIND(COUNT), NUMBER)
+ACCESS(Boolean, bool, KIND(TRUTH), TRUTH)
 NO_ACCESS(Float32, float)
 NO_ACCESS(Int8, int8_t)
 NO_ACCESS(UInt8, uint8_t)
 NO_ACCESS(Int16, int16_t)
 NO_ACCESS(UInt16, uint16_t)
-NO_ACCESS(String, fmi3_string_t)
+NO_ACCESS(String, uintptr_t)
 
 // Model exchange, scheduled execution, clocks, arrays and derivatives.
-
-static void *no_instance(bool logging, void *environment, fmi3_log_t *logger,
-                         const char *why) {
-  if (logging && logger != NULL)
-    logger(environment, FMU_ERROR, "logStatusError", why);
-  return NULL;
-}
-
-FMI_EXPORT void *FMI(InstantiateModelExchange)(
-    const char *name, const char *token, const char *resources, bool visible,
-    bool logging, void *environment, fmi3_log_t *logger) {
-  return no_instance(logging, environment, logger,
-                     "fmi3InstantiateModelExchange: this FMU is for"
-                     " co-simulation");
-}
-
-FMI_EXPORT void *FMI(InstantiateScheduledExecution)(
-    const char *name, const char *token, const char *resources, bool visible,
-    bool logging, void *environment, fmi3_log_t *logger,
-    fmi3_clock_update_t *update, fmi3_lock_t *lock, fmi3_lock_t *unlock) {
-  return no_instance(logging, environment, logger,
-                     "fmi3InstantiateScheduledExecution: this FMU is for"
-                     " co-simulation");
-}
 
 REFUSE_SOME(GetBinary, const uint32_t references[], size_t n, size_t sizes[],
             const uint8_t *values[], size_t n_values)

@@ -1,9 +1,8 @@
 // Texts and numbers for the logger.
 
-#include "message.h"
-
 #include <float.h>
-#include <stdint.h>
+
+#include "fmu.h"
 
 #define DIGITS 17
 

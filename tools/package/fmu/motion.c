@@ -4,8 +4,8 @@
 
 #include <string.h>
 
+#include "fmu.h"
 #include "fmu_scene.h"
-#include "model.h"
 
 // How far, in steps of dt, the length of a communication step may be from a
 // whole number. Importers send 0.016666666666666677.
@@ -24,20 +24,18 @@ double fmu_time(const fmu_motion_t *motion) {
                                   (double)motion->now.machine.machine.dt;
 }
 
-static tf_params_t parameters_of(const fmu_values_t *values) {
+static tf_params_t parameters_of(const double values[FMU_VARIABLES]) {
   tf_params_t params;
   memset(&params, 0, sizeof params);
   for (size_t i = 0; i < TF_PARAMETERS; i++) {
-    const tf_real_t value = (tf_real_t)values->real[i];
+    const tf_real_t value = (tf_real_t)values[1 + i];
     memcpy((char *)&params + tf_parameter_ranges[i].offset, &value,
            sizeof value);
   }
-  params.omega0 = (tf_real_t)values->real[FMU_OMEGA0];
-  params.r0 = (tf_real_t)values->real[FMU_R0];
-  params.law = (tf_tyre_law_t)values->whole[FMU_LAW];
-  params.rule = (tf_rule_t)values->whole[FMU_RULE];
+  params.law = (tf_tyre_law_t)values[FMU_LAW];
+  params.rule = (tf_rule_t)values[FMU_RULE];
   params.rest = FMU_SCENE->params.rest;
-  params.with_angle = values->whole[FMU_WITH_ANGLE] != 0;
+  params.with_angle = values[FMU_WITH_ANGLE] != 0;
   return params;
 }
 
@@ -46,14 +44,14 @@ static tf_params_t parameters_of(const fmu_values_t *values) {
 // omega0, with the acceleration alpha.
 static tf_input_t input_at(const fmu_motion_t *motion, uint64_t tick,
                            uint64_t end) {
-  const fmu_values_t *values = &motion->values;
+  const double *values = motion->values;
   const tf_scene_t *scene = FMU_SCENE;
-  tf_input_t input = {.omega0 = (tf_real_t)values->real[FMU_OMEGA0],
-                      .r0 = (tf_real_t)values->real[FMU_R0],
-                      .force = (tf_real_t)values->real[FMU_FORCE],
-                      .torque = (tf_real_t)values->real[FMU_TORQUE],
-                      .alpha = (tf_real_t)values->real[FMU_ALPHA]};
-  if (values->whole[FMU_FOLLOW_PROFILE] != 0 && !motion->steered) {
+  tf_input_t input = {.omega0 = (tf_real_t)values[FMU_OMEGA0],
+                      .r0 = (tf_real_t)values[FMU_R0],
+                      .force = (tf_real_t)values[FMU_FORCE],
+                      .torque = (tf_real_t)values[FMU_TORQUE],
+                      .alpha = (tf_real_t)values[FMU_ALPHA]};
+  if (values[FMU_FOLLOW_PROFILE] != 0 && !motion->steered) {
     const tf_input_t driven =
         tf_scene_input(scene, &motion->now.machine.machine, tick);
     input.omega0 = driven.omega0;
@@ -66,15 +64,15 @@ static tf_input_t input_at(const fmu_motion_t *motion, uint64_t tick,
 }
 
 static motion_scheme_t scheme_of(const fmu_motion_t *motion) {
-  return (motion_scheme_t)motion->values.whole[FMU_SCHEME];
+  return (motion_scheme_t)motion->values[FMU_SCHEME];
 }
 
 static fmu_status_t prepare(fmu_t *fmu) {
   fmu_motion_t *motion = &fmu->motion;
   const motion_scheme_t scheme = scheme_of(motion);
-  const tf_params_t params = parameters_of(&motion->values);
+  const tf_params_t params = parameters_of(motion->values);
   int offender = TF_PARAMETERS;
-  if (motion->values.whole[FMU_FOLLOW_PROFILE] != 0 && FMU_SCENE->knots == 0)
+  if (motion->values[FMU_FOLLOW_PROFILE] != 0 && FMU_SCENE->knots == 0)
     return fmu_discard(fmu, "follow_profile = true: the scene has no profile");
   if (!motion_takes_law(scheme, params.law))
     return fmu_discard(fmu, "scheme = %s: law must be " MOTION_LOCATED_LAWS,
@@ -87,26 +85,25 @@ static fmu_status_t prepare(fmu_t *fmu) {
                          : "law or rule");
 }
 
-static motion_start_t start_of(const fmu_values_t *values) {
+static motion_start_t start_of(const double values[FMU_VARIABLES]) {
   motion_start_t start = motion_start(FMU_SCENE, 0);
-  start.state.r = (tf_real_t)values->real[FMU_START_R];
-  start.state.v = (tf_real_t)values->real[FMU_START_V];
-  start.state.w = (tf_real_t)values->real[FMU_START_OMEGA];
-  start.state.phi = (tf_real_t)values->real[FMU_START_PHI];
-  start.state.seed = (uint32_t)values->whole[FMU_SEED];
-  start.h = (tf_real_t)values->real[FMU_START_H];
-  start.from_h = values->whole[FMU_START_FROM_H] != 0;
+  start.state.r = (tf_real_t)values[FMU_START_R];
+  start.state.v = (tf_real_t)values[FMU_START_V];
+  start.state.w = (tf_real_t)values[FMU_START_OMEGA];
+  start.state.phi = (tf_real_t)values[FMU_START_PHI];
+  start.state.seed = (uint32_t)values[FMU_SEED];
+  start.h = (tf_real_t)values[FMU_START_H];
+  start.from_h = values[FMU_START_FROM_H] != 0;
   return start;
 }
 
 fmu_status_t fmu_begin(fmu_t *fmu) {
   fmu_motion_t *motion = &fmu->motion;
-  const fmu_values_t *values = &motion->values;
+  const double *values = motion->values;
   motion->begun = false;
   if (prepare(fmu) != FMU_OK) return FMU_DISCARD;
-  motion->steered =
-      (tf_real_t)values->real[FMU_OMEGA0] != FMU_SCENE->params.omega0 ||
-      values->real[FMU_ALPHA] != 0;
+  motion->steered = (tf_real_t)values[FMU_OMEGA0] != FMU_SCENE->params.omega0 ||
+                    values[FMU_ALPHA] != 0;
   const tf_input_t input = input_at(motion, 0, 0);
   motion_start_t start = start_of(values);
   if (motion_begin(&motion->now, scheme_of(motion), &start, &input) != TF_OK) {
@@ -121,7 +118,7 @@ fmu_status_t fmu_begin(fmu_t *fmu) {
                        "the start is out of range: start.r, start.v,"
                        " start.omega and the inputs add up to more than 1e9");
   }
-  motion->values.real[FMU_TURNTABLE] = (double)input.omega0;
+  motion->values[FMU_TURNTABLE] = (double)input.omega0;
   motion->begun = true;
   fmu_observe(motion);
   return FMU_OK;
@@ -130,36 +127,35 @@ fmu_status_t fmu_begin(fmu_t *fmu) {
 void fmu_observe(fmu_motion_t *motion) {
   const motion_row_t row = motion_row(&motion->now);
   const tf_tally_t *tally = &motion->tally;
-  double *real = motion->values.real;
-  int64_t *whole = motion->values.whole;
-  real[FMU_R] = (double)row.r;
-  real[FMU_V] = (double)row.v;
-  real[FMU_OMEGA] = (double)row.omega;
-  real[FMU_PHI] = (double)row.phi;
-  real[FMU_H] = (double)row.h;
-  real[FMU_G] = (double)row.g;
-  real[FMU_F] = (double)row.F;
-  real[FMU_M] = (double)row.M;
-  real[FMU_DELASSUS] = (double)row.delassus;
-  real[FMU_RESIDUAL] = (double)motion->now.report.residual;
-  real[FMU_ENERGY] =
+  double *values = motion->values;
+  values[FMU_R] = (double)row.r;
+  values[FMU_V] = (double)row.v;
+  values[FMU_OMEGA] = (double)row.omega;
+  values[FMU_PHI] = (double)row.phi;
+  values[FMU_H] = (double)row.h;
+  values[FMU_G] = (double)row.g;
+  values[FMU_F] = (double)row.F;
+  values[FMU_M] = (double)row.M;
+  values[FMU_DELASSUS] = (double)row.delassus;
+  values[FMU_RESIDUAL] = (double)motion->now.report.residual;
+  values[FMU_ENERGY] =
       (double)tf_energy(&motion->now.machine.machine, &motion->now.state,
-                        (tf_real_t)real[FMU_R0]);
-  real[FMU_EVENT_TIME] =
+                        (tf_real_t)values[FMU_R0]);
+  values[FMU_EVENT_TIME] =
       motion->start_time +
       (double)motion->event_tick * (double)motion->now.machine.machine.dt;
-  whole[FMU_MODE] = row.mode;
-  whole[FMU_CHOICES] = row.choices;
-  whole[FMU_SET] = row.set;
-  whole[FMU_STATUS] = (int64_t)motion->now.report.status;
-  whole[FMU_TICK] = (int64_t)motion->now.state.tick;
-  whole[FMU_EVENTS] = (int64_t)motion->events;
-  whole[FMU_DEGRADED] = (int64_t)tally->degraded;
-  whole[FMU_FELL_BACK] = (int64_t)tally->fell_back;
-  whole[FMU_COARSE] = (int64_t)tally->coarse;
-  whole[FMU_STALLED] = (int64_t)tally->stalled;
-  whole[FMU_REFUSED] = (int64_t)tally->refused;
-  whole[FMU_FIRST] = (int64_t)tally->first;
+  values[FMU_MODE] = row.mode;
+  values[FMU_CHOICES] = row.choices;
+  values[FMU_SET] = row.set;
+  values[FMU_STATUS] = (double)motion->now.report.status;
+  values[FMU_TICK] = (double)motion->now.state.tick;
+  values[FMU_EVENTS] = (double)motion->events;
+  values[FMU_DEGRADED] = (double)tally->degraded;
+  values[FMU_FELL_BACK] = (double)tally->fell_back;
+  values[FMU_COARSE] = (double)tally->coarse;
+  values[FMU_STALLED] = (double)tally->stalled;
+  values[FMU_REFUSED] = (double)tally->refused;
+  values[FMU_FIRST] = (double)tally->first;
 }
 
 // The tick at which a communication step ends.
@@ -213,8 +209,8 @@ static fmu_status_t refuse_step(fmu_t *fmu, tf_status_t status) {
   const uint64_t tick = fmu->motion.now.state.tick;
   go_back(fmu);
   tf_tally_count(&fmu->motion.tally, tick, status);
-  fmu->motion.values.whole[FMU_REFUSED] = (int64_t)fmu->motion.tally.refused;
-  fmu->motion.values.whole[FMU_FIRST] = (int64_t)fmu->motion.tally.first;
+  fmu->motion.values[FMU_REFUSED] = (double)fmu->motion.tally.refused;
+  fmu->motion.values[FMU_FIRST] = (double)fmu->motion.tally.first;
   return fmu_refuse(fmu, fmu->refusal, "no step from t = %g s: %s", time,
                     tf_status_name(status));
 }
@@ -260,7 +256,7 @@ static void log_event(fmu_t *fmu) {
 static fmu_status_t advance(fmu_t *fmu, uint64_t end, bool *event) {
   fmu_motion_t *motion = &fmu->motion;
   const unsigned mode = motion->now.report.mode, set = motion->now.report.set;
-  const unsigned wanted = (unsigned)motion->values.whole[FMU_TAKE];
+  const unsigned wanted = (unsigned)motion->values[FMU_TAKE];
   tf_input_t input;
   const tf_status_t status =
       step_once(motion, end, motion->takes ? wanted : TF_NO_MODE, &input);
@@ -270,7 +266,7 @@ static fmu_status_t advance(fmu_t *fmu, uint64_t end, bool *event) {
   }
   if (status < 0) return refuse_step(fmu, status);
   motion->takes = false;
-  motion->values.real[FMU_TURNTABLE] = (double)input.omega0;
+  motion->values[FMU_TURNTABLE] = (double)input.omega0;
   tf_tally_count(&motion->tally, motion->now.state.tick, status);
   *event = motion->now.report.mode != mode || motion->now.report.set != set;
   if (*event) {

@@ -1,9 +1,10 @@
-// The table of variables. Parameters of the machine come from the core's own
-// table, with its names, units and ranges.
-
-#include "variables.h"
+// The variables and their values. Parameters of the machine come from the
+// core's own table, with its names, units and ranges. Every value is checked
+// where it is set, so that the message names variable, value and range.
 
 #include <string.h>
+
+#include "fmu.h"
 
 // TF_NO_MODE: the rule of the machine decides.
 static const char *take_name(unsigned mode) {
@@ -33,49 +34,23 @@ static const char *status_word(unsigned i) {
    LIMIT(role)},
 #define WHOLE(number, name, kind, role, member, low, high, about) \
   {name, "1", about, FMU_KIND_##kind, FMU_ROLE_##role, member, low, high},
-static const fmu_variable_t other_reals[] = {FMU_OTHER_REALS(REAL)};
-static const fmu_variable_t wholes[] = {FMU_ALL_WHOLES(WHOLE)};
+static const fmu_variable_t others[] = {FMU_REALS(REAL) FMU_WHOLES(WHOLE)};
 
-// about: "" for the words of the command line.
-static fmu_variable_t of_range(size_t i, fmu_role_t role, const char *about) {
-  const tf_parameter_range_t *range = &tf_parameter_ranges[i];
-  return (fmu_variable_t){
-      range->name,        range->unit,        about, FMU_KIND_REAL, role, NULL,
-      (double)range->low, (double)range->high};
-}
-
-// The place of a member of tf_params_t in tf_parameter_ranges.
-static size_t place_of(size_t offset) {
-  size_t i = 0;
-  while (tf_parameter_ranges[i].offset != offset) i++;
-  return i;
-}
-
-fmu_variable_t fmu_real(size_t slot) {
-  const size_t omega0 = place_of(offsetof(tf_params_t, omega0));
-  const size_t r0 = place_of(offsetof(tf_params_t, r0));
-  if (slot == FMU_OMEGA0)
-    return of_range(omega0, FMU_ROLE_INPUT,
-                    "speed of the turntable as set; turntable has the actual");
-  if (slot == FMU_R0) return of_range(r0, FMU_ROLE_INPUT, "");
-  if (slot == omega0 || slot == r0)
+fmu_variable_t fmu_variable(uint32_t reference) {
+  if (reference == FMU_TIME || reference >= FMU_VARIABLES)
     return (fmu_variable_t){.kind = FMU_KIND_UNKNOWN};
-  if (slot < TF_PARAMETERS) return of_range(slot, FMU_ROLE_PARAMETER, "");
-  return other_reals[slot - TF_PARAMETERS];
-}
-
-fmu_variable_t fmu_whole(size_t slot) { return wholes[slot]; }
-
-fmu_variable_t fmu_variable(uint32_t reference, size_t *slot) {
-  if (reference - FMU_REAL_REFERENCE < FMU_REALS) {
-    *slot = reference - FMU_REAL_REFERENCE;
-    return fmu_real(*slot);
-  }
-  if (reference - FMU_WHOLE_REFERENCE < FMU_WHOLES) {
-    *slot = reference - FMU_WHOLE_REFERENCE;
-    return fmu_whole(*slot);
-  }
-  return (fmu_variable_t){.kind = FMU_KIND_UNKNOWN};
+  if (reference > TF_PARAMETERS) return others[reference - TF_PARAMETERS - 1];
+  const tf_parameter_range_t *range = &tf_parameter_ranges[reference - 1];
+  const bool drives = reference == FMU_OMEGA0 || reference == FMU_R0;
+  return (fmu_variable_t){
+      .name = range->name,
+      .unit = range->unit,
+      .about = reference == FMU_OMEGA0
+                   ? "speed of the turntable as set; turntable has the actual"
+                   : "",
+      .role = drives ? FMU_ROLE_INPUT : FMU_ROLE_PARAMETER,
+      .low = (double)range->low,
+      .high = (double)range->high};
 }
 
 static double parameter_of(const tf_scene_t *scene, size_t i) {
@@ -94,20 +69,100 @@ static const tf_scene_t *user_of(const tf_scene_t *scene, size_t i) {
   return scene;
 }
 
-void fmu_defaults(fmu_values_t *values, const tf_scene_t *scene) {
-  memset(values, 0, sizeof *values);
+void fmu_defaults(double values[FMU_VARIABLES], const tf_scene_t *scene) {
+  memset(values, 0, FMU_VARIABLES * sizeof *values);
   for (size_t i = 0; i < TF_PARAMETERS; i++)
-    values->real[i] = parameter_of(user_of(scene, i), i);
-  values->real[FMU_OMEGA0] = (double)scene->params.omega0;
-  values->real[FMU_R0] = (double)scene->params.r0;
-  values->real[FMU_START_R] = (double)scene->r;
-  values->real[FMU_START_V] = (double)scene->v;
-  values->real[FMU_START_OMEGA] = (double)scene->omega;
-  values->real[FMU_START_H] = (double)scene->h;
-  values->whole[FMU_LAW] = (int64_t)scene->params.law;
-  values->whole[FMU_RULE] = (int64_t)scene->params.rule;
-  values->whole[FMU_WITH_ANGLE] = scene->params.with_angle;
-  values->whole[FMU_START_FROM_H] = !scene->v_is_given;
-  values->whole[FMU_FOLLOW_PROFILE] = scene->knots > 0;
-  values->whole[FMU_TAKE] = TF_NO_MODE;
+    values[1 + i] = parameter_of(user_of(scene, i), i);
+  values[FMU_START_R] = (double)scene->r;
+  values[FMU_START_V] = (double)scene->v;
+  values[FMU_START_OMEGA] = (double)scene->omega;
+  values[FMU_START_H] = (double)scene->h;
+  values[FMU_LAW] = scene->params.law;
+  values[FMU_RULE] = scene->params.rule;
+  values[FMU_WITH_ANGLE] = scene->params.with_angle;
+  values[FMU_START_FROM_H] = !scene->v_is_given;
+  values[FMU_FOLLOW_PROFILE] = scene->knots > 0;
+  values[FMU_TAKE] = TF_NO_MODE;
+}
+
+fmu_status_t fmu_check_lists(fmu_t *fmu, size_t n, size_t n_values,
+                             const void *references, const void *values) {
+  if (n != n_values)
+    return fmu_error(fmu,
+                     "as many values as value references are needed: every"
+                     " variable is a scalar");
+  if (n > 0 && (references == NULL || values == NULL))
+    return fmu_error(fmu, "value references or values are NULL");
+  return FMU_OK;
+}
+
+// Whether a reference is that of a variable of some kinds; if not, after a
+// message.
+static bool is_known(fmu_t *fmu, uint32_t reference, unsigned kinds,
+                     const char *what) {
+  if (((kinds >> fmu_variable(reference).kind) & 1u) != 0) return true;
+  (void)fmu_error(fmu, "no %s variable has the value reference %u", what,
+                  (unsigned)reference);
+  return false;
+}
+
+fmu_status_t fmu_get(fmu_t *fmu, uint32_t reference, unsigned kinds,
+                     const char *what, double *value) {
+  const fmu_motion_t *motion = &fmu->motion;
+  if (reference == FMU_TIME && ((kinds >> FMU_KIND_REAL) & 1u) != 0) {
+    *value = fmu_time(motion);
+    return FMU_OK;
+  }
+  if (!is_known(fmu, reference, kinds, what)) return FMU_ERROR;
+  const fmu_variable_t variable = fmu_variable(reference);
+  fmu_status_t status = FMU_OK;
+  if (variable.role == FMU_ROLE_OUTPUT && motion->phase == FMU_INSTANTIATED)
+    return fmu_error(fmu, "%s is not known before Initialization Mode",
+                     variable.name);
+  if (variable.role == FMU_ROLE_OUTPUT && !motion->begun &&
+      motion->phase == FMU_INITIALIZATION)
+    status = fmu_begin(fmu);
+  *value = motion->values[reference];
+  return status;
+}
+
+// A mode can be taken that the next step can end in, under the inputs of now.
+static fmu_status_t check_take(fmu_t *fmu, unsigned mode) {
+  const fmu_motion_t *motion = &fmu->motion;
+  const bool stands = mode == (unsigned)motion->values[FMU_TAKE];
+  if (mode == TF_NO_MODE || stands) return FMU_OK;
+  if ((motion->phase & (FMU_EVENT | FMU_STEP)) == 0)
+    return fmu_discard(fmu, "take = %s is not open before the motion begins",
+                       tf_mode_name(mode));
+  return fmu_check_open(fmu, FMU_DISCARD, mode, motion->now.state.tick + 1);
+}
+
+fmu_status_t fmu_check_set(fmu_t *fmu, uint32_t reference, unsigned kinds,
+                           const char *what, double value) {
+  const fmu_motion_t *motion = &fmu->motion;
+  const bool moves = (motion->phase & (FMU_EVENT | FMU_STEP)) != 0;
+  if (!is_known(fmu, reference, kinds, what)) return FMU_ERROR;
+  const fmu_variable_t variable = fmu_variable(reference);
+  if (variable.role == FMU_ROLE_OUTPUT)
+    return fmu_error(fmu, "%s is an output: it cannot be set", variable.name);
+  if (variable.role == FMU_ROLE_PARAMETER && moves)
+    return fmu_error(fmu,
+                     "%s is a fixed parameter: it can only be set before the"
+                     " motion begins",
+                     variable.name);
+  if (!(value >= variable.low && value <= variable.high))
+    return fmu_discard(fmu, "%s = %g must lie in [%g, %g] %s", variable.name,
+                       value, variable.low, variable.high, variable.unit);
+  if (reference == FMU_TAKE) return check_take(fmu, (unsigned)value);
+  return FMU_OK;
+}
+
+void fmu_set(fmu_t *fmu, uint32_t reference, double value) {
+  fmu_motion_t *motion = &fmu->motion;
+  motion->steered |= reference == FMU_OMEGA0 || reference == FMU_ALPHA;
+  if (reference == FMU_TAKE && value != motion->values[FMU_TAKE])
+    motion->takes = value != TF_NO_MODE;
+  motion->values[reference] = value;
+  if ((motion->phase & (FMU_INSTANTIATED | FMU_INITIALIZATION)) != 0)
+    motion->begun = false;
 }
