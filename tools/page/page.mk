@@ -13,7 +13,7 @@ PAGE_FLAGS := --target=wasm32 -std=c99 -ffreestanding -Oz -flto \
 PAGE_LINK := -nostdlib -Wl,--no-entry -Wl,--gc-sections -Wl,--strip-all \
   -Wl,--export=errno -Wl,-z,stack-size=65536
 PAGE_CORE := $(wildcard src/*/*.c) tools/cli/monitor/receiver.c \
-  $(addprefix tools/cli/setup/,scene_file.c scene_print.c names.c) \
+  $(addprefix tools/cli/setup/,scene_file.c names.c) \
   $(addprefix tools/cli/text/,buffer.c closest.c number.c) \
   port/arch/memory.c $(wildcard tools/page/*.c tools/page/libc/*.c)
 PAGE_C := $(PAGE_CORE) $(wildcard tools/page/*.h tools/page/libc/*.h \

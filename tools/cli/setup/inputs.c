@@ -1,55 +1,229 @@
-// Looking up inputs over time. Time only goes on, so a look-up begins at the
-// row of the last one.
+// Inputs over time: read from CSV or from the scene, all of it before anything
+// is opened for writing, so a table of any length costs memory and never stops
+// a run in its middle; and looked up. Time only goes on, so a look-up begins at
+// the row of the last one.
 
 #include "inputs.h"
 
-#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "../text/text.h"
 
-const cli_quantity_t cli_input_columns[CLI_INPUTS] = {
-    {"omega0", "rad/s"}, {"r0", "m"}, {"force", "N"}, {"torque", "N m"}};
+#define REACH 0, 0, -TF_STATE_LIMIT, TF_STATE_LIMIT
+const tf_parameter_range_t cli_input_columns[CLI_INPUTS + 1] = {
+    {"omega0", "rad/s", REACH},
+    {"r0", "m", REACH},
+    {"force", "N", REACH},
+    {"torque", "N m", REACH},
+    {"t", "s", REACH}};
 
-bool cli_inputs_add(cli_inputs_t *inputs, const cli_input_row_t *row) {
+static int add_row(cli_inputs_t *inputs, const cli_input_row_t *row) {
   cli_input_row_t *rows =
       cli_grow(inputs->rows, inputs->count, &inputs->room, sizeof *rows);
   if (rows == NULL) {
-    return false;
+    return cli_message(CLI_STOPPED, "%s: out of memory", inputs->name);
   }
   inputs->rows = rows;
   inputs->rows[inputs->count++] = *row;
-  return true;
+  return CLI_DONE;
 }
 
-int cli_inputs_of_scene(cli_inputs_t *inputs, const tf_scene_t *scene) {
+static int read_profile(cli_inputs_t *inputs, const tf_scene_t *scene) {
   *inputs = (cli_inputs_t){.name = "profile of the scene", .linear = true};
   inputs->given[CLI_INPUT_OMEGA0] = scene->knots > 0;
   for (size_t i = 0; i < scene->knots; i++) {
     const tf_knot_t *knot = &scene->profile[i];
     const cli_input_row_t row = {.t = knot->t,
                                  .value = {[CLI_INPUT_OMEGA0] = knot->omega0}};
-    if (!cli_inputs_add(inputs, &row)) {
-      return cli_message(CLI_STOPPED, "out of memory");
-    }
+    CLI_TRY(add_row(inputs, &row));
   }
   return CLI_DONE;
 }
 
+#define LINE_ROOM 1024
+
+typedef struct {
+  cli_inputs_t *inputs;
+  cli_lines_t lines;
+  size_t fields;               // of every row; 0 before the header
+  size_t kind[CLI_INPUTS + 1]; // index of the column
+} reader_t;
+
+static int refuse(const reader_t *reader, int code, size_t field,
+                  const char *text, const char *why) {
+  return cli_message(code, "%s:%lu: column %zu: '%s' %s", reader->lines.name,
+                     reader->lines.line, field + 1, text, why);
+}
+
+// Cuts the next field off a line. Returns: it, without blanks around it and
+// without the quotes in which some programs put every field.
+static char *next_field(char **line) {
+  char *field = *line, *end = *line + strcspn(*line, ",");
+  *line = *end == ',' ? end + 1 : NULL;
+  *end = '\0';
+  field = cli_trim(field);
+  const size_t length = strlen(field);
+  if (length >= 2 && field[0] == '"' && field[length - 1] == '"') {
+    field[length - 1] = '\0';
+    field++;
+  }
+  return field;
+}
+
+static int read_header(reader_t *reader, char *line) {
+  bool *given = reader->inputs->given;
+  while (line != NULL) {
+    const char *name = next_field(&line);
+    cli_closest_t closest = cli_closest_to(name);
+    const size_t kind =
+        cli_closest_find(&closest, cli_input_columns, CLI_INPUTS + 1,
+                         sizeof cli_input_columns[0]);
+    if (kind > CLI_INPUTS) {
+      return cli_message(CLI_USAGE,
+                         "%s:%lu: unknown column '%s'%s; columns are t, "
+                         "omega0, r0, force, torque",
+                         reader->lines.name, reader->lines.line, name,
+                         closest.hint);
+    }
+    if ((kind == CLI_INPUTS) != (reader->fields == 0)) {
+      return refuse(reader, CLI_USAGE, reader->fields, name,
+                    "is misplaced: the first column, and no other, is t");
+    }
+    if (given[kind]) {
+      return refuse(reader, CLI_USAGE, reader->fields, name, "comes twice");
+    }
+    given[kind] = true;
+    reader->kind[reader->fields++] = kind;
+  }
+  return reader->fields > 1
+             ? CLI_DONE
+             : refuse(reader, CLI_USAGE, 0, "t",
+                      "is alone: an input has to stand beside it");
+}
+
+static int read_field(const reader_t *reader, size_t field, const char *text,
+                      tf_real_t *value) {
+  const tf_parameter_range_t *range = &cli_input_columns[reader->kind[field]];
+  const size_t parameter = cli_number_index(range->name);
+  const char *why = "";
+  if (parameter < TF_PARAMETERS) {
+    range = cli_number(parameter);
+  }
+  if (!cli_read_real(text, value, &why)) {
+    return refuse(reader, CLI_USAGE, field, text, why);
+  }
+  return cli_is_in(range, *value)
+             ? CLI_DONE
+             : cli_message(CLI_REFUSED, "%s:%lu: column %zu: %s = %s %s",
+                           reader->lines.name, reader->lines.line, field + 1,
+                           range->name, text, cli_must(range));
+}
+
+static int read_row(reader_t *reader, char *line) {
+  cli_inputs_t *inputs = reader->inputs;
+  cli_input_row_t row = {.t = 0};
+  size_t field = 0;
+  for (; line != NULL && field < reader->fields; field++) {
+    const size_t kind = reader->kind[field];
+    CLI_TRY(read_field(reader, field, next_field(&line),
+                       kind < CLI_INPUTS ? &row.value[kind] : &row.t));
+  }
+  if (line != NULL || field < reader->fields) {
+    return cli_message(CLI_USAGE,
+                       "%s:%lu: %s than the %zu columns of the header",
+                       reader->lines.name, reader->lines.line,
+                       line != NULL ? "more" : "fewer", reader->fields);
+  }
+  const cli_input_row_t *rows = inputs->rows;
+  const size_t n = inputs->count;
+  const bool earlier = n > 0 && row.t < rows[n - 1].t;
+  if (earlier || (n > 1 && row.t <= rows[n - 2].t)) {
+    char text[CLI_REAL_ROOM];
+    (void)cli_write_real(text, row.t);
+    return refuse(reader, CLI_REFUSED, 0, text,
+                  earlier ? "is earlier than t in the row before"
+                          : "is t of two rows before: a jump has two");
+  }
+  return add_row(inputs, &row);
+}
+
+static int read_line(reader_t *reader, char *line) {
+  if (line[0] == '#' || line[strspn(line, " \t")] == '\0') {
+    return CLI_DONE;
+  }
+  return reader->fields == 0 ? read_header(reader, line)
+                             : read_row(reader, line);
+}
+
+int cli_inputs_parse(cli_inputs_t *inputs, const char *name, const char *text,
+                     size_t size) {
+  reader_t reader = {.inputs = inputs,
+                     .lines = {name, text, size, 0, 0, false}};
+  char line[LINE_ROOM];
+  inputs->name = name;
+  while (cli_next_line(&reader.lines, line, sizeof line)) {
+    if (strlen(line) != reader.lines.length) {
+      return cli_message(CLI_USAGE,
+                         "%s:%lu: a zero, or a line of more than %d characters",
+                         name, reader.lines.line, LINE_ROOM - 1);
+    }
+    CLI_TRY(read_line(&reader, line));
+  }
+  if (inputs->count == 0) {
+    return cli_message(CLI_USAGE, "%s: no %s", name,
+                       reader.fields == 0 ? "header" : "row");
+  }
+  return reader.lines.open ? cli_note_open(name) : CLI_DONE;
+}
+
+static int read_file(cli_inputs_t *inputs, const char *path) {
+  char *text = NULL;
+  size_t size = 0;
+  CLI_TRY(cli_read_text("--inputs ", path, SIZE_MAX - 1, &text, &size));
+  const int code = cli_inputs_parse(
+      inputs, strcmp(path, "-") == 0 ? "standard input" : path, text, size);
+  free(text);
+  return code;
+}
+
+void cli_inputs_free(cli_inputs_t *inputs) {
+  free(inputs->rows);
+  inputs->rows = NULL;
+  inputs->count = inputs->room = 0;
+}
+
+int cli_drive_read(cli_drive_t *drive, const tf_scene_t *scene,
+                   const cli_drive_args_t *args) {
+  memset(drive, 0, sizeof *drive);
+  CLI_TRY(read_profile(&drive->profile, scene));
+  if (args->inputs == NULL) {
+    return CLI_DONE;
+  }
+  if (args->between == CLI_NOT_GIVEN) {
+    return cli_message(CLI_USAGE,
+                       "--inputs %s: say what holds between two rows, by "
+                       "--between held or --between linear",
+                       args->inputs);
+  }
+  drive->table.linear = args->between == 1;
+  const int code = read_file(&drive->table, args->inputs);
+  if (drive->table.given[CLI_INPUT_OMEGA0]) {
+    cli_inputs_free(&drive->profile);
+  }
+  return code;
+}
+
 uint32_t cli_inputs_hash(const cli_inputs_t *inputs) {
-  char text[32 * (CLI_INPUTS + 1)];
   uint32_t sum = 0;
   for (size_t i = 0; i < inputs->count; i++) {
     const cli_input_row_t *row = &inputs->rows[i];
-    int length =
-        snprintf(text, sizeof text, "%d %a", inputs->linear, (double)row->t);
+    sum = cli_crc_of(sum, "%d %a", inputs->linear, (double)row->t);
     for (size_t column = 0; column < CLI_INPUTS; column++) {
       if (inputs->given[column]) {
-        length += snprintf(text + length, sizeof text - (size_t)length,
-                           " %zu:%a", column, (double)row->value[column]);
+        sum = cli_crc_of(sum, " %zu:%a", column, (double)row->value[column]);
       }
     }
-    sum = cli_crc(sum, text, (size_t)length);
   }
   return sum;
 }
@@ -92,17 +266,17 @@ static tf_real_t mean_of(const cli_inputs_t *inputs, size_t column, size_t next,
                          tf_real_t after) {
   const tf_real_t length = span->to - span->from;
   tf_real_t from = span->from, value = before, sum = 0;
-  tf_real_t low = before < after ? before : after;
-  tf_real_t high = before < after ? after : before;
-  for (size_t k = next; k < end; k++) {
-    const tf_real_t then = inputs->rows[k].value[column];
-    sum += (value + then) / 2 * ((inputs->rows[k].t - from) / length);
-    from = inputs->rows[k].t;
+  tf_real_t low = before, high = before;
+  for (size_t k = next; k <= end; k++) {
+    const cli_input_row_t *row = &inputs->rows[k];
+    const tf_real_t to = k < end ? row->t : span->to;
+    const tf_real_t then = k < end ? row->value[column] : after;
+    sum += (value + then) / 2 * ((to - from) / length);
+    from = to;
     value = then;
     low = then < low ? then : low;
     high = then > high ? then : high;
   }
-  sum += (value + after) / 2 * ((span->to - from) / length);
   return sum < low ? low : sum > high ? high : sum;
 }
 
@@ -190,12 +364,6 @@ static void begin_at(cli_inputs_t *inputs, const cli_span_t *span,
   inputs->first = inputs->last = inputs->at;
   inputs->applied = false;
   inputs->passed = inputs->within = inputs->jumps = 0;
-}
-
-void cli_inputs_free(cli_inputs_t *inputs) {
-  free(inputs->rows);
-  inputs->rows = NULL;
-  inputs->count = inputs->room = 0;
 }
 
 tf_input_t cli_drive_begin(cli_drive_t *drive, const tf_machine_t *machine,

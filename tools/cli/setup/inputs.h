@@ -14,7 +14,7 @@
 
 #include "setup.h"
 
-/// The columns of a table.
+/// The columns of a table beside t, which is the last in the list.
 enum {
   CLI_INPUT_OMEGA0,
   CLI_INPUT_R0,
@@ -22,7 +22,7 @@ enum {
   CLI_INPUT_TORQUE,
   CLI_INPUTS
 };
-extern const cli_quantity_t cli_input_columns[CLI_INPUTS];
+extern const tf_parameter_range_t cli_input_columns[CLI_INPUTS + 1];
 
 typedef struct {
   tf_real_t t;                 ///< [s]
@@ -32,7 +32,7 @@ typedef struct {
 typedef struct {
   const char *name; ///< of the file, for messages
   bool linear;      ///< else held
-  bool given[CLI_INPUTS];
+  bool given[CLI_INPUTS + 1];
   cli_input_row_t *rows; ///< from the heap, NULL while empty
   size_t count, room;
   size_t at;            ///< row of the last look-up
@@ -42,13 +42,6 @@ typedef struct {
   bool applied; ///< to a step, or more of them; then their least and largest:
   tf_real_t low[CLI_INPUTS], high[CLI_INPUTS];
 } cli_inputs_t;
-
-/// Appends a row, not earlier than the one before, if there is memory for it.
-bool cli_inputs_add(cli_inputs_t *inputs, const cli_input_row_t *row);
-
-/// The turntable's profile of a scene as a table; a scene without one makes a
-/// table without rows, which changes nothing.
-int cli_inputs_of_scene(cli_inputs_t *inputs, const tf_scene_t *scene);
 
 /// Reads a table from text: CSV with the header `t,...`; lines that begin with
 /// # are comments.

@@ -68,8 +68,7 @@ size_t cli_parameter_out(const tf_params_t *params) {
     const tf_parameter_range_t *range = &tf_parameter_ranges[i];
     const tf_real_t value = cli_parameter(params, i);
     const bool used = (range->laws >> (unsigned)params->law & 1u) != 0;
-    if (!(value >= range->low && value <= range->high) &&
-        (used || !(value >= 0 && value <= 0))) {
+    if (!cli_is_in(range, value) && (used || !(value >= 0 && value <= 0))) {
       break;
     }
   }

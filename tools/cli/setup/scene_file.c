@@ -1,6 +1,7 @@
-// Scenes from text, line by line: what is a text here becomes the member of a
-// tf_scene_t. Afterwards the parameters are checked together, because their
-// ranges depend on the law and the law may stand after them.
+// Scenes from text, line by line, and into text. Parameters are checked after
+// the last line, because their ranges depend on the law and the law may stand
+// after them. Every member is printed, also those that the law does not use, so
+// that nothing depends on what a scene leaves out.
 
 #include "scene_file.h"
 
@@ -18,9 +19,9 @@
 
 typedef struct {
   cli_scene_file_t *file;
-  const char *path;
   cli_lines_t lines;
   unsigned long given[KEYS]; // line that gave the key, 0: none
+  bool has_keys;             // before the present one
   bool is_based;             // on another scene
   bool has_speed;            // v or h is given
   char place[PLACE_ROOM];    // "PATH:LINE:" of the present line
@@ -36,14 +37,9 @@ typedef struct key {
 } scene_key_t;
 
 static const char *place_of(reader_t *reader, unsigned long line) {
-  (void)snprintf(reader->place, sizeof reader->place, "%s:%lu:", reader->path,
-                 line);
+  (void)snprintf(reader->place, sizeof reader->place,
+                 "%s:%lu:", reader->lines.name, line);
   return reader->place;
-}
-
-static tf_real_t *parameter_of(tf_scene_t *scene, size_t key) {
-  return (tf_real_t *)(void *)((unsigned char *)&scene->params +
-                               tf_parameter_ranges[key].offset);
 }
 
 static void *member(reader_t *reader, const scene_key_t *key) {
@@ -55,17 +51,6 @@ static int refuse_range(const char *place, const char *name, tf_real_t value,
   char text[CLI_REAL_ROOM];
   (void)cli_write_real(text, value);
   return cli_message(CLI_REFUSED, "%s %s = %s %s", place, name, text, must);
-}
-
-static int read_speed_of_knot(reader_t *reader, const char *text,
-                              tf_real_t *value) {
-  const size_t i = cli_number_index("omega0");
-  CLI_TRY(cli_read_number(reader->place, "profile", text, value));
-  return *value >= tf_parameter_ranges[i].low &&
-                 *value <= tf_parameter_ranges[i].high
-             ? CLI_DONE
-             : cli_message(CLI_REFUSED, "%s profile: omega0 = %s %s",
-                           reader->place, text, cli_must(cli_number(i)));
 }
 
 // A number that no law has a range for.
@@ -86,16 +71,21 @@ static int read_bounded(reader_t *reader, const scene_key_t *key, char *text) {
 
 // One knot, T:OMEGA0, not earlier than the one before; two of one time jump.
 static int read_knot(reader_t *reader, const scene_key_t *key, char *text) {
+  const tf_parameter_range_t *range = cli_number(cli_number_index("omega0"));
   tf_scene_t *scene = &reader->file->scene;
   tf_knot_t knot = {0, 0};
-  char *colon = strchr(text, ':');
-  if (colon == NULL) {
+  char *omega0 = strchr(text, ':');
+  if (omega0 == NULL) {
     return cli_message(CLI_USAGE, "%s profile: '%s': expected T:OMEGA0",
                        reader->place, text);
   }
-  *colon = '\0';
+  *omega0++ = '\0';
   CLI_TRY(read_number(reader, key, text, &knot.t));
-  CLI_TRY(read_speed_of_knot(reader, colon + 1, &knot.omega0));
+  CLI_TRY(cli_read_number(reader->place, key->name, omega0, &knot.omega0));
+  if (!cli_is_in(range, knot.omega0)) {
+    return cli_message(CLI_REFUSED, "%s profile: omega0 = %s %s", reader->place,
+                       omega0, cli_must(range));
+  }
   if (scene->knots == TF_SCENE_KNOTS) {
     return cli_message(CLI_USAGE,
                        "%s profile: more than %d knots; a table of any length "
@@ -130,11 +120,9 @@ static int read_profile(reader_t *reader, const scene_key_t *key, char *text) {
 }
 
 static int read_base(reader_t *reader, const scene_key_t *key, char *text) {
-  for (size_t i = 0; i < KEYS; i++) {
-    if (reader->given[i] != 0 && reader->given[i] != reader->lines.line) {
-      return cli_message(CLI_USAGE, "%s %s: must be the first key",
-                         reader->place, key->name);
-    }
+  if (reader->has_keys) {
+    return cli_message(CLI_USAGE, "%s %s: must be the first key", reader->place,
+                       key->name);
   }
   char place[PLACE_ROOM + 16];
   const tf_scene_t *base = NULL;
@@ -228,15 +216,20 @@ static const char *name_of(size_t key) {
                              : others[key - TF_PARAMETERS].name;
 }
 
-// A word that is unknown is answered with the closest one. Ranges of parameters
-// are not checked here.
 static int read_value(reader_t *reader, size_t key, char *text) {
-  if (key < TF_PARAMETERS) {
-    return cli_read_number(reader->place, name_of(key), text,
-                           parameter_of(&reader->file->scene, key));
+  if (key >= TF_PARAMETERS) {
+    const scene_key_t *other = &others[key - TF_PARAMETERS];
+    return other->read(reader, other, text);
   }
-  const scene_key_t *other = &others[key - TF_PARAMETERS];
-  return other->read(reader, other, text);
+  tf_real_t value = 0;
+  CLI_TRY(cli_read_number(reader->place, name_of(key), text, &value));
+  if (!cli_parameter_fits(key, value)) {
+    return cli_message(CLI_REFUSED, "%s %s must be a whole number",
+                       reader->place, name_of(key));
+  }
+  memcpy((char *)&reader->file->scene.params + cli_number(key)->offset, &value,
+         sizeof value);
+  return CLI_DONE;
 }
 
 static int find_key(const reader_t *reader, const char *name, size_t *key) {
@@ -273,7 +266,9 @@ static int read_line(reader_t *reader, char *line) {
                        reader->place, line, reader->given[key]);
   }
   reader->given[key] = reader->lines.line;
-  return read_value(reader, key, value);
+  CLI_TRY(read_value(reader, key, value));
+  reader->has_keys = true;
+  return CLI_DONE;
 }
 
 static int read_lines(reader_t *reader) {
@@ -299,14 +294,6 @@ static int read_lines(reader_t *reader) {
 
 static int check_parameters(reader_t *reader) {
   const tf_params_t *params = &reader->file->scene.params;
-  for (size_t key = 0; key < TF_PARAMETERS; key++) {
-    if (reader->given[key] != 0 &&
-        !cli_parameter_fits(key, cli_parameter(params, key))) {
-      return cli_message(CLI_REFUSED, "%s %s must be a whole number",
-                         place_of(reader, reader->given[key]),
-                         tf_parameter_ranges[key].name);
-    }
-  }
   const size_t out = cli_parameter_out(params);
   if (out == TF_PARAMETERS) {
     return CLI_DONE;
@@ -319,8 +306,9 @@ static int check_parameters(reader_t *reader) {
   return cli_message(CLI_REFUSED,
                      "%s: %s is missing, which law %s needs: give it a value "
                      "in [%g, %g] %s, or begin with 'based-on SCENE'",
-                     reader->path, range->name, tf_tyre_law_name(params->law),
-                     (double)range->low, (double)range->high, range->unit);
+                     reader->lines.name, range->name,
+                     tf_tyre_law_name(params->law), (double)range->low,
+                     (double)range->high, range->unit);
 }
 
 // What a scene that is based on no other one has to give besides.
@@ -333,13 +321,13 @@ static int check_start(const reader_t *reader) {
       return cli_message(CLI_USAGE,
                          "%s: %s is missing; give it, or begin with 'based-on "
                          "SCENE'",
-                         reader->path, others[i].name);
+                         reader->lines.name, others[i].name);
     }
   }
   return reader->has_speed
              ? CLI_DONE
              : cli_message(CLI_USAGE, "%s: v or h is missing at the start",
-                           reader->path);
+                           reader->lines.name);
 }
 
 // The name of the file without folders and ending, where the text gives none.
@@ -348,14 +336,14 @@ static int name_it(reader_t *reader) {
   if (name[0] != '\0') {
     return CLI_DONE;
   }
-  const char *slash = strrchr(reader->path, '/');
-  const char *base = slash != NULL ? slash + 1 : reader->path;
+  const char *slash = strrchr(reader->lines.name, '/');
+  const char *base = slash != NULL ? slash + 1 : reader->lines.name;
   const size_t length = strcspn(base, ".");
   if (!is_name(base, length)) {
     return cli_message(CLI_USAGE,
                        "%s: the name of the file is no name of a scene (1 to "
                        "%d letters, digits and _); give 'name NAME' in it",
-                       reader->path, CLI_SCENE_NAME - 1);
+                       reader->lines.name, CLI_SCENE_NAME - 1);
   }
   memcpy(name, base, length);
   name[length] = '\0';
@@ -364,8 +352,7 @@ static int name_it(reader_t *reader) {
 
 int cli_scene_parse(cli_scene_file_t *file, const char *path, const char *text,
                     size_t size) {
-  reader_t reader = {
-      .file = file, .path = path, .lines = {path, text, size, 0, 0, false}};
+  reader_t reader = {.file = file, .lines = {path, text, size, 0, 0, false}};
   memset(file, 0, sizeof *file);
   if (size > CLI_SCENE_BYTES) {
     return cli_message(CLI_USAGE, "%s: longer than %d bytes, no scene", path,
@@ -409,4 +396,80 @@ int cli_take_scene(const tf_scene_t **scene, const char *word) {
     return CLI_DONE;
   }
   return cli_find_scene("", word, "; a file has a . or a / in its name", scene);
+}
+
+// Scenes into text.
+
+#define VALUES 18 // column of the values
+#define UNITS 42  // column of the units
+
+static void pad_to(cli_buffer_t *out, size_t line, size_t column) {
+  do {
+    cli_add(out, " ");
+  } while (!out->truncated && out->used - line < column);
+}
+
+static size_t add_key(cli_buffer_t *out, const char *key) {
+  const size_t line = out->used;
+  cli_add(out, key);
+  pad_to(out, line, VALUES);
+  return line;
+}
+
+// A text that begins with = would lose it to the one that may stand before a
+// value.
+static void add_word(cli_buffer_t *out, const char *key, const char *word) {
+  (void)add_key(out, key);
+  cli_add_form(out, word[0] == '=' ? "= %s\n" : "%s\n", word);
+}
+
+static void add_number(cli_buffer_t *out, const char *key, const char *unit,
+                       tf_real_t value) {
+  const size_t line = add_key(out, key);
+  cli_add_real(out, value);
+  if (strcmp(unit, "1") != 0) {
+    pad_to(out, line, UNITS);
+    cli_add_form(out, "# %s", unit);
+  }
+  cli_add(out, "\n");
+}
+
+static void add_profile(cli_buffer_t *out, const tf_scene_t *scene) {
+  if (scene->knots == 0) {
+    return;
+  }
+  cli_add(out, "# speed of the turntable, linear between these times [s]\n");
+  (void)add_key(out, "profile");
+  for (size_t i = 0; i < scene->knots; i++) {
+    cli_add_form(out, "%s%g:%g", i > 0 ? " " : "", (double)scene->profile[i].t,
+                 (double)scene->profile[i].omega0);
+  }
+  cli_add(out, "\n");
+}
+
+void cli_scene_print(const tf_scene_t *scene, const tf_params_t *params,
+                     cli_buffer_t *out) {
+  add_word(out, "name", scene->name);
+  if (scene->shows[0] != '\0') {
+    add_word(out, "shows", scene->shows);
+  }
+  if (scene->leaves_out[0] != '\0') {
+    add_word(out, "leaves-out", scene->leaves_out);
+  }
+  cli_add(out, "\n# the machine\n");
+  add_word(out, "law", tf_tyre_law_name(params->law));
+  add_word(out, "rest", tf_rest_law_name(params->rest));
+  add_word(out, "rule", tf_rule_name(params->rule));
+  add_word(out, "with-angle", params->with_angle ? "yes" : "no");
+  for (size_t i = 0; i < TF_PARAMETERS; i++) {
+    add_number(out, tf_parameter_ranges[i].name, tf_parameter_ranges[i].unit,
+               cli_parameter(params, i));
+  }
+  cli_add(out, "\n# the start, by its speed v or its slip speed h\n");
+  add_number(out, "r", "m", scene->r);
+  add_number(out, "omega", "rad/s", scene->omega);
+  add_number(out, scene->v_is_given ? "v" : "h", "m/s",
+             scene->v_is_given ? scene->v : scene->h);
+  add_number(out, "t-end", "s", scene->t_end);
+  add_profile(out, scene);
 }

@@ -161,7 +161,7 @@ int cli_setup_check_starts(const cli_setup_t *setup) {
     const cli_setting_t *setting = setup->set[i];
     const tf_parameter_range_t *range = cli_number(i);
     const tf_real_t value = value_of(setup, i);
-    if (setting != NULL && !(value >= range->low && value <= range->high)) {
+    if (setting != NULL && !cli_is_in(range, value)) {
       return cli_message(CLI_REFUSED, "%s %s: %s %s", setting->option,
                          setting->text, range->name, cli_must(range));
     }

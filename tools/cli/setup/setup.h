@@ -48,14 +48,7 @@ const cli_setting_t *cli_settings_find(const cli_settings_t *settings,
                                        const char *name);
 
 /// The numbers that --set sets: the parameters, and behind them the start.
-enum {
-  CLI_R = TF_PARAMETERS,
-  CLI_V,
-  CLI_OMEGA,
-  CLI_H,
-  CLI_PHI,
-  CLI_NUMBERS
-};
+enum { CLI_R = TF_PARAMETERS, CLI_V, CLI_OMEGA, CLI_H, CLI_PHI, CLI_NUMBERS };
 
 /// Name, unit and range of a number, and where it is: a parameter in
 /// tf_params_t, another one in motion_start_t.
@@ -122,6 +115,11 @@ tf_real_t cli_parameter(const tf_params_t *params, size_t index);
 /// where not all do; and such a line for each parameter.
 void cli_print_range(size_t parameter);
 void cli_print_ranges(void);
+
+static inline bool cli_is_in(const tf_parameter_range_t *range,
+                             tf_real_t value) {
+  return value >= range->low && value <= range->high;
+}
 
 /// What a value has to be to lie in a range, for messages: "must lie in ...".
 const char *cli_must(const tf_parameter_range_t *range);
