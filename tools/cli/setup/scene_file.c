@@ -14,27 +14,25 @@
 
 #define LINE_ROOM 512
 #define PLACE_ROOM 512 // longer paths are cut in messages
-#define OTHERS 14      // keys that are no parameters
-#define KEYS (TF_PARAMETERS + OTHERS)
+
+// The keys: the numbers of --set but phi, in whose place stands the length of a
+// run; then words, `based-on` first.
+enum { T_END = CLI_PHI, BASED_ON = CLI_NUMBERS, KEYS = BASED_ON + 9 };
 
 typedef struct {
   cli_scene_file_t *file;
   cli_lines_t lines;
   unsigned long given[KEYS]; // line that gave the key, 0: none
   bool has_keys;             // before the present one
-  bool is_based;             // on another scene
-  bool has_speed;            // v or h is given
+  const char *key;           // the present one
   char place[PLACE_ROOM];    // "PATH:LINE:" of the present line
 } reader_t;
 
-// A key that is no parameter. at: of its member in cli_scene_file_t, where one
-// function reads several keys.
-typedef struct key {
-  const char *name, *unit;
-  int (*read)(reader_t *reader, const struct key *key, char *text);
-  size_t at;
-  bool needed; // unless the scene is based on another one
-} scene_key_t;
+static const tf_parameter_range_t *number_of(size_t key) {
+  static const tf_parameter_range_t t_end = {"t-end", "s", 0,
+                                             0,       0,   TF_STATE_LIMIT};
+  return key == T_END ? &t_end : cli_number(key);
+}
 
 static const char *place_of(reader_t *reader, unsigned long line) {
   (void)snprintf(reader->place, sizeof reader->place,
@@ -42,35 +40,53 @@ static const char *place_of(reader_t *reader, unsigned long line) {
   return reader->place;
 }
 
-static void *member(reader_t *reader, const scene_key_t *key) {
-  return (char *)reader->file + key->at;
-}
-
-static int refuse_range(const char *place, const char *name, tf_real_t value,
-                        const char *must) {
+static int refuse(const reader_t *reader, const tf_parameter_range_t *range,
+                  tf_real_t value) {
   char text[CLI_REAL_ROOM];
   (void)cli_write_real(text, value);
-  return cli_message(CLI_REFUSED, "%s %s = %s %s", place, name, text, must);
+  return cli_message(CLI_REFUSED, "%s %s = %s %s", reader->place, range->name,
+                     text, cli_must(range));
 }
 
-// A number that no law has a range for.
-static int read_number(const reader_t *reader, const scene_key_t *key,
-                       const char *text, tf_real_t *value) {
-  const double high = (double)TF_STATE_LIMIT;
-  const double low = strcmp(key->name, "t-end") == 0 ? 0 : -high;
-  CLI_TRY(cli_read_number(reader->place, key->name, text, value));
-  return (double)*value >= low && (double)*value <= high
-             ? CLI_DONE
-             : refuse_range(reader->place, key->name, *value,
-                            cli_must_lie(low, high, key->unit));
+static int read_in(const reader_t *reader, const tf_parameter_range_t *range,
+                   const char *text, tf_real_t *value) {
+  CLI_TRY(cli_read_number(reader->place, range->name, text, value));
+  return cli_is_in(range, *value) ? CLI_DONE : refuse(reader, range, *value);
 }
 
-static int read_bounded(reader_t *reader, const scene_key_t *key, char *text) {
-  return read_number(reader, key, text, member(reader, key));
+static int read_parameter(reader_t *reader, size_t key, const char *text) {
+  tf_real_t value = 0;
+  CLI_TRY(cli_read_number(reader->place, reader->key, text, &value));
+  if (!cli_parameter_fits(key, value)) {
+    return cli_message(CLI_REFUSED, "%s %s must be a whole number",
+                       reader->place, reader->key);
+  }
+  memcpy((char *)&reader->file->scene.params + cli_number(key)->offset, &value,
+         sizeof value);
+  return CLI_DONE;
+}
+
+// v and h: the one that is given is the start.
+static int read_number(reader_t *reader, size_t key, const char *text) {
+  tf_scene_t *scene = &reader->file->scene;
+  tf_real_t *const members[] = {&scene->r, &scene->v, &scene->omega, &scene->h,
+                                &scene->t_end};
+  if (key == CLI_V || key == CLI_H) {
+    if (reader->given[CLI_V] != 0 && reader->given[CLI_H] != 0) {
+      return cli_message(CLI_USAGE,
+                         "%s %s: give h or v, each follows from the other",
+                         reader->place, reader->key);
+    }
+    scene->v_is_given = key == CLI_V;
+    scene->v = scene->h = 0;
+  }
+  return read_in(reader, number_of(key), text, members[key - CLI_R]);
 }
 
 // One knot, T:OMEGA0, not earlier than the one before; two of one time jump.
-static int read_knot(reader_t *reader, const scene_key_t *key, char *text) {
+static int read_knot(reader_t *reader, char *text) {
+  static const tf_parameter_range_t times = {
+      "profile", "s", 0, 0, -TF_STATE_LIMIT, TF_STATE_LIMIT};
   const tf_parameter_range_t *range = cli_number(cli_number_index("omega0"));
   tf_scene_t *scene = &reader->file->scene;
   tf_knot_t knot = {0, 0};
@@ -80,8 +96,8 @@ static int read_knot(reader_t *reader, const scene_key_t *key, char *text) {
                        reader->place, text);
   }
   *omega0++ = '\0';
-  CLI_TRY(read_number(reader, key, text, &knot.t));
-  CLI_TRY(cli_read_number(reader->place, key->name, omega0, &knot.omega0));
+  CLI_TRY(read_in(reader, &times, text, &knot.t));
+  CLI_TRY(cli_read_number(reader->place, "profile", omega0, &knot.omega0));
   if (!cli_is_in(range, knot.omega0)) {
     return cli_message(CLI_REFUSED, "%s profile: omega0 = %s %s", reader->place,
                        omega0, cli_must(range));
@@ -103,7 +119,7 @@ static int read_knot(reader_t *reader, const scene_key_t *key, char *text) {
   return CLI_DONE;
 }
 
-static int read_profile(reader_t *reader, const scene_key_t *key, char *text) {
+static int read_profile(reader_t *reader, char *text) {
   reader->file->scene.knots = 0;
   memset(reader->file->scene.profile, 0, sizeof reader->file->scene.profile);
   if (strcmp(text, "none") == 0) {
@@ -113,39 +129,40 @@ static int read_profile(reader_t *reader, const scene_key_t *key, char *text) {
     char *end = text + strcspn(text, " \t");
     const size_t blanks = strspn(end, " \t");
     *end = '\0';
-    CLI_TRY(read_knot(reader, key, text));
+    CLI_TRY(read_knot(reader, text));
     text = end + blanks;
   }
   return CLI_DONE;
 }
 
-static int read_base(reader_t *reader, const scene_key_t *key, char *text) {
-  if (reader->has_keys) {
-    return cli_message(CLI_USAGE, "%s %s: must be the first key", reader->place,
-                       key->name);
-  }
+static int read_base(reader_t *reader, char *text) {
   char place[PLACE_ROOM + 16];
   const tf_scene_t *base = NULL;
-  (void)snprintf(place, sizeof place, "%s %s: ", reader->place, key->name);
+  if (reader->has_keys) {
+    return cli_message(CLI_USAGE, "%s %s: must be the first key", reader->place,
+                       reader->key);
+  }
+  (void)snprintf(place, sizeof place, "%s %s: ", reader->place, reader->key);
   CLI_TRY(cli_find_scene(place, text, "", &base));
   cli_scene_file_t *file = reader->file;
   file->scene = *base;
   (void)snprintf(file->shows, sizeof file->shows, "%s", base->shows);
   (void)snprintf(file->leaves_out, sizeof file->leaves_out, "%s",
                  base->leaves_out);
-  reader->is_based = true;
   return CLI_DONE;
 }
 
 // Text that others put between quotes.
-static int read_about(reader_t *reader, const scene_key_t *key, char *text) {
+static int read_about(reader_t *reader, char *text) {
+  cli_scene_file_t *file = reader->file;
   if (strlen(text) >= CLI_SCENE_ABOUT || strpbrk(text, "\"\\") != NULL) {
     return cli_message(CLI_USAGE,
                        "%s %s: expected at most %d characters without \" "
                        "and \\",
-                       reader->place, key->name, CLI_SCENE_ABOUT - 1);
+                       reader->place, reader->key, CLI_SCENE_ABOUT - 1);
   }
-  memcpy(member(reader, key), text, strlen(text) + 1);
+  memcpy(strcmp(reader->key, "shows") == 0 ? file->shows : file->leaves_out,
+         text, strlen(text) + 1);
   return CLI_DONE;
 }
 
@@ -156,89 +173,54 @@ static bool is_name(const char *text, size_t length) {
          strspn(text, allowed) >= length;
 }
 
-static int read_name(reader_t *reader, const scene_key_t *key, char *text) {
+static int read_name(reader_t *reader, char *text) {
   if (!is_name(text, strlen(text))) {
     return cli_message(CLI_USAGE,
                        "%s %s: '%s' must have 1 to %d letters, digits and _",
-                       reader->place, key->name, text, CLI_SCENE_NAME - 1);
+                       reader->place, reader->key, text, CLI_SCENE_NAME - 1);
   }
   memcpy(reader->file->name, text, strlen(text) + 1);
   return CLI_DONE;
 }
 
-static int read_word(reader_t *reader, const scene_key_t *key, char *text) {
-  return cli_set_word(&reader->file->scene.params, key->name, reader->place,
-                      key->name, text);
+static int read_word(reader_t *reader, char *text) {
+  return cli_set_word(&reader->file->scene.params, reader->key, reader->place,
+                      reader->key, text);
 }
 
-static int read_yes(reader_t *reader, const scene_key_t *key, char *text) {
+static int read_yes(reader_t *reader, char *text) {
   const bool yes = strcmp(text, "yes") == 0;
   reader->file->scene.params.with_angle = yes;
   return yes || strcmp(text, "no") == 0
              ? CLI_DONE
              : cli_message(CLI_USAGE, "%s %s: '%s' must be yes or no",
-                           reader->place, key->name, text);
+                           reader->place, reader->key, text);
 }
 
-// v and h: the one that is given is the start.
-static int read_speed(reader_t *reader, const scene_key_t *key, char *text) {
-  tf_scene_t *scene = &reader->file->scene;
-  if (reader->has_speed) {
-    return cli_message(CLI_USAGE,
-                       "%s %s: give h or v, each follows from the other",
-                       reader->place, key->name);
-  }
-  reader->has_speed = true;
-  scene->v_is_given = strcmp(key->name, "v") == 0;
-  scene->v = scene->h = 0;
-  return read_bounded(reader, key, text);
-}
-
-#define AT(name) offsetof(cli_scene_file_t, name)
-static const scene_key_t others[OTHERS] = {
-    {"based-on", "1", read_base, 0, false},
-    {"name", "1", read_name, 0, false},
-    {"shows", "1", read_about, AT(shows), false},
-    {"leaves-out", "1", read_about, AT(leaves_out), false},
-    {"law", "1", read_word, 0, true},
-    {"rest", "1", read_word, 0, false},
-    {"rule", "1", read_word, 0, false},
-    {"with-angle", "1", read_yes, 0, false},
-    {"r", "m", read_bounded, AT(scene.r), true},
-    {"omega", "rad/s", read_bounded, AT(scene.omega), true},
-    {"h", "m/s", read_speed, AT(scene.h), false},
-    {"v", "m/s", read_speed, AT(scene.v), false},
-    {"t-end", "s", read_bounded, AT(scene.t_end), true},
-    {"profile", "1", read_profile, 0, false}};
+static const struct {
+  const char *name;
+  int (*read)(reader_t *reader, char *text);
+} words[KEYS - BASED_ON] = {
+    {"based-on", read_base},  {"name", read_name},
+    {"shows", read_about},    {"leaves-out", read_about},
+    {"law", read_word},       {"rest", read_word},
+    {"rule", read_word},      {"with-angle", read_yes},
+    {"profile", read_profile}};
 
 static const char *name_of(size_t key) {
-  return key < TF_PARAMETERS ? tf_parameter_ranges[key].name
-                             : others[key - TF_PARAMETERS].name;
+  return key < BASED_ON ? number_of(key)->name : words[key - BASED_ON].name;
 }
 
-static int read_value(reader_t *reader, size_t key, char *text) {
-  if (key >= TF_PARAMETERS) {
-    const scene_key_t *other = &others[key - TF_PARAMETERS];
-    return other->read(reader, other, text);
-  }
-  tf_real_t value = 0;
-  CLI_TRY(cli_read_number(reader->place, name_of(key), text, &value));
-  if (!cli_parameter_fits(key, value)) {
-    return cli_message(CLI_REFUSED, "%s %s must be a whole number",
-                       reader->place, name_of(key));
-  }
-  memcpy((char *)&reader->file->scene.params + cli_number(key)->offset, &value,
-         sizeof value);
-  return CLI_DONE;
+static size_t key_of(const char *name) {
+  size_t key = 0;
+  while (key < KEYS && strcmp(name_of(key), name) != 0) key++;
+  return key;
 }
 
-static int find_key(const reader_t *reader, const char *name, size_t *key) {
+static int unknown_key(const reader_t *reader, const char *name) {
   cli_closest_t closest = cli_closest_to(name);
-  for (*key = 0; *key < KEYS; ++*key) {
-    if (strcmp(name_of(*key), name) == 0) {
-      return CLI_DONE;
-    }
-    cli_closest_offer(&closest, name_of(*key));
+  for (size_t key = 0; key < KEYS; key++) {
+    cli_closest_offer(&closest, name_of(key));
   }
   return cli_message(CLI_USAGE,
                      "%s unknown key '%s'%s ('twofold help scene' lists them)",
@@ -255,8 +237,10 @@ static int read_line(reader_t *reader, char *line) {
   char *value = end + strspn(end, " \t");
   value = cli_trim(*value == '=' ? value + 1 : value);
   *end = '\0';
-  size_t key = 0;
-  CLI_TRY(find_key(reader, line, &key));
+  const size_t key = key_of(line);
+  if (key == KEYS) {
+    return unknown_key(reader, line);
+  }
   if (*value == '\0') {
     return cli_message(CLI_USAGE, "%s %s: expected a value", reader->place,
                        line);
@@ -266,7 +250,10 @@ static int read_line(reader_t *reader, char *line) {
                        reader->place, line, reader->given[key]);
   }
   reader->given[key] = reader->lines.line;
-  CLI_TRY(read_value(reader, key, value));
+  reader->key = line;
+  CLI_TRY(key < TF_PARAMETERS ? read_parameter(reader, key, value)
+          : key < BASED_ON    ? read_number(reader, key, value)
+                              : words[key - BASED_ON].read(reader, value));
   reader->has_keys = true;
   return CLI_DONE;
 }
@@ -298,10 +285,10 @@ static int check_parameters(reader_t *reader) {
   if (out == TF_PARAMETERS) {
     return CLI_DONE;
   }
-  const tf_parameter_range_t *range = &tf_parameter_ranges[out];
+  const tf_parameter_range_t *range = cli_number(out);
   if (reader->given[out] != 0) {
-    return refuse_range(place_of(reader, reader->given[out]), range->name,
-                        cli_parameter(params, out), cli_must(range));
+    (void)place_of(reader, reader->given[out]);
+    return refuse(reader, range, cli_parameter(params, out));
   }
   return cli_message(CLI_REFUSED,
                      "%s: %s is missing, which law %s needs: give it a value "
@@ -313,41 +300,30 @@ static int check_parameters(reader_t *reader) {
 
 // What a scene that is based on no other one has to give besides.
 static int check_start(const reader_t *reader) {
-  if (reader->is_based) {
-    return CLI_DONE;
-  }
-  for (size_t i = 0; i < OTHERS; i++) {
-    if (others[i].needed && reader->given[TF_PARAMETERS + i] == 0) {
+  static const char *const needed[] = {"law", "r", "omega", "t-end"};
+  const unsigned long *given = reader->given;
+  for (size_t i = 0; i < 4 && given[BASED_ON] == 0; i++) {
+    if (given[key_of(needed[i])] == 0) {
       return cli_message(CLI_USAGE,
                          "%s: %s is missing; give it, or begin with 'based-on "
                          "SCENE'",
-                         reader->lines.name, others[i].name);
+                         reader->lines.name, needed[i]);
     }
   }
-  return reader->has_speed
+  return given[BASED_ON] != 0 || given[CLI_V] != 0 || given[CLI_H] != 0
              ? CLI_DONE
              : cli_message(CLI_USAGE, "%s: v or h is missing at the start",
                            reader->lines.name);
 }
 
-// The name of the file without folders and ending, where the text gives none.
-static int name_it(reader_t *reader) {
-  char *name = reader->file->name;
-  if (name[0] != '\0') {
-    return CLI_DONE;
-  }
-  const char *slash = strrchr(reader->lines.name, '/');
-  const char *base = slash != NULL ? slash + 1 : reader->lines.name;
+// The name of the file without folders and ending.
+static void name_it(cli_scene_file_t *file, const char *path) {
+  const char *slash = strrchr(path, '/');
+  const char *base = slash != NULL ? slash + 1 : path;
   const size_t length = strcspn(base, ".");
-  if (!is_name(base, length)) {
-    return cli_message(CLI_USAGE,
-                       "%s: the name of the file is no name of a scene (1 to "
-                       "%d letters, digits and _); give 'name NAME' in it",
-                       reader->lines.name, CLI_SCENE_NAME - 1);
+  if (is_name(base, length)) {
+    memcpy(file->name, base, length);
   }
-  memcpy(name, base, length);
-  name[length] = '\0';
-  return CLI_DONE;
 }
 
 int cli_scene_parse(cli_scene_file_t *file, const char *path, const char *text,
@@ -358,10 +334,16 @@ int cli_scene_parse(cli_scene_file_t *file, const char *path, const char *text,
     return cli_message(CLI_USAGE, "%s: longer than %d bytes, no scene", path,
                        CLI_SCENE_BYTES);
   }
+  name_it(file, path);
   CLI_TRY(read_lines(&reader));
   CLI_TRY(check_start(&reader));
   CLI_TRY(check_parameters(&reader));
-  CLI_TRY(name_it(&reader));
+  if (file->name[0] == '\0') {
+    return cli_message(CLI_USAGE,
+                       "%s: the name of the file is no name of a scene (1 to "
+                       "%d letters, digits and _); give 'name NAME' in it",
+                       path, CLI_SCENE_NAME - 1);
+  }
   file->scene.name = file->name;
   file->scene.shows = file->shows;
   file->scene.leaves_out = file->leaves_out;
@@ -409,27 +391,27 @@ static void pad_to(cli_buffer_t *out, size_t line, size_t column) {
   } while (!out->truncated && out->used - line < column);
 }
 
-static size_t add_key(cli_buffer_t *out, const char *key) {
+static void add_key(cli_buffer_t *out, const char *key) {
   const size_t line = out->used;
   cli_add(out, key);
   pad_to(out, line, VALUES);
-  return line;
 }
 
 // A text that begins with = would lose it to the one that may stand before a
 // value.
 static void add_word(cli_buffer_t *out, const char *key, const char *word) {
-  (void)add_key(out, key);
+  add_key(out, key);
   cli_add_form(out, word[0] == '=' ? "= %s\n" : "%s\n", word);
 }
 
-static void add_number(cli_buffer_t *out, const char *key, const char *unit,
-                       tf_real_t value) {
-  const size_t line = add_key(out, key);
+static void add_number(cli_buffer_t *out, size_t key, tf_real_t value) {
+  const tf_parameter_range_t *number = number_of(key);
+  const size_t line = out->used;
+  add_key(out, number->name);
   cli_add_real(out, value);
-  if (strcmp(unit, "1") != 0) {
+  if (strcmp(number->unit, "1") != 0) {
     pad_to(out, line, UNITS);
-    cli_add_form(out, "# %s", unit);
+    cli_add_form(out, "# %s", number->unit);
   }
   cli_add(out, "\n");
 }
@@ -439,7 +421,7 @@ static void add_profile(cli_buffer_t *out, const tf_scene_t *scene) {
     return;
   }
   cli_add(out, "# speed of the turntable, linear between these times [s]\n");
-  (void)add_key(out, "profile");
+  add_key(out, "profile");
   for (size_t i = 0; i < scene->knots; i++) {
     cli_add_form(out, "%s%g:%g", i > 0 ? " " : "", (double)scene->profile[i].t,
                  (double)scene->profile[i].omega0);
@@ -462,14 +444,16 @@ void cli_scene_print(const tf_scene_t *scene, const tf_params_t *params,
   add_word(out, "rule", tf_rule_name(params->rule));
   add_word(out, "with-angle", params->with_angle ? "yes" : "no");
   for (size_t i = 0; i < TF_PARAMETERS; i++) {
-    add_number(out, tf_parameter_ranges[i].name, tf_parameter_ranges[i].unit,
-               cli_parameter(params, i));
+    add_number(out, i, cli_parameter(params, i));
   }
   cli_add(out, "\n# the start, by its speed v or its slip speed h\n");
-  add_number(out, "r", "m", scene->r);
-  add_number(out, "omega", "rad/s", scene->omega);
-  add_number(out, scene->v_is_given ? "v" : "h", "m/s",
-             scene->v_is_given ? scene->v : scene->h);
-  add_number(out, "t-end", "s", scene->t_end);
+  add_number(out, CLI_R, scene->r);
+  add_number(out, CLI_OMEGA, scene->omega);
+  if (scene->v_is_given) {
+    add_number(out, CLI_V, scene->v);
+  } else {
+    add_number(out, CLI_H, scene->h);
+  }
+  add_number(out, T_END, scene->t_end);
   add_profile(out, scene);
 }
