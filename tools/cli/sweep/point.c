@@ -23,139 +23,53 @@
 
 // Outcomes: what is left of a motion when its rows are not kept. All are of the
 // steps themselves, so they agree with what `run` prints of the same motion.
-
 const cli_measure_info_t cli_measures[CLI_MEASURES] = {
-    [CLI_MODES] = {"modes", "", "the modes visited, in a fixed order"},
-    [CLI_FINAL] = {"final", "", "the mode at the end"},
-    [CLI_CHANGES] = {"changes", "1", "number of changes of mode"},
-    [CLI_REST] = {"rest", "s", "since when the wheel is pinned, to the end"},
-    [CLI_ARRIVALS] = {"arrivals", "1", "number of arrivals at the two-fold"},
-    [CLI_ARRIVAL] = {"arrival", "s", "time of the first of them"},
-    [CLI_RECURRENCE] = {"recurrence", "s", "mean time from one to the next"},
-    [CLI_AMBIGUOUS] = {"ambiguous", "s", "first instant with several futures"},
-    [CLI_AMBIGUOUS_SHARE] = {"ambiguous_share", "1",
-                             "share of steps with several futures"},
-    [CLI_STICK_SHARE] = {"stick_share", "1", "share of steps without slip"},
-    [CLI_ENERGY] = {"energy", "J", "mechanical energy at the end"},
-    [CLI_ENERGY_CHANGE] = {"energy_change", "J", "that less the one at t = 0"},
-    [CLI_R_LOW] = {"r_low", "m", "least r"},
-    [CLI_R_HIGH] = {"r_high", "m", "largest r"},
-    [CLI_END_R] = {"end_r", "m", "state at the end"},
-    [CLI_END_V] = {"end_v", "m/s", ""},
-    [CLI_END_OMEGA] = {"end_omega", "rad/s", ""},
-    [CLI_END_H] = {"end_h", "m/s", ""},
-    [CLI_END_G] = {"end_g", "m/s", ""},
+    {"modes", "", "the modes visited, in a fixed order", false},
+    {"final", "", "the mode at the end", false},
+    {"changes", "1", "number of changes of mode", true},
+    {"rest", "s", "since when the wheel is pinned, to the end", false},
+    {"arrivals", "1", "number of arrivals at the two-fold", true},
+    {"arrival", "s", "time of the first of them", false},
+    {"recurrence", "s", "mean time from one to the next", false},
+    {"ambiguous", "s", "first instant with several futures", false},
+    {"ambiguous_share", "1", "share of steps with several futures", false},
+    {"stick_share", "1", "share of steps without slip", false},
+    {"energy", "J", "mechanical energy at the end", false},
+    {"energy_change", "J", "that less the one at t = 0", false},
+    {"r_low", "m", "least r", false},
+    {"r_high", "m", "largest r", false},
+    {"end_r", "m", "state at the end", false},
+    {"end_v", "m/s", "", false},
+    {"end_omega", "rad/s", "", false},
+    {"end_h", "m/s", "", false},
+    {"end_g", "m/s", "", false},
 };
-
-// What was seen of a motion so far. All zero but for the first report, the
-// energy, and r at the start.
-typedef struct {
-  uint64_t steps; // seen
-  double t;       // [s], after them
-  tf_state_t state;
-  tf_report_t report; // of the last step
-  cli_events_t events;
-  unsigned modes; // bits TF_MODE_BIT
-  uint64_t changes, stuck;
-  cli_ambiguity_t ambiguity;
-  double pinned_since;                // [s], of the last time
-  double first_arrival, last_arrival; // at the two-fold [s]
-  double energy, energy_at_start;     // [J]
-  double r_low, r_high;               // [m]
-} course_t;
-
-static void see(course_t *course, double t, const tf_state_t *state,
-                const tf_report_t *report) {
-  const uint64_t arrivals = course->events.counts[CLI_TWO_FOLD];
-  cli_events_observe(&course->events, &course->report, report, state, t);
-  if (course->events.counts[CLI_TWO_FOLD] > arrivals) {
-    course->first_arrival = arrivals == 0 ? t : course->first_arrival;
-    course->last_arrival = t;
-  }
-  if (report->mode == TF_PINNED && course->report.mode != TF_PINNED) {
-    course->pinned_since = t;
-  }
-  cli_ambiguity_see(&course->ambiguity, report, t);
-  course->steps++;
-  course->t = t;
-  course->modes |= TF_MODE_BIT(report->mode);
-  course->changes += report->mode != course->report.mode;
-  course->stuck += !tf_mode_is_slip(report->mode);
-  course->r_low = fmin(course->r_low, (double)state->r);
-  course->r_high = fmax(course->r_high, (double)state->r);
-  course->state = *state;
-  course->report = *report;
-}
-
-static void add_modes(unsigned modes, cli_buffer_t *text) {
-  const char *separator = "";
-  for (unsigned mode = 0; mode < TF_MODES; mode++) {
-    if ((modes & TF_MODE_BIT(mode)) != 0) {
-      cli_add(text, separator);
-      cli_add(text, tf_mode_name(mode));
-      separator = "|";
-    }
-  }
-}
-
-// The number, NaN where there is none. A share is one of all steps; there is
-// none without a step.
-static double number_of(cli_measure_t measure, const course_t *course) {
-  const double none = (double)NAN, steps = (double)course->steps;
-  const uint64_t arrivals = course->events.counts[CLI_TWO_FOLD];
-  const bool rests = course->report.mode == TF_PINNED;
-  const double between = course->last_arrival - course->first_arrival;
-  const double values[CLI_MEASURES] = {
-      [CLI_REST] = rests ? course->pinned_since : none,
-      [CLI_ARRIVAL] = arrivals > 0 ? course->first_arrival : none,
-      [CLI_RECURRENCE] = arrivals > 1 ? between / (double)(arrivals - 1) : none,
-      [CLI_AMBIGUOUS] = course->ambiguity.since,
-      [CLI_AMBIGUOUS_SHARE] = (double)course->ambiguity.steps / steps,
-      [CLI_STICK_SHARE] = (double)course->stuck / steps,
-      [CLI_ENERGY] = course->energy,
-      [CLI_ENERGY_CHANGE] = course->energy - course->energy_at_start,
-      [CLI_R_LOW] = course->r_low,
-      [CLI_R_HIGH] = course->r_high,
-      [CLI_END_R] = (double)course->state.r,
-      [CLI_END_V] = (double)course->state.v,
-      [CLI_END_OMEGA] = (double)course->state.w,
-      [CLI_END_H] = (double)course->report.slip.h,
-      [CLI_END_G] = (double)course->report.slip.g,
-  };
-  return values[measure];
-}
-
-static void add_measure(cli_measure_t measure, const course_t *course,
-                        cli_buffer_t *text) {
-  if (measure == CLI_MODES) {
-    add_modes(course->modes, text);
-  } else if (measure == CLI_FINAL) {
-    cli_add(text, tf_mode_name(course->report.mode));
-  } else if (measure == CLI_CHANGES) {
-    cli_add_count(text, course->changes);
-  } else if (measure == CLI_ARRIVALS) {
-    cli_add_count(text, course->events.counts[CLI_TWO_FOLD]);
-  } else {
-    const double value = number_of(measure, course);
-    if (isfinite(value)) {
-      cli_add_real(text, (tf_real_t)value);
-    }
-  }
-}
 
 typedef struct {
   const cli_sweep_t *sweep;
   cli_settings_t settings;
-  char text[CLI_AXES][CLI_NAME_ROOM + CLI_REAL_ROOM];
+  char text[CLI_AXES][CLI_NAME_ROOM + CLI_REAL_ROOM]; // NAME=VALUE
   char select[CLI_REAL_ROOM];
   cli_setup_t setup;
   cli_drive_t drive; // its tables are those of sweep
   tf_input_t input;  // of the last step
-  motion_t system;
-  course_t course;
-  tf_tally_t tally;
+  motion_t motion;
   cli_point_end_t end; // CLI_POINT_DONE while it goes on
   char reason[REASON_ROOM];
+
+  // What was seen of the motion so far.
+  uint64_t steps;
+  double t;           // [s], after them
+  tf_report_t report; // of the last step
+  tf_tally_t tally;
+  cli_events_t events;
+  cli_ambiguity_t ambiguity;
+  unsigned modes; // bits TF_MODE_BIT
+  uint64_t changes, stuck;
+  double pinned_since;                // [s], of the last time
+  double first_arrival, last_arrival; // at the two-fold [s]
+  double energy_at_start;             // [J]
+  double r_low, r_high;               // [m]
 } point_t;
 
 // The points that are followed together, each in its lane, where there are
@@ -167,11 +81,84 @@ static struct {
   tf_report_block_t reports;
 } group;
 
-static void indices_of(const cli_args_t *args, uint64_t index,
-                       uint64_t at[CLI_AXES]) {
-  for (size_t i = args->axes; i > 0; i--) {
-    at[i - 1] = index % args->axis[i - 1].range.count;
-    index /= args->axis[i - 1].range.count;
+static double energy_of(const point_t *point) {
+  return (double)tf_energy(&point->setup.machine, &point->motion.state,
+                           point->input.r0);
+}
+
+static void see(point_t *point, double t, const tf_report_t *report) {
+  const tf_state_t *x = &point->motion.state;
+  const uint64_t arrivals = point->events.counts[CLI_TWO_FOLD];
+  cli_events_observe(&point->events, &point->report, report, x, t);
+  if (point->events.counts[CLI_TWO_FOLD] > arrivals) {
+    point->first_arrival = arrivals == 0 ? t : point->first_arrival;
+    point->last_arrival = t;
+  }
+  if (report->mode == TF_PINNED && point->report.mode != TF_PINNED) {
+    point->pinned_since = t;
+  }
+  cli_ambiguity_see(&point->ambiguity, report, t);
+  point->steps++;
+  point->t = t;
+  point->modes |= TF_MODE_BIT(report->mode);
+  point->changes += report->mode != point->report.mode;
+  point->stuck += !tf_mode_is_slip(report->mode);
+  point->r_low = fmin(point->r_low, (double)x->r);
+  point->r_high = fmax(point->r_high, (double)x->r);
+  point->report = *report;
+}
+
+static void add_modes(unsigned modes, cli_buffer_t *text) {
+  const char *separator = "";
+  for (unsigned mode = 0; mode < TF_MODES; mode++) {
+    if ((modes & TF_MODE_BIT(mode)) != 0) {
+      cli_add_form(text, "%s%s", separator, tf_mode_name(mode));
+      separator = "|";
+    }
+  }
+}
+
+// In the order of cli_measures: modes are sets, NaN is what there is not. A
+// share is one of all steps; there is none without a step.
+static void add_outcomes(const point_t *point, cli_buffer_t *text) {
+  const cli_args_t *args = point->sweep->args;
+  const double none = (double)NAN, steps = (double)point->steps;
+  const double arrivals = (double)point->events.counts[CLI_TWO_FOLD];
+  const tf_state_t *x = &point->motion.state;
+  const double energy = energy_of(point);
+  const double values[CLI_MEASURES] = {
+      point->modes,
+      TF_MODE_BIT(point->report.mode),
+      (double)point->changes,
+      point->report.mode == TF_PINNED ? point->pinned_since : none,
+      arrivals,
+      arrivals > 0 ? point->first_arrival : none,
+      arrivals > 1
+          ? (point->last_arrival - point->first_arrival) / (arrivals - 1)
+          : none,
+      point->ambiguity.since,
+      (double)point->ambiguity.steps / steps,
+      (double)point->stuck / steps,
+      energy,
+      energy - point->energy_at_start,
+      point->r_low,
+      point->r_high,
+      (double)x->r,
+      (double)x->v,
+      (double)x->w,
+      (double)point->report.slip.h,
+      (double)point->report.slip.g};
+  for (size_t i = 0; i < args->measures; i++) {
+    const cli_measure_info_t *info = &cli_measures[args->measure[i]];
+    const double value = values[args->measure[i]];
+    cli_add(text, ",");
+    if (info->unit[0] == '\0') {
+      add_modes((unsigned)value, text);
+    } else if (info->counts) {
+      cli_add_count(text, (uint64_t)value);
+    } else if (isfinite(value)) {
+      cli_add_real(text, (tf_real_t)value);
+    }
   }
 }
 
@@ -180,43 +167,29 @@ const char *cli_point_status(cli_point_end_t end) {
   return names[end];
 }
 
-// The fields by which a row begins: its number and its axes.
-static void add_place(const cli_args_t *args, uint64_t index,
-                      cli_buffer_t *text) {
-  uint64_t at[CLI_AXES];
-  indices_of(args, index, at);
-  cli_add_count(text, index);
-  for (size_t i = 0; i < args->axes; i++) {
-    const double value = cli_range_at(&args->axis[i].range, at[i]);
-    if (args->axis[i].is_seed) {
-      cli_add_form(text, ",%" PRIu64, (uint64_t)value);
-    } else {
-      cli_add_form(text, ",%g", value);
-    }
-  }
-}
-
+// Writes the value of each axis as text and sets it; the last axis is the inner
+// loop.
 static void place(point_t *point, const cli_sweep_t *sweep, uint64_t index) {
   const cli_args_t *args = sweep->args;
-  uint64_t at[CLI_AXES];
-  indices_of(args, index, at);
   point->sweep = sweep;
   point->settings = args->settings;
-  for (size_t i = 0; i < args->axes; i++) {
+  for (size_t i = args->axes; i-- > 0;) {
     const cli_axis_t *axis = &args->axis[i];
-    const double value = cli_range_at(&axis->range, at[i]);
+    const double value = cli_range_at(&axis->range, index % axis->range.count);
     cli_buffer_t text = {point->text[i], 0, sizeof point->text[i], false};
+    index /= axis->range.count;
+    cli_add_form(&text, "%s=", axis->name);
+    const char *digits = point->text[i] + text.used;
     if (axis->is_seed) {
-      (void)snprintf(point->select, sizeof point->select, "random:%.0f", value);
-      continue;
+      cli_add_count(&text, (uint64_t)value);
+      (void)snprintf(point->select, sizeof point->select, "random:%s", digits);
+    } else {
+      cli_setting_t *setting = &point->settings.list[axis->setting];
+      cli_add_real(&text, (tf_real_t)value);
+      setting->option = "--set";
+      setting->text = point->text[i];
+      setting->value = digits;
     }
-    cli_setting_t *setting = &point->settings.list[axis->setting];
-    cli_add(&text, axis->name);
-    cli_add(&text, "=");
-    setting->value = point->text[i] + text.used;
-    cli_add_real(&text, (tf_real_t)value);
-    setting->option = "--set";
-    setting->text = point->text[i];
   }
 }
 
@@ -243,18 +216,26 @@ static int check_end(cli_sweep_t *sweep, bool last) {
   point_t point = {0};
   uint64_t steps = 0;
   place(&point, sweep, last ? args->points - 1 : 0);
+  sweep->together = TF_LANES;
   for (size_t i = 0; i < args->axes; i++) {
-    if (!args->axis[i].is_seed) {
-      cli_setting_t *setting = &point.settings.list[args->axis[i].setting];
+    const cli_axis_t *axis = &args->axis[i];
+    if (!axis->is_seed) {
+      cli_setting_t *setting = &point.settings.list[axis->setting];
       setting->option = "--over";
-      setting->text = args->axis[i].range.text;
+      setting->text = axis->range.text;
+    }
+    if (cli_number_index(axis->name) < TF_PARAMETERS) {
+      sweep->together = 1;
     }
   }
   CLI_TRY(read_setup(&point));
   if (sweep->scheme == NULL) {
     sweep->scheme = cli_scheme_for(args, point.setup.params.dt, NULL);
   }
-  sweep->jumps = point.setup.params.law == TF_TYRE_JUMP;
+  if (sweep->scheme->code != MOTION_MOREAU ||
+      point.setup.params.law != TF_TYRE_JUMP) {
+    sweep->together = 1;
+  }
   CLI_TRY(prepare(&point, &steps));
   CLI_TRY(cli_setup_check_starts(&point.setup));
   if (!last) {
@@ -270,51 +251,29 @@ int cli_point_check(cli_sweep_t *sweep) {
   return check_end(sweep, true);
 }
 
-static double energy_of(const point_t *point) {
-  return (double)tf_energy(&point->setup.machine, &point->system.state,
-                           point->input.r0);
-}
-
 static void begin(point_t *point) {
-  cli_system_begin(&point->system, point->sweep->scheme, &point->setup);
-  const tf_report_t report = point->system.report;
+  cli_system_begin(&point->motion, point->sweep->scheme, &point->setup);
   point->input = point->setup.input;
-  course_t *course = &point->course; // all zero
-  course->state = point->system.state;
-  course->report = report;
-  course->modes = TF_MODE_BIT(report.mode);
-  course->r_low = course->r_high = (double)course->state.r;
-  course->energy_at_start = energy_of(point);
-  cli_ambiguity_begin(&course->ambiguity, &report);
+  point->report = point->motion.report;
+  point->modes = TF_MODE_BIT(point->report.mode);
+  point->r_low = point->r_high = (double)point->motion.state.r;
+  point->energy_at_start = energy_of(point);
+  cli_ambiguity_begin(&point->ambiguity, &point->report);
   group.going++;
-}
-
-static void finish(point_t *point) {
-  const tf_tally_t *tally = &point->tally;
-  point->course.energy = energy_of(point);
-  if (point->end == CLI_POINT_DONE && cli_tally_code(tally) != CLI_DONE) {
-    (void)snprintf(point->reason, REASON_ROOM,
-                   "%" PRIu64 " steps degraded; %" PRIu64 " coarse; %" PRIu64
-                   " stalled; first at t = %.9g s",
-                   tally->degraded, tally->coarse, tally->stalled,
-                   (double)tally->first * (double)point->setup.machine.dt);
-    point->end = CLI_POINT_FLAGGED;
-  }
 }
 
 static void note(point_t *point, uint64_t i, const tf_input_t *input,
                  const tf_report_t *report) {
   const tf_status_t status = report->status;
   if (status < 0) {
-    (void)snprintf(point->reason, REASON_ROOM, "step %llu: %s",
-                   (unsigned long long)i, tf_status_name(status));
+    (void)snprintf(point->reason, REASON_ROOM, "step %" PRIu64 ": %s", i,
+                   tf_status_name(status));
     point->end = CLI_POINT_STOPPED;
     group.going--;
   } else {
     point->input = *input;
     tf_tally_count(&point->tally, i, status);
-    see(&point->course, (double)i * (double)point->setup.machine.dt,
-        &point->system.state, report);
+    see(point, (double)i * (double)point->setup.machine.dt, report);
   }
 }
 
@@ -322,8 +281,8 @@ static void step_alone(point_t *point, uint64_t i) {
   tf_input_t input;
   const tf_status_t status =
       cli_drive_take(&point->drive, point->sweep->scheme, &point->setup,
-                     &point->system, &input);
-  tf_report_t report = point->system.report;
+                     &point->motion, &input);
+  tf_report_t report = point->motion.report;
   report.status = status;
   note(point, i, &input, &report);
 }
@@ -355,7 +314,7 @@ static void step_together(size_t count, uint64_t i) {
     point_t *point = &group.points[n];
     if (point->end == CLI_POINT_DONE) {
       const tf_report_t report = tf_ensemble_report(&group.reports, n);
-      point->system.state = tf_ensemble_get(&group.states, n);
+      point->motion.state = tf_ensemble_get(&group.states, n);
       note(point, i, &input, &report);
     }
   }
@@ -364,7 +323,7 @@ static void step_together(size_t count, uint64_t i) {
 // Returns: whether the motions have come to their ends.
 static bool follow(size_t count, uint64_t steps) {
   for (size_t n = 0; n < TF_LANES; n++) { // nobody sees lanes beyond count
-    tf_ensemble_put(&group.states, n, &group.points[n].system.state);
+    tf_ensemble_put(&group.states, n, &group.points[n].motion.state);
   }
   for (uint64_t i = 1; i <= steps && group.going > 0; i++) {
     if (i % BATCH == 0 && cli_stop_asked()) {
@@ -386,16 +345,6 @@ static void drop_commas(char *text) {
       *text = ';';
     }
   }
-}
-
-size_t cli_points_together(const cli_sweep_t *sweep) {
-  const cli_args_t *args = sweep->args;
-  bool one_machine = sweep->scheme == &cli_schemes[0] && sweep->jumps;
-  for (size_t i = 0; i < args->axes; i++) {
-    const cli_axis_t *axis = &args->axis[i];
-    one_machine = one_machine && cli_number_index(axis->name) >= TF_PARAMETERS;
-  }
-  return one_machine ? TF_LANES : 1;
 }
 
 bool cli_points_follow(const cli_sweep_t *sweep, uint64_t index, size_t count) {
@@ -421,21 +370,27 @@ cli_point_end_t cli_point_row(uint64_t index, size_t which,
                               char row[CLI_SWEEP_ROW], size_t *length) {
   point_t *point = &group.points[which];
   const cli_args_t *args = point->sweep->args;
-  if (point->end != CLI_POINT_REFUSED) {
-    finish(point);
+  const tf_tally_t *tally = &point->tally;
+  cli_buffer_t text = {row, 0, CLI_SWEEP_ROW, false};
+  if (point->end == CLI_POINT_DONE && cli_tally_code(tally) != CLI_DONE) {
+    point->end = CLI_POINT_FLAGGED;
+    (void)snprintf(point->reason, REASON_ROOM,
+                   "%" PRIu64 " steps degraded; %" PRIu64 " coarse; %" PRIu64
+                   " stalled; first at t = %.9g s",
+                   tally->degraded, tally->coarse, tally->stalled,
+                   (double)tally->first * (double)point->setup.machine.dt);
   }
   drop_commas(point->reason);
-  cli_buffer_t text = {row, 0, CLI_SWEEP_ROW, false};
-  add_place(args, index + which, &text);
+  cli_add_count(&text, index + which);
+  for (size_t i = 0; i < args->axes; i++) {
+    cli_add_form(&text, ",%s", strchr(point->text[i], '=') + 1);
+  }
   cli_add_form(&text, ",%s,%s,", cli_point_status(point->end), point->reason);
   if (point->end != CLI_POINT_REFUSED) {
-    cli_add_real(&text, (tf_real_t)point->course.t);
-  }
-  for (size_t i = 0; i < args->measures; i++) {
-    cli_add(&text, ",");
-    if (point->end != CLI_POINT_REFUSED) {
-      add_measure((cli_measure_t)args->measure[i], &point->course, &text);
-    }
+    cli_add_real(&text, (tf_real_t)point->t);
+    add_outcomes(point, &text);
+  } else {
+    for (size_t i = 0; i < args->measures; i++) cli_add(&text, ",");
   }
   cli_add(&text, "\n");
   *length = text.used;

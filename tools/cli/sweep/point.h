@@ -6,34 +6,12 @@
 
 #define CLI_SWEEP_ROW 2048 // room for a row or a header
 
-/// The outcomes that are known.
-typedef enum {
-  CLI_MODES,
-  CLI_FINAL,
-  CLI_CHANGES,
-  CLI_REST,
-  CLI_ARRIVALS,
-  CLI_ARRIVAL,
-  CLI_RECURRENCE,
-  CLI_AMBIGUOUS,
-  CLI_AMBIGUOUS_SHARE,
-  CLI_STICK_SHARE,
-  CLI_ENERGY,
-  CLI_ENERGY_CHANGE,
-  CLI_R_LOW,
-  CLI_R_HIGH,
-  CLI_END_R,
-  CLI_END_V,
-  CLI_END_OMEGA,
-  CLI_END_H,
-  CLI_END_G
-} cli_measure_t;
-#define CLI_MEASURES 19
-
-/// Name of a column, unit ("" of what is not a number), and what it is.
+/// Name of a column, unit ("" of modes), what it is, and whether it is a count.
 typedef struct {
   const char *name, *unit, *what;
+  bool counts;
 } cli_measure_info_t;
+#define CLI_MEASURES 19
 extern const cli_measure_info_t cli_measures[CLI_MEASURES];
 
 /// What all points share.
@@ -41,7 +19,9 @@ typedef struct {
   const cli_args_t *args;
   const cli_scheme_t *scheme; ///< NULL: that of the first point
   uint32_t hash;     ///< of what a motion depends on and no option names
-  bool jumps;        ///< the law is jump, at all points
+  size_t together;   ///< how many points are followed together, one in each
+                     ///< lane of an ensemble: 1 where an axis changes the
+                     ///< machine, or its law or scheme has no lanes
   cli_drive_t drive; ///< of --inputs, and of the scene
 } cli_sweep_t;
 
@@ -54,17 +34,13 @@ typedef enum {
 } cli_point_end_t;
 #define CLI_POINT_ENDS 4
 
-/// Checks what is the same at all points, and the ends of every axis; chooses
-/// the scheme.
+/// Checks what is the same at all points, and the ends of every axis; sets all
+/// of the sweep but the arguments and the drive.
 int cli_point_check(cli_sweep_t *sweep);
-
-/// How many points are followed together, one in each lane of an ensemble: 1
-/// where an axis changes the machine, or its law or scheme has no lanes.
-size_t cli_points_together(const cli_sweep_t *sweep);
 
 /// Follows the motions at so many points, which stay until the next call.
 /// index: in, of the first, 0 to points - 1; the last axis is the inner loop.
-/// count: in, 1 to cli_points_together().
+/// count: in, 1 to sweep->together.
 /// Returns: whether they have come to their ends; false: a stop was asked for.
 bool cli_points_follow(const cli_sweep_t *sweep, uint64_t index, size_t count);
 

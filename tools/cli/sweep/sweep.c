@@ -21,7 +21,6 @@ typedef struct {
   uint64_t first, points; ///< of this shard
   uint64_t kept;          ///< rows that were there before
   cli_done_t work;        ///< points with a row, in this call or before
-  size_t together;        ///< points that are followed at once
   uint64_t ends[CLI_POINT_ENDS];
   cli_progress_t progress;
 } work_t;
@@ -48,7 +47,8 @@ static int do_points(work_t *work) {
   while (work->work.done < work->points) {
     const uint64_t left = work->points - work->work.done;
     const uint64_t index = work->first + work->work.done;
-    const size_t count = left < work->together ? (size_t)left : work->together;
+    const size_t count =
+        left < work->sweep.together ? (size_t)left : work->sweep.together;
     if (cli_stop_asked() || !cli_points_follow(&work->sweep, index, count)) {
       return cli_message(CLI_STOPPED, "interrupted at point %" PRIu64, index);
     }
@@ -81,7 +81,7 @@ static void summarise(const work_t *work, double seconds) {
   }
   cli_say("\ncost       %.3g s, %.3g points/s, %s\n", seconds,
           seconds > 0 ? done / seconds : 0.0,
-          work->together > 1 ? "in lanes of an ensemble" : "one by one");
+          work->sweep.together > 1 ? "in lanes of an ensemble" : "one by one");
 }
 
 static void summarise_json(const work_t *work, double seconds, int code) {
@@ -93,7 +93,7 @@ static void summarise_json(const work_t *work, double seconds, int code) {
   for (int i = 0; i < CLI_POINT_ENDS; i++) {
     cli_put_count(cli_point_status((cli_point_end_t)i), work->ends[i]);
   }
-  cli_put_count("together", work->together);
+  cli_put_count("together", work->sweep.together);
   cli_put_end(seconds, code);
 }
 
@@ -173,7 +173,6 @@ int cli_sweep(const cli_args_t *args) {
   work_t work = {.sweep = {.args = args}, .sheets = &sheets};
   int code = cli_drive_read(&work.sweep.drive, args->scene, &args->drive);
   code = code == CLI_DONE ? cli_point_check(&work.sweep) : code;
-  work.together = cli_points_together(&work.sweep);
   code = code == CLI_DONE ? perform(&work) : code;
   cli_drive_free(&work.sweep.drive);
   return code;
