@@ -6,7 +6,7 @@
 #ifndef TESTS_DATA_REFERENCE_H
 #define TESTS_DATA_REFERENCE_H
 
-#include "../reference/solution.h"
+#include "../reference/problems.h"
 
 static const reference_state_t chaos_states[] = {
   {5.000000000000000000000000e-01L, 1.813547467647259945856723e-01L,

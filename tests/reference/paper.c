@@ -136,23 +136,6 @@ void paper_rhs_time(const paper_t *p, const long double x[3], long double F,
   for (int i = 0; i < 3; i++) dx[i] /= rate;
 }
 
-/* [[m, -m d], [-m d, Theta + m (r^2 + d^2)]] (v', w') = (Q_r, Q_phi) */
-void paper_rhs_mass(const paper_t *p, const long double x[3], long double F,
-                    long double M, long double dx[3]) {
-  const long double r = x[0], v = x[1], w = x[2], m = p->m, d = p->d;
-  const long double sg = sinl(p->gamma), cg = cosl(p->gamma);
-  const long double m11 = m, m12 = -m * d;
-  const long double m22 = p->beta * p->beta * m + m * (r * r + d * d);
-  const long double det = m11 * m22 - m12 * m12;
-  const long double Q_r =
-      p->k2 * (p->r0 - r) - p->c2 * v + m * r * w * w + F * sg;
-  const long double Q_phi =
-      -p->c1 * w - 2.0L * m * r * v * w + F * (r * cg - d * sg) + M;
-  dx[0] = v;
-  dx[1] = (m22 * Q_r - m12 * Q_phi) / det;
-  dx[2] = (m11 * Q_phi - m12 * Q_r) / det;
-}
-
 /* (VF) with the stick law M = sign(g) kappa F */
 void paper_f(const paper_t *p, const long double x[3], long double lambda,
              int s, long double dx[3]) {
@@ -253,33 +236,7 @@ void paper_twofold(const paper_t *p, const long double x[3], int s,
 
 /* Appendix B. For x in (x_s, a] the string rolls and the pressure is
  * k (a + sigma - x) tan(phi); for x in [-a, x_s) it slips under rho delta.
- * F = int p, M = -int x p, x_s = a + sigma - (delta/k) cot(phi). */
-int paper_string(const paper_string_t *q, long double phi, long double *F,
-                 long double *M) {
-  const long double k = q->k, a = q->a, sigma = q->sigma, rho = q->rho;
-  const long double delta = q->delta, tan_phi = tanl(phi);
-  const long double cot_phi = 1.0L / tan_phi;
-  const long double x_s = a + sigma - delta / k * cot_phi;
-  if (x_s <= -a) {
-    *F = 2.0L * a * k * (a + sigma) * tan_phi;
-    *M = 2.0L / 3.0L * a * a * a * k * tan_phi;
-    return 1;
-  }
-  if (x_s >= a) {
-    *F = 2.0L * a * rho * delta;
-    *M = 0.0L;
-    return 3;
-  }
-  *F = rho * delta * (2.0L * a + sigma) +
-       delta * delta / (2.0L * k) * (1.0L - 2.0L * rho) * cot_phi -
-       0.5L * k * sigma * sigma * tan_phi;
-  *M = (k * k * k * sigma * sigma * (3.0L * a + sigma) * tan_phi +
-        delta * delta * cot_phi *
-            (2.0L * delta * cot_phi - 3.0L * k * (a + sigma))) /
-           (6.0L * k * k) -
-       0.5L * delta * rho * (x_s * x_s - a * a);
-  return 2;
-}
+ * F = int p, M = -int x p. */
 
 /* Adds int p and -int x p over [lo, hi], p = c0 + c1 x, by three points of
  * Gauss and Legendre (exact to degree five). */

@@ -60,16 +60,14 @@ long double paper_v_at(const paper_t *p, long double r, long double w,
 void paper_friction(const paper_t *p, long double h, long double g,
                     long double *F, long double *M);
 
-/* p1, p2 and (ds1)-(ds3) for a given F and M, in rescaled time, in physical
- * time, and in physical time by the mass matrix (Lagrange's form). */
+/* p1, p2 and (ds1)-(ds3) for a given F and M, in rescaled and in physical
+ * time. */
 long double paper_clock_rate(const paper_t *p, long double r); /* dt/dtau */
 long double paper_p1(const paper_t *p, const long double x[3]);
 long double paper_p2(const paper_t *p, long double r);
 void paper_rhs(const paper_t *p, const long double x[3], long double F,
                long double M, long double dx[3]);
 void paper_rhs_time(const paper_t *p, const long double x[3], long double F,
-                    long double M, long double dx[3]);
-void paper_rhs_mass(const paper_t *p, const long double x[3], long double F,
                     long double M, long double dx[3]);
 
 /* (VF): f(x, lambda) with F = lambda, M = s kappa lambda, rescaled time,
@@ -106,9 +104,8 @@ void paper_twofold(const paper_t *p, const long double x[3], int s,
                    paper_twofold_t *out);
 
 /* Appendix B: the stretched string, (rollconstr) solved. F and M at slip angle
- * phi in [0, pi/2], as closed formulas (corrected) and by quadrature of the
- * pressure, which finds the border of the two zones by itself. Returns the
- * case, 1 to 3. */
+ * phi in [0, pi/2] by quadrature of the pressure, which finds the border of the
+ * two zones by itself. Returns the case, 1 to 3. */
 typedef struct {
   long double k;     /* lateral stiffness [N/m^2] > 0 */
   long double delta; /* largest static pressure [N/m] > 0 */
@@ -116,8 +113,6 @@ typedef struct {
   long double rho;   /* dynamic / static pressure, in (0, 1] */
   long double a;     /* half length of the contact [m] > 0 */
 } paper_string_t;
-int paper_string(const paper_string_t *q, long double phi, long double *F,
-                 long double *M);
 int paper_string_quadrature(const paper_string_t *q, long double phi,
                             long double *F, long double *M);
 

@@ -107,6 +107,29 @@ static inline ref_state_t ref_problem_start(const ref_problem_t *problem,
   return problem->v != 0 ? x : ref_with_h(q, x, problem->h);
 }
 
+/// What tests/data/reference.h has of each problem: states, and events, of which
+/// `after` is "" where several modes are consistent and none is chosen. It ends
+/// at t_last, where its length is over or a two-fold is reached.
+typedef struct {
+  long double t, r, v, w; ///< [s], [m], [m/s], [rad/s]
+} reference_state_t;
+
+typedef struct {
+  const char *after;
+  long double t; ///< [s]
+} reference_event_t;
+
+typedef struct {
+  const ref_problem_t *problem;
+  const char *begins;
+  long double h; ///< at the start; v follows from it
+  reference_state_t start;
+  long double t_last;
+  int states, events;
+  const reference_state_t *state;
+  const reference_event_t *event;
+} reference_t;
+
 #undef N
 #undef COMMON
 #undef BODY

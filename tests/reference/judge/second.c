@@ -1,11 +1,10 @@
 /// @file
 /// A second integration of the same motion, to judge the reference: the paper's
-/// equations as they are printed, by the mass matrix in (r, v, w), stepped and
-/// its events found by CVODE of SUNDIALS, which others wrote. Of the reference
-/// it uses the parameters and the inputs only. It ends where h = g = 0 comes
-/// near or A = 0, so that it needs no theory of either, and after 500 events,
-/// which wind round a two-fold. Every machine is driven, by a
-/// shape of moving.c.
+/// equations as they are printed, in (r, v, w), stepped and its events found by
+/// CVODE of SUNDIALS, which others wrote. Of the reference it uses the
+/// parameters and the inputs only. It ends where h = g = 0 comes near or A = 0,
+/// so that it needs no theory of either, and after 500 events, which wind round
+/// a two-fold. Every machine is driven, by a shape of moving.c.
 #include <math.h>
 #include <stdio.h>
 
@@ -43,13 +42,13 @@ static paper_t paper_at(const phase_t *phase, real_t t) {
   return p;
 }
 
-// Lagrange's form, with loads in Q_r and Q_phi.
+// (ds1)-(ds3), with loads by the inverse mass matrix.
 static void field(const phase_t *phase, real_t t, const real_t x[3], real_t F,
                   real_t M, real_t out[3]) {
   const ref_input_t u = ref_input(phase->q, t, phase->piece);
   const paper_t p = paper_at(phase, t);
   const real_t b2 = p.beta * p.beta + x[0] * x[0], D = p.m * b2;
-  paper_rhs_mass(&p, x, F, M, out);
+  paper_rhs_time(&p, x, F, M, out);
   out[1] += ((b2 + p.d * p.d) * u.force + p.d * u.torque) / D;
   out[2] += (p.d * u.force + u.torque) / D;
 }

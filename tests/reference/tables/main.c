@@ -109,7 +109,7 @@ int main(void) {
       "/* clang-format off */\n"
       "#ifndef TESTS_DATA_REFERENCE_H\n"
       "#define TESTS_DATA_REFERENCE_H\n\n"
-      "#include \"../reference/solution.h\"");
+      "#include \"../reference/problems.h\"");
   for (int i = 0; i < REF_PROBLEMS; i++) {
     follow(&ref_problems[i], &course[i]);
     write_rows(ref_problems[i].name, &course[i]);

@@ -111,8 +111,6 @@ TEST(string_law_against_quadrature) {
     real F, M;
     seen[paper_string_quadrature(&q, phi, &F, &M)]++;
     near_string(&tyre, f, F, M);
-    paper_string(&q, phi, &F, &M);
-    near_string(&tyre, f, F, M);
   }
   for (int n = 1; n <= 3; n++) CHECK(seen[n] > samples(1000));
 }
