@@ -22,24 +22,18 @@ enum {
 
 /// What the value of an option is, and so the type of the member it goes to.
 typedef enum {
-  CLI_FLAG,   ///< none: bool
-  CLI_TEXT,   ///< any text: const char *
-  CLI_PATH,   ///< the name of a file, not empty: const char *
-  CLI_WHOLE,  ///< a whole number in [low, high]: uint64_t
-  CLI_REAL,   ///< a number in [low, high]: double
-  CLI_NUMBER, ///< one number, [low, high] where low < high: cli_range_t
-  CLI_RANGE,  ///< A:B:N, both in [low, high]: cli_range_t
-  CLI_CHOICE, ///< one of `choices`: unsigned, its place among them
-  CLI_OTHER   ///< what `read` makes of it
+  CLI_FLAG,     ///< none: bool
+  CLI_WORD,     ///< one of `choices`, to its end or a colon: const char *
+  CLI_READS,    ///< the name of a file that is read: const char *
+  CLI_WRITES,   ///< the name of a file that is written: const char *
+  CLI_WHOLE,    ///< a whole number in [low, high]: uint64_t
+  CLI_REAL,     ///< a number in [low, high]: double
+  CLI_POSITIVE, ///< a number in (0, high]: double
+  CLI_NUMBER,   ///< one number, [low, high] where low < high: cli_range_t
+  CLI_RANGE,    ///< A:B:N, both in [low, high]: cli_range_t
+  CLI_CHOICE,   ///< one of `choices`: unsigned, its place among them
+  CLI_OTHER     ///< what `read` makes of it
 } cli_kind_t;
-
-/// How an option may be given, as bits. Without any: once.
-enum {
-  CLI_REPEATABLE = 1, ///< any number of times
-  CLI_WRITES = 2,     ///< the value is a file that is written
-  CLI_READS = 4,      ///< the value is a file that is read
-  CLI_OPEN = 8        ///< low itself is out of range
-};
 
 /// A word that a value may be, and what it means, "": told elsewhere. A list
 /// ends with a name of NULL.
@@ -47,22 +41,21 @@ typedef struct {
   const char *name, *what;
 } cli_choice_t;
 
-/// A row of the table; without a name: the heading of the rows after it.
+/// A row of the table.
 typedef struct {
   const char *name;  ///< with its dashes
   const char *value; ///< what stands for the value in the help
   unsigned commands; ///< bits: the commands that take it
   cli_kind_t kind;   ///< of the value ...
   size_t member;     ///< ... and where it goes, an offset in the arguments
-  const char *what;  ///< for the help
-  double low, high, usual; ///< usual: the value where it is not given
-  const char *unit;        ///< of the range, NULL: none
-  const char *noun;        ///< of choices, for messages; NULL: "must be"
-  const char *needs;       ///< name of an option without which it is refused
-  /// Of CLI_TEXT: it begins with one of them, up to its end or a colon.
-  const cli_choice_t *choices;
   int (*read)(void *args, const cli_given_t *given); ///< of CLI_OTHER
-  unsigned how;                                      ///< of the bits above
+  double low, high, usual; ///< usual: the value where it is not given
+  const char *what;        ///< for the help
+  const char *unit;        ///< of the range, NULL: none
+  const cli_choice_t *choices;
+  const char *noun;   ///< of choices, for messages; NULL: "must be"
+  const char *needs;  ///< name of an option without which it is refused
+  bool is_repeatable; ///< may be given more than once
 } cli_option_t;
 
 /// The table of all options: table.c.
@@ -91,10 +84,9 @@ extern const size_t cli_command_count;
 /// The command of a name, NULL: there is none.
 const cli_command_t *cli_find_command(const char *name);
 
-/// Whether it takes an option; not a heading among them.
 static inline bool cli_takes(const cli_command_t *command,
                              const cli_option_t *option) {
-  return option->name != NULL && (option->commands & command->bit) != 0;
+  return (option->commands & command->bit) != 0;
 }
 
 /// Reads the words of a command that takes options, "-" as a positional

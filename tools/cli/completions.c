@@ -41,7 +41,8 @@ static int offer_value(const cli_option_t *option) {
        at++) {
     offer(at->name, at->what);
   }
-  return (option->how & (CLI_READS | CLI_WRITES)) != 0 ? CLI_DONE : CLI_USAGE;
+  const bool is_file = option->kind == CLI_READS || option->kind == CLI_WRITES;
+  return is_file ? CLI_DONE : CLI_USAGE;
 }
 
 // What may stand behind some words. The code is CLI_DONE where a file may, too.

@@ -47,26 +47,15 @@ static void print_filled(const char *text, size_t margin) {
   }
 }
 
-// The words of a value are printed with the first option that takes them.
-static bool is_printed_before(const cli_option_t *option) {
-  for (const cli_option_t *at = cli_options; at < option; at++) {
-    if (at->choices == option->choices &&
-        (at->commands & option->commands) != 0) {
-      return true;
-    }
-  }
-  return false;
-}
-
 // margin: of the words of a value.
 static void describe(const cli_option_t *option, size_t column, size_t margin) {
   char out[1024];
   int used = snprintf(out, sizeof out, "%s", option->what);
-  if (option->kind == CLI_WHOLE || option->kind == CLI_REAL) {
+  const bool is_open = option->kind == CLI_POSITIVE;
+  if (is_open || option->kind == CLI_WHOLE || option->kind == CLI_REAL) {
     used += snprintf(out + used, sizeof out - (size_t)used,
-                     "; in %s%.10g, %.10g]%s%s",
-                     (option->how & CLI_OPEN) != 0 ? "(" : "[", option->low,
-                     option->high, option->unit != NULL ? " " : "",
+                     "; in %s%.10g, %.10g]%s%s", is_open ? "(" : "[",
+                     option->low, option->high, option->unit != NULL ? " " : "",
                      option->unit != NULL ? option->unit : "");
     if (option->usual > 0) {
       (void)snprintf(out + used, sizeof out - (size_t)used, ", default %g",
@@ -74,8 +63,8 @@ static void describe(const cli_option_t *option, size_t column, size_t margin) {
     }
   }
   print_filled(out, column);
-  for (const cli_choice_t *at = option->choices;
-       at != NULL && at->name != NULL && !is_printed_before(option); at++) {
+  for (const cli_choice_t *at = option->choices; at != NULL && at->name != NULL;
+       at++) {
     if (at->what[0] != '\0') {
       (void)printf("%*s%-*s", (int)margin, "", CHOICE, at->name);
       print_filled(at->what, margin + CHOICE);
@@ -86,11 +75,7 @@ static void describe(const cli_option_t *option, size_t column, size_t margin) {
 static void print_options(const cli_command_t *command) {
   for (size_t i = 0; i < cli_option_count; i++) {
     const cli_option_t *option = &cli_options[i];
-    if ((option->commands & command->bit) == 0) {
-      continue;
-    }
-    if (option->name == NULL) {
-      (void)puts(option->what);
+    if (!cli_takes(command, option)) {
       continue;
     }
     const int used = printf("  %s %s", option->name,
@@ -119,10 +104,13 @@ static void print_numbers(void) {
   }
 }
 
+static void print_measure(const cli_measure_info_t *info) {
+  (void)printf("  %-16s %-6s %s\n", info->name, info->unit, info->what);
+}
+
 static void print_outcomes(void) {
   for (size_t i = 0; i < CLI_MEASURES; i++) {
-    const cli_measure_info_t *info = &cli_measures[i];
-    (void)printf("  %-16s %-6s %s\n", info->name, info->unit, info->what);
+    print_measure(&cli_measures[i]);
   }
 }
 
@@ -217,10 +205,8 @@ static bool print_outcome(cli_closest_t *closest) {
   if (i == CLI_MEASURES) {
     return false;
   }
-  const cli_measure_info_t *info = &cli_measures[i];
-  (void)printf("Outcome %s of 'sweep': %s%s%s.\n", info->name,
-               info->what[0] != '\0' ? info->what : "state at the end",
-               info->unit[0] != '\0' ? ", unit " : "", info->unit);
+  (void)puts("Outcome of 'sweep', its unit, and what it is:");
+  print_measure(&cli_measures[i]);
   return true;
 }
 
@@ -240,9 +226,6 @@ static bool print_option(cli_closest_t *closest) {
   bool found = false;
   for (size_t i = 0; i < cli_option_count; i++) {
     const cli_option_t *option = &cli_options[i];
-    if (option->name == NULL) {
-      continue;
-    }
     cli_closest_offer(closest, option->name + 2);
     if (!is_of(option, closest->word)) {
       continue;

@@ -17,7 +17,7 @@
 // What was given, in its order, but not what may be given again.
 typedef struct {
   cli_given_t given; ///< name: "" of the positional argument
-  unsigned how;      ///< CLI_WRITES, CLI_READS, or 0: it is no file
+  cli_kind_t kind;
 } word_t;
 
 typedef struct {
@@ -36,7 +36,7 @@ static void set_usual(const cli_command_t *command, cli_args_t *args) {
     }
     if (option->kind == CLI_WHOLE) {
       *(uint64_t *)to = (uint64_t)option->usual;
-    } else if (option->kind == CLI_REAL) {
+    } else if (option->kind == CLI_REAL || option->kind == CLI_POSITIVE) {
       *(double *)to = option->usual;
     } else if (option->kind == CLI_CHOICE) {
       *(unsigned *)to = (unsigned)option->usual;
@@ -76,44 +76,46 @@ static int read_whole(const cli_option_t *option, const cli_given_t *given,
       given->name, given->value, low, high);
 }
 
+static bool lies_in(const cli_option_t *option, double value) {
+  const bool is_open = option->kind == CLI_POSITIVE;
+  return !(option->low < option->high) ||
+         (value <= option->high &&
+          (is_open ? value > option->low : value >= option->low));
+}
+
+static int check_range(const cli_option_t *option, const cli_given_t *given,
+                       const char *what, double from, double to) {
+  const bool is_open = option->kind == CLI_POSITIVE;
+  return lies_in(option, from) && lies_in(option, to)
+             ? CLI_DONE
+             : cli_message(CLI_REFUSED, "%s %s: %smust lie in %s%g, %g]%s%s",
+                           given->name, given->value, what, is_open ? "(" : "[",
+                           option->low, option->high,
+                           option->unit != NULL ? " " : "",
+                           option->unit != NULL ? option->unit : "");
+}
+
 static int read_real(const cli_option_t *option, const cli_given_t *given,
                      double *out) {
   tf_real_t value = 0;
   CLI_TRY(cli_read_number(given->name, given->value, given->value, &value));
-  const bool open = (option->how & CLI_OPEN) != 0;
   *out = (double)value;
-  if (!(*out >= option->low && *out <= option->high) ||
-      (open && !(*out > option->low))) {
-    return cli_message(CLI_REFUSED, "%s %s: must lie in %s%g, %g]%s%s",
-                       given->name, given->value, open ? "(" : "[", option->low,
-                       option->high, option->unit != NULL ? " " : "",
-                       option->unit != NULL ? option->unit : "");
-  }
-  return CLI_DONE;
-}
-
-static bool lies_in(const cli_option_t *option, double value) {
-  return value >= option->low && value <= option->high;
+  return check_range(option, given, "", *out, *out);
 }
 
 static int read_range(const cli_option_t *option, const cli_given_t *given,
                       cli_range_t *out) {
+  char what[32];
+  (void)snprintf(what, sizeof what, "%s ", given->name + 2);
   if (option->kind == CLI_RANGE) {
     CLI_TRY(cli_read_range(given->name, given->value, given->value, MAX_VALUES,
                            false, out));
   } else {
-    out->text = given->value;
-    out->count = 1;
     tf_real_t value = 0;
     CLI_TRY(cli_read_number(given->name, given->value, given->value, &value));
-    out->from = out->to = (double)value;
+    *out = (cli_range_t){given->value, (double)value, (double)value, 1};
   }
-  return !(option->low < option->high) ||
-                 (lies_in(option, out->from) && lies_in(option, out->to))
-             ? CLI_DONE
-             : cli_message(CLI_REFUSED, "%s %s: %s must lie in [%g, %g] %s",
-                           given->name, given->value, given->name + 2,
-                           option->low, option->high, option->unit);
+  return check_range(option, given, what, out->from, out->to);
 }
 
 static int refuse_choice(const cli_option_t *option, const cli_given_t *given) {
@@ -158,22 +160,20 @@ static int read_value(const cli_option_t *option, const cli_given_t *given,
     case CLI_FLAG:
       *(bool *)to = true;
       return CLI_DONE;
-    case CLI_PATH:
-      if (given->value[0] == '\0') {
-        return cli_message(CLI_USAGE, "%s: the name of the file is empty",
-                           given->name);
-      }
+    case CLI_READS:
+    case CLI_WRITES:
       *(const char **)to = given->value;
-      return CLI_DONE;
-    case CLI_TEXT:
-      *(const char **)to = given->value;
-      return option->choices == NULL
+      return given->value[0] != '\0'
                  ? CLI_DONE
-                 : read_choice(option, given, strcspn(given->value, ":"),
-                               &place);
+                 : cli_message(CLI_USAGE, "%s: the name of the file is empty",
+                               given->name);
+    case CLI_WORD:
+      *(const char **)to = given->value;
+      return read_choice(option, given, strcspn(given->value, ":"), &place);
     case CLI_WHOLE:
       return read_whole(option, given, to);
     case CLI_REAL:
+    case CLI_POSITIVE:
       return read_real(option, given, to);
     case CLI_NUMBER:
     case CLI_RANGE:
@@ -213,14 +213,13 @@ static int read_option(line_t *line, int argc, char *const argv[], int *at) {
   } else {
     return cli_message(CLI_USAGE, "%s: expected a value", given.name);
   }
-  if ((option->how & CLI_REPEATABLE) == 0) {
+  if (!option->is_repeatable) {
     if (was_given(line, given.name)) {
       return cli_message(CLI_USAGE, "%s%s%s: %s was already given", given.name,
                          given.value[0] != '\0' ? " " : "", given.value,
                          given.name);
     }
-    line->words[line->count++] =
-        (word_t){given, option->how & (CLI_WRITES | CLI_READS)};
+    line->words[line->count++] = (word_t){given, option->kind};
   }
   return read_value(option, &given, line->args);
 }
@@ -231,7 +230,8 @@ static int take(line_t *line, const char *word) {
   CLI_TRY(of_scene ? cli_take_scene(&line->args->scene, word)
                    : line->command->take(line->args, word));
   const bool is_file = !of_scene || strpbrk(word, "./") != NULL;
-  line->words[line->count++] = (word_t){{"", word}, is_file ? CLI_READS : 0};
+  line->words[line->count++] =
+      (word_t){{"", word}, is_file ? CLI_READS : CLI_WORD};
   return CLI_DONE;
 }
 
@@ -253,7 +253,7 @@ static bool destroys(const word_t *writer, const word_t *file) {
   static const char *const beside[] = {"", ".part", ".resume"};
   const char *value = writer->given.value;
   if (strcmp(value, "-") == 0) {
-    return file->how == CLI_WRITES && strcmp(file->given.value, "-") == 0;
+    return file->kind == CLI_WRITES && strcmp(file->given.value, "-") == 0;
   }
   for (size_t i = 0; i < sizeof beside / sizeof beside[0]; i++) {
     char path[PATH_ROOM];
@@ -269,9 +269,10 @@ static bool destroys(const word_t *writer, const word_t *file) {
 static int check_files(const line_t *line) {
   for (size_t i = 0; i < line->count; i++) {
     const word_t *writer = &line->words[i];
-    for (size_t k = 0; k < line->count && writer->how == CLI_WRITES; k++) {
+    for (size_t k = 0; k < line->count && writer->kind == CLI_WRITES; k++) {
       const word_t *file = &line->words[k];
-      if (k != i && file->how != 0 && destroys(writer, file)) {
+      const bool is_file = file->kind == CLI_READS || file->kind == CLI_WRITES;
+      if (k != i && is_file && destroys(writer, file)) {
         return cli_message(
             CLI_USAGE, "%s %s would write over %s%s%s: two files are needed",
             writer->given.name, writer->given.value, file->given.name,
