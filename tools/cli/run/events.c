@@ -87,10 +87,22 @@ static unsigned kinds_between(const tf_report_t *before,
   return kinds;
 }
 
+void cli_events_begin(cli_events_t *events, uint64_t limit,
+                      const tf_report_t *start) {
+  const double choices = start != NULL ? start->choices : (double)NAN;
+  *events = (cli_events_t){.limit = limit,
+                           .choices_at_start = choices,
+                           .ambiguous_since = choices > 1 ? 0 : (double)NAN};
+}
+
 void cli_events_observe(cli_events_t *events, const tf_report_t *before,
                         const tf_report_t *after, const tf_state_t *state,
                         double t) {
   unsigned kinds = kinds_between(before, after);
+  if (after->choices > 1) {
+    events->ambiguous++;
+    events->ambiguous_since = fmin(events->ambiguous_since, t); // NAN loses
+  }
   if (kinds == 0) {
     return;
   }
@@ -128,24 +140,7 @@ void cli_events_observe(cli_events_t *events, const tf_report_t *before,
   event->r = (double)state->r;
   event->omega = (double)state->w;
   event->g = (double)after->slip.g;
-  event->has_lambda =
-      !tf_mode_is_slip(after->mode) || !tf_mode_is_slip(before->mode);
-  event->lambda =
-      (double)(tf_mode_is_slip(after->mode) ? before->force.F : after->force.F);
-}
-
-// One rule for the summary of `run` and for the outcome of `sweep`.
-
-void cli_ambiguity_begin(cli_ambiguity_t *ambiguity, const tf_report_t *start) {
-  ambiguity->start = start != NULL ? start->choices : 0;
-  ambiguity->steps = 0;
-  ambiguity->since = ambiguity->start > 1 ? 0 : (double)NAN;
-}
-
-void cli_ambiguity_see(cli_ambiguity_t *ambiguity, const tf_report_t *report,
-                       double t) {
-  if (report->choices > 1) {
-    ambiguity->steps++;
-    ambiguity->since = fmin(ambiguity->since, t); // of NaN and t, t
-  }
+  event->lambda = !tf_mode_is_slip(after->mode)    ? (double)after->force.F
+                  : !tf_mode_is_slip(before->mode) ? (double)before->force.F
+                                                   : (double)NAN;
 }

@@ -1,5 +1,5 @@
 /// Events of a run: changes of the contact's mode, and passages through the
-/// singularities of the model.
+/// singularities of the model; and instants with several consistent modes.
 #pragma once
 
 #include "twofold.h"
@@ -24,8 +24,7 @@ typedef struct {
   uint64_t windings;  ///< changes of slip since the two-fold
   double t;           ///< end of the step [s]
   double r, omega, g; ///< at t
-  bool has_lambda;
-  double lambda; ///< F in stick [N], at its begin or else at its end
+  double lambda; ///< F in stick [N], at its begin or else at its end, or NAN
 } cli_event_t;
 
 /// All events of a run: the first `limit` steps in detail, the others counted.
@@ -41,26 +40,18 @@ typedef struct {
   uint64_t counts[CLI_EVENT_KINDS];
   cli_event_t *list; ///< from the heap, NULL while empty
   size_t used, room;
+  double choices_at_start; ///< consistent modes there, NAN: not seen
+  uint64_t ambiguous;      ///< steps with several of them
+  double ambiguous_since;  ///< [s], the start, too; NAN: at no time so far
 } cli_events_t;
+
+/// Begins. start: in, the report of the start, NULL where the motion goes on
+/// from another one.
+void cli_events_begin(cli_events_t *events, uint64_t limit,
+                      const tf_report_t *start);
 
 /// Looks for events between two consecutive reports.
 /// state, t: after the step that gave `after`.
 void cli_events_observe(cli_events_t *events, const tf_report_t *before,
                         const tf_report_t *after, const tf_state_t *state,
                         double t);
-
-/// How often a motion has several consistent modes, and since when: at its
-/// start, which is no step, and in its steps.
-typedef struct {
-  unsigned start; ///< consistent modes at the start, 0: not seen
-  uint64_t steps; ///< with several of them
-  double since;   ///< [s], NaN: at no time so far
-} cli_ambiguity_t;
-
-/// Begins. start: in, the report of the start, NULL where the motion goes on
-/// from another one.
-void cli_ambiguity_begin(cli_ambiguity_t *ambiguity, const tf_report_t *start);
-
-/// Sees a step. t: its end [s].
-void cli_ambiguity_see(cli_ambiguity_t *ambiguity, const tf_report_t *report,
-                       double t);

@@ -56,7 +56,6 @@ double cli_run_time(const cli_run_t *run, uint64_t steps) {
 void cli_run_observe(cli_run_t *run, const tf_report_t *after) {
   const double t = cli_run_time(run, run->done);
   cli_events_observe(&run->events, &run->report, after, &run->system.state, t);
-  cli_ambiguity_see(&run->ambiguity, after, t);
   tf_tally_count(&run->tally, run->done, after->status);
   if (!tf_mode_is_slip(after->mode)) {
     run->largest_h = fmax(run->largest_h, fabs((double)after->slip.h));

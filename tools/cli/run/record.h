@@ -115,7 +115,6 @@ typedef struct {
   tf_status_t status; ///< of the last step that was tried
   cli_end_t end;
   cli_events_t events;
-  cli_ambiguity_t ambiguity;
   tf_tally_t tally;        ///< of the steps that were taken
   double largest_h;        ///< |h| in stick or pinned [m/s]
   double largest_residual; ///< [N]

@@ -300,12 +300,12 @@ static int prepare_and_perform(cli_run_t *run, cli_setup_t *setup,
   cli_system_begin(&run->system, run->scheme, setup);
   run->report = run->system.report;
   run->drive.accuracy = (tf_real_t)args->accuracy;
-  run->events.limit = args->listed;
   run->end = CLI_ENDED;
   if (args->from != NULL) {
     CLI_TRY(cli_run_go_on(run, args, setup));
   }
-  cli_ambiguity_begin(&run->ambiguity, run->first == 0 ? &run->report : NULL);
+  cli_events_begin(&run->events, args->listed,
+                   run->first == 0 ? &run->report : NULL);
   cli_setup_notes(setup, run->scheme->unused, run->scheme->why);
   return perform(run, args);
 }

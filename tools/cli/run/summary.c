@@ -152,7 +152,7 @@ static void print_list(const cli_events_t *events) {
     char lambda[16] = "-";
     print_merged(event->merged);
     describe(event, text);
-    if (event->has_lambda) {
+    if (!isnan(event->lambda)) {
       (void)snprintf(lambda, sizeof lambda, "%.5g", event->lambda);
     }
     cli_say("  %-11.7g%11.5g%15.5g%12.5g%12s  %s\n", event->t, event->r,
@@ -185,15 +185,16 @@ static void print_events(const cli_events_t *events) {
 }
 
 static void print_ambiguity(const cli_run_t *run) {
-  const cli_ambiguity_t *ambiguity = &run->ambiguity;
+  const cli_events_t *events = &run->events;
   const double steps = (double)(run->done - run->first);
   cli_say("ambiguous  several modes %sin %" PRIu64 " steps",
-          ambiguity->start > 1 ? "at the start and " : "", ambiguity->steps);
-  if (ambiguity->steps > 0) {
-    cli_say(" (%.3g %%)", 100 * (double)ambiguity->steps / steps);
+          events->choices_at_start > 1 ? "at the start and " : "",
+          events->ambiguous);
+  if (events->ambiguous > 0) {
+    cli_say(" (%.3g %%)", 100 * (double)events->ambiguous / steps);
   }
-  if (!isnan(ambiguity->since)) {
-    cli_say(", first at t = %g s", ambiguity->since);
+  if (!isnan(events->ambiguous_since)) {
+    cli_say(", first at t = %g s", events->ambiguous_since);
   }
   cli_say("\n");
 }
@@ -352,11 +353,9 @@ static void put_table(const char *key, const cli_inputs_t *table) {
 
 static void put_quality(const cli_run_t *run) {
   const tf_tally_t *tally = &run->tally;
-  cli_put_count("ambiguous", run->ambiguity.steps);
-  cli_put_double("ambiguous_since", run->ambiguity.since);
-  cli_put_double("choices_at_start", run->ambiguity.start > 0
-                                         ? (double)run->ambiguity.start
-                                         : (double)NAN);
+  cli_put_count("ambiguous", run->events.ambiguous);
+  cli_put_double("ambiguous_since", run->events.ambiguous_since);
+  cli_put_double("choices_at_start", run->events.choices_at_start);
   cli_tally_put(tally);
   cli_put_double("reserved_since", cli_tally_reserved(tally) > 0
                                        ? cli_run_time(run, tally->first)
@@ -384,7 +383,7 @@ static void put_events(const cli_events_t *events) {
     cli_put_double("r", event->r);
     cli_put_double("omega", event->omega);
     cli_put_double("g", event->g);
-    cli_put_double("lambda", event->has_lambda ? event->lambda : (double)NAN);
+    cli_put_double("lambda", event->lambda);
     cli_put_word("from", tf_mode_name(event->from));
     cli_put_word("to", tf_mode_name(event->to));
     cli_say("\"kinds\": [");

@@ -63,7 +63,6 @@ typedef struct {
   tf_report_t report; // of the last step
   tf_tally_t tally;
   cli_events_t events;
-  cli_ambiguity_t ambiguity;
   unsigned modes; // bits TF_MODE_BIT
   uint64_t changes, stuck;
   double pinned_since;                // [s], of the last time
@@ -97,7 +96,6 @@ static void see(point_t *point, double t, const tf_report_t *report) {
   if (report->mode == TF_PINNED && point->report.mode != TF_PINNED) {
     point->pinned_since = t;
   }
-  cli_ambiguity_see(&point->ambiguity, report, t);
   point->steps++;
   point->t = t;
   point->modes |= TF_MODE_BIT(report->mode);
@@ -136,8 +134,8 @@ static void add_outcomes(const point_t *point, cli_buffer_t *text) {
       arrivals > 1
           ? (point->last_arrival - point->first_arrival) / (arrivals - 1)
           : none,
-      point->ambiguity.since,
-      (double)point->ambiguity.steps / steps,
+      point->events.ambiguous_since,
+      (double)point->events.ambiguous / steps,
       (double)point->stuck / steps,
       energy,
       energy - point->energy_at_start,
@@ -258,7 +256,7 @@ static void begin(point_t *point) {
   point->modes = TF_MODE_BIT(point->report.mode);
   point->r_low = point->r_high = (double)point->motion.state.r;
   point->energy_at_start = energy_of(point);
-  cli_ambiguity_begin(&point->ambiguity, &point->report);
+  cli_events_begin(&point->events, 0, &point->report);
   group.going++;
 }
 
