@@ -173,15 +173,15 @@ def test_a_kill():
     whole = list(diverge(*SLOW[:-5]))
     for name in "e", "r":
         Path(name).unlink()
-    notes = Path("r.resume")
+    notes = Path("e.resume")
     with subprocess.Popen([TWOFOLD, "diverge", *SLOW],
                           stderr=subprocess.DEVNULL) as child:
         until(lambda: notes.exists() and notes.read_text().count("\n") > 1,
               "notes")
         child.send_signal(signal.SIGKILL)
     left = {path: path.read_bytes() for path in Path().iterdir()}
-    done = int(notes.read_text().splitlines()[-1].split()[2])
-    same(len(left), 4)
+    done = int(notes.read_text().splitlines()[-1].split()[4])
+    same(len(left), 3)
     for path, cut in ((None, 0), (Path("e.part"), 9), (Path("r.part"), 4000),
                       (Path("e.resume"), 7)):
         for other, text in left.items():

@@ -218,7 +218,7 @@ const cli_option_t cli_options[] = {
      "CSV: sample,cycle,outcome,time [s from exit to end],arrived [s],exit_r "
      "[m],landing_time [s since the exit],landing_r [m],landings,windings"},
     {"--resume", NULL, CLI_DIVERGE, FLAG(resume),
-     "goes on after a kill; FILE.resume, beside each file, says where"},
+     "goes on after a kill; FILE.resume, beside the first, says where"},
     {"--header", NULL, CLI_DIVERGE, FLAG(header),
      "writes a header even if the shard is not the first"},
     {"--live", NULL, CLI_RUN | CLI_MONITOR, FLAG(live),

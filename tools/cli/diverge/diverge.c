@@ -134,21 +134,6 @@ size_t cli_job_provenance(const cli_job_t *job, const char *units,
   return cli_provenance(&told, how, units, out);
 }
 
-typedef struct {
-  const cli_job_t *job;
-  cli_sheets_t sheets;
-  cli_motion_t motion;
-  uint64_t first, samples; ///< of this shard
-  cli_done_t done;         ///< samples that have ended, and their cycles
-  uint64_t in_sample;      ///< cycles of the present one that have ended
-  uint64_t kept;           ///< cycles of the run that was stopped
-  double noted;            ///< cli_now() of the last note
-  cli_progress_t progress;
-  bool stopped, unwritten;
-} work_t;
-
-// What is counted beside the samples: each outcome, and all cycles.
-enum { CYCLES = CLI_OUTCOMES };
 static const char *const outcomes[CLI_OUTCOMES] = {
     "open", "returned", "small_cycle", "rest", "timeout", "refused"};
 
@@ -184,30 +169,49 @@ static void add_return(cli_buffer_t *text, const cli_cycle_t *cycle) {
                cycle->windings);
 }
 
-static const struct {
+typedef struct {
   const char *option, *header, *units;
+  bool leaves; ///< a row only of a cycle that left the surface
   void (*add)(cli_buffer_t *text, const cli_cycle_t *cycle);
-} files[] = {
-    {"--exits", "sample,cycle,time,r,omega,g,side,phase,how,section_time\n",
-     "time s, r m, omega rad/s, g m/s, phase 1, section_time s", add_exit},
-    {"--returns",
-     "sample,cycle,outcome,time,arrived,exit_r,landing_time,landing_r,landings,"
-     "windings\n",
-     "time s, arrived s, exit_r m, landing_time s, landing_r m", add_return},
-};
-enum { EXITS, FILES = sizeof files / sizeof files[0] };
+} kind_t;
 
-static bool write_rows(work_t *work, uint64_t sample, uint64_t number) {
+static const kind_t exits = {
+    "--exits", "sample,cycle,time,r,omega,g,side,phase,how,section_time\n",
+    "time s, r m, omega rad/s, g m/s, phase 1, section_time s", true, add_exit};
+static const kind_t returns = {
+    "--returns",
+    "sample,cycle,outcome,time,arrived,exit_r,landing_time,landing_r,landings,"
+    "windings\n",
+    "time s, arrived s, exit_r m, landing_time s, landing_r m", false,
+    add_return};
+
+typedef struct {
+  const cli_job_t *job;
+  cli_sheets_t sheets;
+  const kind_t *kind[CLI_SHEETS]; ///< of their rows
+  cli_motion_t motion;
+  uint64_t first, samples; ///< of this shard
+  cli_done_t done;         ///< samples that have ended, and their cycles
+  uint64_t in_sample;      ///< cycles of the present one that have ended
+  uint64_t kept;           ///< cycles of the run that was stopped
+  double noted;            ///< cli_now() of the last note
+  cli_progress_t progress;
+  bool stopped, unwritten;
+} work_t;
+
+// What is counted beside the samples: each outcome, and all cycles.
+enum { CYCLES = CLI_OUTCOMES };
+static void write_rows(work_t *work, uint64_t sample, uint64_t number) {
   const cli_cycle_t *cycle = &work->motion.tracker.cycle;
-  bool written = true;
-  for (int i = cycle->left ? EXITS : EXITS + 1; i < FILES; i++) {
+  for (int i = 0; i < work->sheets.count; i++) {
     char row[ROW_ROOM];
     cli_buffer_t text = {row, 0, sizeof row, false};
-    cli_add_form(&text, "%" PRIu64 ",%" PRIu64 ",", sample, number);
-    files[i].add(&text, cycle);
-    written &= cli_sheet_put(&work->sheets.sheet[i], row, text.used);
+    if (cycle->left || !work->kind[i]->leaves) {
+      cli_add_form(&text, "%" PRIu64 ",%" PRIu64 ",", sample, number);
+      work->kind[i]->add(&text, cycle);
+      (void)cli_sheet_put(&work->sheets.sheet[i], row, text.used);
+    }
   }
-  return written;
 }
 
 static void show_progress(work_t *work, double now) {
@@ -268,7 +272,7 @@ static bool do_sample(work_t *work, uint64_t sample) {
     }
     const cli_outcome_t outcome = motion->tracker.cycle.outcome;
     if (cycle > 0) {
-      work->unwritten |= !write_rows(work, sample, cycle);
+      write_rows(work, sample, cycle);
       work->done.count[CYCLES]++;
       work->done.count[outcome]++;
       work->in_sample = cycle;
@@ -354,9 +358,27 @@ static void describe(const work_t *work, cli_buffer_t *about) {
   }
 }
 
+static void add_sheet(work_t *work, const kind_t *kind, const char *path) {
+  const cli_args_t *args = work->job->args;
+  const int i = work->kind[0] == NULL ? 0 : 1;
+  cli_sheet_t *sheet = &work->sheets.sheet[i];
+  cli_buffer_t begin = {sheet->begin, 0, sizeof sheet->begin, false};
+  if (path == NULL) {
+    return;
+  }
+  work->kind[i] = kind;
+  sheet->option = kind->option;
+  sheet->path = path;
+  if (args->header || args->shard.index == 1) {
+    begin.used = args->provenance
+                     ? cli_job_provenance(work->job, kind->units, sheet->begin)
+                     : 0;
+    cli_add(&begin, kind->header);
+  }
+}
+
 static int open_sheets(work_t *work, bool *whole) {
   const cli_args_t *args = work->job->args;
-  const char *const paths[FILES] = {args->exits, args->returns};
   cli_sheets_t *sheets = &work->sheets;
   cli_buffer_t about = {sheets->about, 0, sizeof sheets->about, false};
   uint64_t end = 0;
@@ -365,19 +387,8 @@ static int open_sheets(work_t *work, bool *whole) {
   sheets->what = "run";
   sheets->resume = sheets->noted = args->resume;
   describe(work, &about);
-  for (int i = 0; i < FILES; i++) {
-    cli_sheet_t *sheet = &sheets->sheet[i];
-    cli_buffer_t begin = {sheet->begin, 0, sizeof sheet->begin, false};
-    sheet->option = files[i].option;
-    sheet->path = paths[i];
-    if (args->header || args->shard.index == 1) {
-      if (args->provenance) {
-        begin.used =
-            cli_job_provenance(work->job, files[i].units, sheet->begin);
-      }
-      cli_add(&begin, files[i].header);
-    }
-  }
+  add_sheet(work, &exits, args->exits);
+  add_sheet(work, &returns, args->returns);
   CLI_TRY(cli_sheets_open(sheets, work->samples, &work->done, whole));
   work->kept = work->done.count[CYCLES];
   return CLI_DONE;

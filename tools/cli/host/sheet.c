@@ -1,9 +1,9 @@
 // The first line of the notes says what the rows follow from; each other line
-// is a note: bytes of FILE.part, their CRC, the work that is done, and counts.
-// Each line ends with the CRC of all lines so far. A note is written after its
-// rows, so a kill loses the rows behind the last note and no others. Where a
-// note does not fit the rows, such as after a power failure, the rows behind
-// the note before it are made again.
+// is a note: bytes of each FILE.part and their CRC, the work that is done, and
+// counts. Each line ends with the CRC of all lines so far. A note is written
+// after its rows, so a kill loses the rows behind the last note and no others.
+// Where a note does not fit the rows, such as after a power failure, the rows
+// behind the note before it are made again.
 
 #define _POSIX_C_SOURCE 200809L
 
@@ -12,6 +12,7 @@
 #include <fcntl.h>
 #include <inttypes.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -19,123 +20,13 @@
 #include "../text/text.h"
 
 #define LINE (CLI_SHEET_ABOUT + 16)
+#define END_ROOM 11 // a blank, the CRC, newline and zero
 
-static const char *notes_of(const cli_sheet_t *sheet) {
+static const char *notes_of(const cli_sheets_t *sheets) {
   static char name[CLI_PATH_ROOM + 8];
-  (void)snprintf(name, sizeof name, "%s.resume", sheet->output.to.path);
+  (void)snprintf(name, sizeof name, "%s.resume",
+                 sheets->sheet[0].output.to.path);
   return name;
-}
-
-// Where the notes begin. Their CRC begins with what stands before the rows.
-static cli_sheet_place_t start_of(const cli_sheet_t *sheet) {
-  return (cli_sheet_place_t){
-      .chain = cli_crc(0, sheet->begin, strlen(sheet->begin))};
-}
-
-// Makes a line of the notes of a text, and goes behind it.
-static size_t make_line(cli_sheet_place_t *at, const char *text,
-                        char line[LINE]) {
-  cli_buffer_t out = {line, 0, LINE, false};
-  at->chain = cli_crc(at->chain, text, strlen(text));
-  cli_add_form(&out, "%s ", text);
-  cli_add_hash(&out, at->chain);
-  cli_add(&out, "\n");
-  at->notes += out.used;
-  return out.used;
-}
-
-static bool write_line(cli_sheet_t *sheet, const char *text) {
-  static char line[LINE];
-  const size_t length = make_line(&sheet->at, text, line);
-  return write(sheet->notes, line, length) == (ssize_t)length;
-}
-
-static void write_note(const cli_sheet_place_t *at, char text[LINE]) {
-  cli_buffer_t out = {text, 0, LINE, false};
-  cli_add_form(&out, "%" PRIu64 " ", at->bytes);
-  cli_add_hash(&out, at->crc);
-  cli_add_form(&out, " %" PRIu64, at->work.done);
-  for (size_t i = 0; i < CLI_SHEET_COUNTS; i++) {
-    cli_add_form(&out, " %" PRIu64, at->work.count[i]);
-  }
-}
-
-// Reads the line of a note. Returns: whether it is as it was written.
-static bool read_note(const char *line, cli_sheet_place_t *at) {
-  static char text[LINE], again[LINE];
-  int used = 0;
-  bool right = sscanf(line, "%" SCNu64 " %8" SCNx32 " %" SCNu64 "%n",
-                      &at->bytes, &at->crc, &at->work.done, &used) == 3;
-  const char *next = line + used;
-  for (size_t i = 0; i < CLI_SHEET_COUNTS && right; i++) {
-    right = sscanf(next, " %" SCNu64 "%n", &at->work.count[i], &used) == 1;
-    next += used;
-  }
-  write_note(at, text);
-  (void)make_line(at, text, again);
-  return right && strcmp(line, again) == 0;
-}
-
-// Whether a file goes on from one place with the bytes up to another.
-static bool reaches(FILE *rows, const cli_sheet_place_t *from,
-                    const cli_sheet_place_t *to) {
-  char part[4096];
-  uint64_t bytes = from->bytes;
-  uint32_t crc = from->crc;
-  while (bytes < to->bytes) {
-    const uint64_t left = to->bytes - bytes;
-    const size_t some = left < sizeof part ? (size_t)left : sizeof part;
-    if (fread(part, 1, some, rows) != some) {
-      return false;
-    }
-    crc = cli_crc(crc, part, some);
-    bytes += some;
-  }
-  return bytes == to->bytes && crc == to->crc;
-}
-
-// Goes to the last note that fits the rows, of no more work than `most`.
-static int read_notes(const cli_sheets_t *sheets, cli_sheet_t *sheet,
-                      FILE *notes, FILE *rows, const char *name,
-                      uint64_t most) {
-  static char line[LINE], right[LINE];
-  cli_sheet_place_t next = start_of(sheet);
-  (void)make_line(&next, sheets->about, right);
-  if (fgets(line, sizeof line, notes) == NULL || strcmp(line, right) != 0) {
-    return cli_output_refuse_other(name, sheets->what);
-  }
-  sheet->at = next;
-  while (fgets(line, sizeof line, notes) != NULL &&
-         strchr(line, '\n') != NULL) {
-    if (!read_note(line, &next)) {
-      return cli_message(CLI_REFUSED,
-                         "--resume: %s is damaged; remove it and %s, or give "
-                         "another file",
-                         notes_of(sheet), name);
-    }
-    if (next.work.done > most || !reaches(rows, &sheet->at, &next)) {
-      break;
-    }
-    sheet->at = next;
-  }
-  return CLI_DONE;
-}
-
-// Looks how far a file of rows is right; a file without notes is of something
-// else.
-static int look_at(const cli_sheets_t *sheets, cli_sheet_t *sheet,
-                   const char *name, uint64_t most) {
-  FILE *rows = fopen(name, "r"), *notes = fopen(notes_of(sheet), "r");
-  const int code = rows != NULL && notes != NULL
-                       ? read_notes(sheets, sheet, notes, rows, name, most)
-                       : cli_output_refuse_other(name, sheets->what);
-  if (rows != NULL) {
-    (void)fclose(rows);
-  }
-  if (notes != NULL) {
-    (void)fclose(notes);
-  }
-  return code;
 }
 
 static uint64_t size_of(const char *name) {
@@ -143,84 +34,166 @@ static uint64_t size_of(const char *name) {
   return stat(name, &status) == 0 ? (uint64_t)status.st_size : 0;
 }
 
-// Opens the part, which may have rows; otherwise FILE may be whole.
-static int open_sheet(const cli_sheets_t *sheets, cli_sheet_t *sheet,
-                      uint64_t total) {
+// The file that has rows of a sheet, or will have.
+static const char *name_of(const cli_sheet_t *sheet) {
   const cli_destination_t *to = &sheet->output.to;
-  CLI_TRY(cli_output_begin(&sheet->output, sheet->option, sheet->path, true));
-  sheet->is_open = true;
-  sheet->at = start_of(sheet);
-  if (!sheets->noted || !to->beside) {
-    return CLI_DONE;
-  }
-  if (size_of(to->part) > 0) {
-    return sheets->resume
-               ? look_at(sheets, sheet, to->part, total)
-               : cli_message(CLI_REFUSED,
-                             "%s has rows of a %s that was stopped: --resume "
-                             "goes on with them, or remove it",
-                             to->part, sheets->what);
-  }
-  const uint64_t size = size_of(to->path);
-  if (!sheets->resume || size == 0) {
-    return CLI_DONE;
-  }
-  CLI_TRY(look_at(sheets, sheet, to->path, total));
-  sheet->is_whole = sheet->at.work.done == total && sheet->at.bytes == size;
-  return sheet->is_whole ? CLI_DONE
-                         : cli_output_refuse_other(to->path, sheets->what);
+  return size_of(to->part) == 0 && size_of(to->path) > 0 ? to->path : to->part;
 }
 
-// Drops what is behind the place of a file, and goes on there. The first line
-// of the notes is on disk before the rows: rows without it would be refused.
-static int go_on(const cli_sheets_t *sheets, cli_sheet_t *sheet) {
-  const off_t end = (off_t)sheet->at.notes;
-  cli_output_go_on(&sheet->output, (size_t)sheet->at.bytes);
-  if (sheets->noted && sheet->output.to.beside) {
-    const char *name = notes_of(sheet);
-    sheet->notes =
-        open(name, O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
-    if (sheet->notes < 0 || ftruncate(sheet->notes, end) != 0 ||
-        lseek(sheet->notes, end, SEEK_SET) != end ||
-        (end == 0 && !write_line(sheet, sheets->about)) ||
-        fsync(sheet->notes) != 0) {
-      return cli_message(CLI_STOPPED, "%s: cannot be written", name);
+// Writes what stands behind the text of a line: the CRC of all lines so far.
+static void end_line(uint32_t *chain, const char *text, size_t length,
+                     char out[END_ROOM]) {
+  *chain = cli_crc(*chain, text, length);
+  (void)snprintf(out, END_ROOM, " %08" PRIx32 "\n", *chain);
+}
+
+static bool write_line(cli_sheets_t *sheets, const char *text) {
+  static char line[LINE];
+  char end[END_ROOM];
+  end_line(&sheets->chain, text, strlen(text), end);
+  const int length = snprintf(line, sizeof line, "%s%s", text, end);
+  return write(sheets->notes, line, (size_t)length) == length;
+}
+
+// Reads a line as its text. Returns: whether its end is right.
+static bool cut_line(uint32_t *chain, char *line) {
+  char end[END_ROOM];
+  const size_t length = strlen(line);
+  const size_t text = length < END_ROOM ? 0 : length - (END_ROOM - 1);
+  end_line(chain, line, text, end);
+  const bool same = strcmp(line + text, end) == 0;
+  line[text] = '\0';
+  return same;
+}
+
+static uint64_t next_number(const char **at, int base) {
+  char *end;
+  const uint64_t number = strtoull(*at, &end, base);
+  *at = end;
+  return number;
+}
+
+// Whether a file goes on from one place with the bytes up to another.
+static bool reaches(FILE *file, cli_extent_t from, cli_extent_t to) {
+  char part[4096];
+  while (from.bytes < to.bytes) {
+    const uint64_t left = to.bytes - from.bytes;
+    const size_t some = left < sizeof part ? (size_t)left : sizeof part;
+    if (fread(part, 1, some, file) != some) {
+      return false;
+    }
+    from.crc = cli_crc(from.crc, part, some);
+    from.bytes += some;
+  }
+  return from.bytes == to.bytes && from.crc == to.crc;
+}
+
+// Goes to a note, if it fits the rows.
+static bool go_to(cli_sheets_t *sheets, const char *note, FILE *const rows[],
+                  cli_done_t *work) {
+  cli_extent_t next[CLI_SHEETS];
+  for (int i = 0; i < sheets->count; i++) {
+    next[i].bytes = next_number(&note, 10);
+    next[i].crc = (uint32_t)next_number(&note, 16);
+    if (!reaches(rows[i], sheets->sheet[i].rows, next[i])) {
+      return false;
     }
   }
-  if (sheet->at.bytes == 0) {
-    (void)cli_sheet_put(sheet, sheet->begin, strlen(sheet->begin));
+  for (int i = 0; i < sheets->count; i++) {
+    sheets->sheet[i].rows = next[i];
   }
+  work->done = next_number(&note, 10);
+  for (int i = 0; i < CLI_SHEET_COUNTS; i++) {
+    work->count[i] = next_number(&note, 10);
+  }
+  return true;
+}
+
+static int refuse_other(const cli_sheets_t *sheets, const char *path) {
+  return cli_message(CLI_REFUSED,
+                     "--resume: %s is of another %s, or of another build of "
+                     "twofold; remove it, or give another file",
+                     path, sheets->what);
+}
+
+// Goes to the last note that fits the rows. name: in, one of the files.
+static int read_notes(cli_sheets_t *sheets, FILE *notes, FILE *const rows[],
+                      const char *name, cli_done_t *work) {
+  static char line[LINE];
+  uint32_t chain = sheets->chain;
+  if (fgets(line, sizeof line, notes) == NULL || !cut_line(&chain, line) ||
+      strcmp(line, sheets->about) != 0) {
+    return refuse_other(sheets, name);
+  }
+  do {
+    sheets->chain = chain;
+    sheets->noted_end = ftell(notes);
+    if (fgets(line, sizeof line, notes) == NULL || strchr(line, '\n') == NULL) {
+      return CLI_DONE;
+    }
+    if (!cut_line(&chain, line)) {
+      return cli_message(CLI_REFUSED,
+                         "--resume: %s is damaged; remove it and %s, or give "
+                         "another file",
+                         notes_of(sheets), name);
+    }
+  } while (go_to(sheets, line, rows, work));
   return CLI_DONE;
 }
 
-// Goes back to the work that is done in all files. One that is whole cannot go
-// back, so where it has to, all begin anew.
-static int agree(cli_sheets_t *sheets, uint64_t total, cli_done_t *work) {
-  bool anew = false;
-  work->done = total;
-  for (int i = 0; i < CLI_SHEETS; i++) {
-    const cli_sheet_t *sheet = &sheets->sheet[i];
-    if (sheet->is_open && sheet->at.work.done < work->done) {
-      work->done = sheet->at.work.done;
-    }
-    anew = anew || sheet->is_whole;
+// Looks how far the files are right; without notes they are of something else.
+static int look(cli_sheets_t *sheets, const char *name, cli_done_t *work) {
+  FILE *rows[CLI_SHEETS];
+  FILE *notes = fopen(notes_of(sheets), "r");
+  bool opened = notes != NULL;
+  for (int i = 0; i < sheets->count; i++) {
+    rows[i] = fopen(name_of(&sheets->sheet[i]), "r");
+    opened = opened && rows[i] != NULL;
   }
-  anew = anew && work->done < total;
-  for (int i = 0; i < CLI_SHEETS; i++) {
+  const int code = opened ? read_notes(sheets, notes, rows, name, work)
+                          : refuse_other(sheets, name);
+  for (int i = 0; i <= sheets->count; i++) {
+    FILE *file = i < sheets->count ? rows[i] : notes;
+    if (file != NULL) {
+      (void)fclose(file);
+    }
+  }
+  return code;
+}
+
+// The first line is on disk before the rows: rows without it would be refused.
+static bool open_notes(cli_sheets_t *sheets) {
+  sheets->notes =
+      open(notes_of(sheets), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+  return sheets->notes >= 0 &&
+         ftruncate(sheets->notes, sheets->noted_end) == 0 &&
+         lseek(sheets->notes, 0, SEEK_END) >= 0 &&
+         (sheets->noted_end > 0 || write_line(sheets, sheets->about)) &&
+         fsync(sheets->notes) == 0;
+}
+
+// Goes on behind the rows that are right. A FILE that is whole stays.
+static int go_on(cli_sheets_t *sheets, bool all, bool *whole) {
+  *whole = true;
+  for (int i = 0; i < sheets->count; i++) {
     cli_sheet_t *sheet = &sheets->sheet[i];
-    if (!sheet->is_open) {
-      continue;
-    }
-    if (anew) {
-      sheet->at = start_of(sheet);
-      sheet->is_whole = false;
-    } else if (sheet->at.work.done > work->done) {
-      CLI_TRY(look_at(sheets, sheet, sheet->output.to.part, work->done));
-    }
-    *work = sheet->at.work;
-    if (sheet->is_whole) {
+    const cli_destination_t *to = &sheet->output.to;
+    if (!sheets->noted || !sheets->resume || name_of(sheet) == to->part) {
+      *whole = false;
+      cli_output_go_on(&sheet->output, (size_t)sheet->rows.bytes);
+    } else if (all && sheet->rows.bytes == size_of(to->path)) {
       (void)cli_output_close(&sheet->output, false);
-      sheet->is_open = false;
+    } else {
+      return refuse_other(sheets, to->path);
+    }
+  }
+  if (sheets->noted && !*whole && !open_notes(sheets)) {
+    return cli_message(CLI_STOPPED, "%s: cannot be written", notes_of(sheets));
+  }
+  for (int i = 0; i < sheets->count; i++) {
+    cli_sheet_t *sheet = &sheets->sheet[i];
+    if (sheet->rows.bytes == 0) {
+      (void)cli_sheet_put(sheet, sheet->begin, strlen(sheet->begin));
     }
   }
   return CLI_DONE;
@@ -228,87 +201,93 @@ static int agree(cli_sheets_t *sheets, uint64_t total, cli_done_t *work) {
 
 static int open_all(cli_sheets_t *sheets, uint64_t total, cli_done_t *work,
                     bool *whole) {
-  for (int i = 0; i < CLI_SHEETS; i++) {
-    if (sheets->sheet[i].path != NULL) {
-      CLI_TRY(open_sheet(sheets, &sheets->sheet[i], total));
+  const char *found = NULL; // rows, better those of a part
+  bool in_part = false;
+  for (; sheets->count < CLI_SHEETS; sheets->count++) {
+    cli_sheet_t *sheet = &sheets->sheet[sheets->count];
+    const cli_destination_t *to = &sheet->output.to;
+    if (sheet->path == NULL) {
+      break;
+    }
+    CLI_TRY(cli_output_begin(&sheet->output, sheet->option, sheet->path, true));
+    sheets->noted = sheets->noted && to->beside;
+    sheets->chain = cli_crc(sheets->chain, sheet->begin, strlen(sheet->begin));
+    if (to->beside && !in_part && size_of(name_of(sheet)) > 0) {
+      found = name_of(sheet);
+      in_part = found == to->part;
     }
   }
-  CLI_TRY(agree(sheets, total, work));
-  *whole = true;
-  for (int i = 0; i < CLI_SHEETS; i++) {
-    if (sheets->sheet[i].is_open) {
-      *whole = false;
-      CLI_TRY(go_on(sheets, &sheets->sheet[i]));
-    }
+  if (sheets->noted && in_part && !sheets->resume) {
+    return cli_message(CLI_REFUSED,
+                       "%s has rows of a %s that was stopped: --resume goes on "
+                       "with them, or remove it",
+                       found, sheets->what);
   }
-  return CLI_DONE;
+  if (sheets->noted && found != NULL && sheets->resume) {
+    CLI_TRY(look(sheets, found, work));
+  }
+  return go_on(sheets, work->done == total, whole);
 }
 
 int cli_sheets_open(cli_sheets_t *sheets, uint64_t total, cli_done_t *work,
                     bool *whole) {
   const int code = open_all(sheets, total, work, whole);
-  for (int i = 0; i < CLI_SHEETS && code != CLI_DONE; i++) {
-    if (sheets->sheet[i].is_open) {
-      (void)cli_output_close(&sheets->sheet[i].output, false);
-    }
+  for (int i = 0; i < sheets->count && code != CLI_DONE; i++) {
+    (void)cli_output_close(&sheets->sheet[i].output, false);
   }
   return code;
 }
 
 bool cli_sheet_put(cli_sheet_t *sheet, const char *rows, size_t length) {
-  if (!sheet->is_open) {
-    return true;
-  }
-  sheet->at.crc = cli_crc(sheet->at.crc, rows, length);
-  sheet->at.bytes += length;
+  sheet->rows.crc = cli_crc(sheet->rows.crc, rows, length);
+  sheet->rows.bytes += length;
   return cli_output_lines(&sheet->output, rows, length);
 }
 
 bool cli_sheets_flush(cli_sheets_t *sheets) {
   bool written = true;
-  for (int i = 0; i < CLI_SHEETS; i++) {
-    cli_sheet_t *sheet = &sheets->sheet[i];
-    written = (!sheet->is_open || cli_output_flush(&sheet->output)) && written;
+  for (int i = 0; i < sheets->count; i++) {
+    written = cli_output_flush(&sheets->sheet[i].output) && written;
   }
   return written;
 }
 
 bool cli_sheets_note(cli_sheets_t *sheets, const cli_done_t *work) {
-  static char text[LINE];
-  bool written = cli_sheets_flush(sheets);
-  for (int i = 0; i < CLI_SHEETS && written; i++) {
-    cli_sheet_t *sheet = &sheets->sheet[i];
-    if (sheet->is_open && sheet->notes > 0) {
-      sheet->at.work = *work;
-      write_note(&sheet->at, text);
-      written = write_line(sheet, text);
-      if (!written) {
-        (void)cli_message(CLI_STOPPED, "%s: cannot be written",
-                          notes_of(sheet));
-      }
-    }
+  char text[512];
+  cli_buffer_t note = {text, 0, sizeof text, false};
+  for (int i = 0; i < sheets->count; i++) {
+    cli_add_form(&note, "%" PRIu64 " ", sheets->sheet[i].rows.bytes);
+    cli_add_hash(&note, sheets->sheet[i].rows.crc);
+    cli_add(&note, " ");
   }
-  return written;
+  cli_add_count(&note, work->done);
+  for (int i = 0; i < CLI_SHEET_COUNTS; i++) {
+    cli_add_form(&note, " %" PRIu64, work->count[i]);
+  }
+  if (!cli_sheets_flush(sheets)) {
+    return false;
+  }
+  if (sheets->noted && !write_line(sheets, text)) {
+    (void)cli_message(CLI_STOPPED, "%s: cannot be written", notes_of(sheets));
+    return false;
+  }
+  return true;
 }
 
 int cli_sheets_close(cli_sheets_t *sheets, int code) {
+  bool left = false;
   // None gets its name where the rows of another could not be written.
   code = cli_sheets_flush(sheets) ? code : CLI_STOPPED;
-  for (int i = 0; i < CLI_SHEETS; i++) {
-    cli_sheet_t *sheet = &sheets->sheet[i];
-    if (!sheet->is_open) {
-      continue;
-    }
-    if (sheet->notes > 0) {
-      (void)fsync(sheet->notes);
-      (void)close(sheet->notes);
-    }
-    code = cli_output_end(&sheet->output, code);
-    if (sheet->notes > 0 && !sheet->output.to.left &&
-        (code != CLI_DONE || !sheets->resume)) {
-      (void)unlink(notes_of(sheet));
-    }
-    sheet->is_open = false;
+  if (sheets->noted) {
+    (void)fsync(sheets->notes);
+    (void)close(sheets->notes);
+  }
+  for (int i = 0; i < sheets->count; i++) {
+    code = cli_output_end(&sheets->sheet[i].output, code);
+    left = left || sheets->sheet[i].output.to.left;
+  }
+  if (sheets->noted && !left && (code != CLI_DONE || !sheets->resume)) {
+    (void)unlink(notes_of(sheets));
   }
   return code;
 }

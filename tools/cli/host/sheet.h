@@ -1,6 +1,7 @@
 /// Files of rows that take long: a program that was stopped, even by SIGKILL,
 /// goes on with them and ends with the bytes of one that was not. FILE is plain
-/// CSV. While it is FILE.part, notes in FILE.resume say how far it is right.
+/// CSV. While it is FILE.part, notes say how far it is right; those of all files
+/// of one work stand in FILE.resume, beside the first.
 #pragma once
 
 #include "output.h"
@@ -16,30 +17,29 @@ typedef struct {
   uint64_t done, count[CLI_SHEET_COUNTS];
 } cli_done_t;
 
-/// How far a file is right.
+/// Rows of a file, and their CRC.
 typedef struct {
   uint64_t bytes;
-  uint32_t crc; ///< of these bytes
-  cli_done_t work;
-  uint64_t notes; ///< bytes of the notes
-  uint32_t chain; ///< CRC of their lines
-} cli_sheet_place_t;
+  uint32_t crc;
+} cli_extent_t;
 
 typedef struct {
-  const char *option, *path;   ///< path NULL: no such file is asked for
+  const char *option, *path;
   char begin[CLI_SHEET_BEGIN]; ///< comments and header, may be empty
   cli_output_t output;
-  bool is_open, is_whole; ///< whole: FILE is there, and stays
-  int notes;              ///< descriptor, 0: none are made
-  cli_sheet_place_t at;
+  cli_extent_t rows;
 } cli_sheet_t;
 
 /// Files of one work, which go on and get their names together.
 typedef struct {
-  const char *what;            ///< a sweep or a run, for messages
-  bool resume, noted;          ///< goes on with what is there; makes notes
-  char about[CLI_SHEET_ABOUT]; ///< one line: what the rows follow from
-  cli_sheet_t sheet[CLI_SHEETS];
+  const char *what;              ///< a sweep or a run, for messages
+  bool resume, noted;            ///< goes on with what is there; makes notes
+  char about[CLI_SHEET_ABOUT];   ///< one line: what the rows follow from
+  cli_sheet_t sheet[CLI_SHEETS]; ///< those without a path come last
+  int count;                     ///< of those that are open
+  int notes;                     ///< descriptor, 0: none are made
+  long noted_end;                ///< bytes of the notes
+  uint32_t chain;                ///< CRC of their lines
 } cli_sheets_t;
 
 /// Opens the files behind the rows that are there: under resume those of the
@@ -50,7 +50,7 @@ typedef struct {
 int cli_sheets_open(cli_sheets_t *sheets, uint64_t total, cli_done_t *work,
                     bool *whole);
 
-/// Appends whole rows to a file, if it is open.
+/// Appends whole rows to a file.
 /// Returns: whether everything so far could be written.
 bool cli_sheet_put(cli_sheet_t *sheet, const char *rows, size_t length);
 
