@@ -99,8 +99,3 @@ int cli_completions(int argc, char *const argv[]);
 
 /// Prints what may stand behind words, for the scripts of the completions.
 int cli_complete(int argc, char *const argv[]);
-
-int cli_scenes(int argc, char *const argv[]);
-
-/// Prints the sections of help.txt that have a word. Returns: whether there are.
-bool cli_print_section(const char *word);

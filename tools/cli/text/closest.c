@@ -2,7 +2,6 @@
 // delete, replace, swap two neighbours), bounded by a third of the word: beyond
 // that a suggestion is noise.
 
-#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -12,31 +11,27 @@
 
 static size_t least(size_t a, size_t b) { return a < b ? a : b; }
 
-// Edit distance by dynamic programming with three rows, O(LONGEST^2).
+// table[i][j] is the distance of the first i letters to the first j.
 static size_t edit_distance(const char *a, const char *b) {
-  size_t rows[3][LONGEST + 1];
-  const size_t n = strlen(a);
-  const size_t m = strlen(b);
+  size_t table[LONGEST + 1][LONGEST + 1];
+  const size_t n = strlen(a), m = strlen(b);
   if (n > LONGEST || m > LONGEST) {
     return SIZE_MAX;
   }
-  for (size_t j = 0; j <= m; j++) {
-    rows[0][j] = j;
-  }
-  for (size_t i = 1; i <= n; i++) {
-    size_t *row = rows[i % 3];
-    const size_t *above = rows[(i + 2) % 3];
-    const size_t *two_above = rows[(i + 1) % 3];
-    row[0] = i;
-    for (size_t j = 1; j <= m; j++) {
-      const size_t replace = above[j - 1] + (a[i - 1] != b[j - 1] ? 1 : 0);
-      row[j] = least(replace, least(above[j], row[j - 1]) + 1);
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
-        row[j] = least(row[j], two_above[j - 2] + 1);
+  for (size_t i = 0; i <= n; i++) {
+    for (size_t j = 0; j <= m; j++) {
+      size_t best = i + j;
+      if (i > 0 && j > 0) {
+        best = table[i - 1][j - 1] + (a[i - 1] != b[j - 1] ? 1 : 0);
+        best = least(best, least(table[i - 1][j], table[i][j - 1]) + 1);
       }
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+        best = least(best, table[i - 2][j - 2] + 1);
+      }
+      table[i][j] = best;
     }
   }
-  return rows[n % 3][m];
+  return table[n][m];
 }
 
 cli_closest_t cli_closest_to(const char *word) {
