@@ -13,7 +13,7 @@
 
 /// What is swept: a name of --set, or the seed of rule random.
 typedef struct {
-  char name[CLI_NAME_ROOM];
+  const char *name;
   cli_range_t range; ///< its text is NAME=A:B:N, as typed
   bool is_seed;      ///< not among the settings
   size_t setting;    ///< index in the settings

@@ -51,14 +51,3 @@ cli_point_end_t cli_point_row(uint64_t index, size_t which,
 
 /// Name of an end, as in the column `status`.
 const char *cli_point_status(cli_point_end_t end);
-
-/// The header of the rows, with its newline.
-void cli_sweep_header(const cli_args_t *args, cli_buffer_t *text);
-
-/// What the rows of all shards follow from: program, scene, options.
-/// newline: in, what stands between these.
-void cli_sweep_about(const cli_sweep_t *sweep, const char *newline,
-                     cli_buffer_t *text);
-
-/// The same and the units of the columns, as the comments of --provenance.
-void cli_sweep_provenance(const cli_sweep_t *sweep, cli_buffer_t *text);

@@ -97,39 +97,99 @@ static void summarise_json(const work_t *work, double seconds, int code) {
   cli_put_end(seconds, code);
 }
 
+// What the rows of all shards follow from: program, scene, options. newline:
+// what stands between these.
+static void add_about(const cli_sweep_t *sweep, const char *newline,
+                      cli_buffer_t *text) {
+  const cli_args_t *args = sweep->args;
+  cli_add_form(text, "twofold %s, commit %s, numbers are %s%sscene %s, hash ",
+               TF_VERSION, cli_commit, CLI_NUMBER_TYPE, newline,
+               args->scene->name);
+  cli_add_hash(text, sweep->hash);
+  cli_add_form(text, "%ssweep %s --scheme %s --t-end %g", newline,
+               args->scene->name, sweep->scheme->name,
+               (double)cli_end_of(args));
+  if (args->select != NULL) {
+    cli_add_form(text, " --select %s", args->select);
+  }
+  if (args->drive.inputs != NULL) {
+    cli_add_form(text, " --inputs %s --between %s (", args->drive.inputs,
+                 args->drive.between == 1 ? "linear" : "held");
+    cli_add_hash(text, cli_inputs_hash(&sweep->drive.table));
+    cli_add(text, ")");
+  }
+  for (size_t i = 0; i < args->settings.count; i++) {
+    const cli_setting_t *setting = &args->settings.list[i];
+    if (strcmp(setting->option, "--over") != 0) {
+      cli_add_form(text, " %s %s", setting->option, setting->text);
+    }
+  }
+  for (size_t i = 0; i < args->axes; i++) {
+    cli_add_form(text, " --over %s", args->axis[i].range.text);
+  }
+  for (size_t i = 0; i < args->measures; i++) {
+    cli_add_form(text, " --outcome %s", cli_measures[args->measure[i]].name);
+  }
+}
+
+static void add_provenance(const cli_sweep_t *sweep, cli_buffer_t *text) {
+  const cli_args_t *args = sweep->args;
+  cli_add(text, "# ");
+  add_about(sweep, "\n# ", text);
+  cli_add(text, "\n# units:");
+  for (size_t i = 0; i < args->axes; i++) {
+    const size_t number = cli_number_index(args->axis[i].name);
+    cli_add_form(text, " %s %s,", args->axis[i].name,
+                 number < CLI_NUMBERS ? cli_number(number)->unit : "1");
+  }
+  for (size_t i = 0; i < args->measures; i++) {
+    const cli_measure_info_t *info = &cli_measures[args->measure[i]];
+    if (info->unit[0] != '\0') {
+      cli_add_form(text, " %s %s,", info->name, info->unit);
+    }
+  }
+  cli_add(text, " t s\n");
+}
+
+static void add_header(const cli_args_t *args, cli_buffer_t *text) {
+  cli_add(text, "point");
+  for (size_t i = 0; i < args->axes; i++) {
+    cli_add_form(text, ",%s", args->axis[i].name);
+  }
+  cli_add(text, ",status,reason,t");
+  for (size_t i = 0; i < args->measures; i++) {
+    cli_add_form(text, ",%s", cli_measures[args->measure[i]].name);
+  }
+  cli_add(text, "\n");
+}
+
 // The shards of a sweep have header and comments once, so that their files, one
 // after the other, are the file of the whole.
-static int describe(const work_t *work) {
+static int open_sheet(work_t *work, bool *whole) {
   const cli_args_t *args = work->sweep.args;
   cli_sheets_t *sheets = work->sheets;
   cli_buffer_t begin = {sheets->sheet->begin, 0, CLI_SHEET_BEGIN, false};
   cli_buffer_t about = {sheets->about, 0, CLI_SHEET_ABOUT, false};
-  if (args->shard.index == 1 && args->provenance) {
-    cli_sweep_provenance(&work->sweep, &begin);
-  }
-  if (args->shard.index == 1) {
-    cli_sweep_header(args, &begin);
-  }
-  cli_sweep_about(&work->sweep, "; ", &about);
-  cli_add_form(&about, "; shard %" PRIu64 "/%" PRIu64, args->shard.index,
-               args->shard.of);
-  return begin.truncated || about.truncated
-             ? cli_message(CLI_USAGE, "sweep: the command line is too long")
-             : CLI_DONE;
-}
-
-static int open_sheet(work_t *work, bool *whole) {
-  const cli_args_t *args = work->sweep.args;
-  cli_sheets_t *sheets = work->sheets;
   uint64_t end = 0;
   cli_shard_range(&args->shard, args->points, &work->first, &end);
   work->points = end - work->first;
+  if (args->shard.index == 1 && args->provenance) {
+    add_provenance(&work->sweep, &begin);
+  }
+  if (args->shard.index == 1) {
+    add_header(args, &begin);
+  }
+  add_about(&work->sweep, "; ", &about);
+  cli_add_form(&about, "; shard %" PRIu64 "/%" PRIu64, args->shard.index,
+               args->shard.of);
+  if (begin.truncated || about.truncated) {
+    return cli_message(CLI_USAGE, "sweep: the command line is too long");
+  }
   sheets->what = "sweep";
   sheets->resume = args->resume;
   sheets->noted = true;
   sheets->sheet->option = "--out";
   sheets->sheet->path = args->out != NULL ? args->out : "-";
-  CLI_TRY(describe(work));
   CLI_TRY(cli_sheets_open(sheets, work->points, &work->work, whole));
   work->kept = work->work.done;
   return CLI_DONE;
@@ -186,23 +246,21 @@ int cli_sweep(const cli_args_t *args) {
 #define MAX_POINTS 1000000000000000ull // exact in a double
 
 // The seed is a number of rule random, not a real parameter of the machine.
-static int add_seed(const cli_args_t *args, cli_axis_t *axis) {
-  const char *text = axis->range.text;
-  axis->is_seed = true;
+static int check_seed(const cli_args_t *args, const cli_range_t *range) {
   for (size_t i = 0; i < args->axes; i++) {
     if (args->axis[i].is_seed) {
       return cli_message(CLI_USAGE,
-                         "--over %s: seed was already given by --over %s", text,
-                         args->axis[i].range.text);
+                         "--over %s: seed was already given by --over %s",
+                         range->text, args->axis[i].range.text);
     }
   }
-  for (uint64_t i = 0; i < axis->range.count; i++) {
-    const double value = cli_range_at(&axis->range, i);
+  for (uint64_t i = 0; i < range->count; i++) {
+    const double value = cli_range_at(range, i);
     if (!(value >= 0 && value <= UINT32_MAX && floor(value) >= value)) {
       return cli_message(CLI_REFUSED,
                          "--over %s: seed must be whole numbers in "
-                         "[0, 4294967295]; value %llu is %.10g",
-                         text, (unsigned long long)i + 1, value);
+                         "[0, 4294967295]; value %" PRIu64 " is %.10g",
+                         range->text, i + 1, value);
     }
   }
   return CLI_DONE;
@@ -210,8 +268,8 @@ static int add_seed(const cli_args_t *args, cli_axis_t *axis) {
 
 int cli_read_over(void *to, const cli_given_t *option) {
   cli_args_t *args = to;
-  const char *text = option->value;
-  const char *equals = strchr(text, '=');
+  const char *text = option->value, *equals = strchr(text, '=');
+  cli_axis_t *axis = &args->axis[args->axes];
   if (equals == NULL || equals == text) {
     return cli_message(CLI_USAGE, "--over %s: expected NAME=A:B:N", text);
   }
@@ -219,19 +277,16 @@ int cli_read_over(void *to, const cli_given_t *option) {
     return cli_message(CLI_USAGE, "--over %s: more than %d axes", text,
                        CLI_AXES);
   }
-  cli_axis_t *axis = &args->axis[args->axes];
-  const size_t length = (size_t)(equals - text);
-  const bool is_seed = length == 4 && strncmp(text, "seed", 4) == 0;
-  CLI_TRY(cli_read_range(option->name, text, equals + 1, MAX_VALUES, is_seed,
-                         &axis->range));
-  if (is_seed) {
-    memcpy(axis->name, "seed", 5);
-    CLI_TRY(add_seed(args, axis));
+  axis->is_seed = strncmp(text, "seed=", 5) == 0;
+  CLI_TRY(cli_read_range(option->name, text, equals + 1, MAX_VALUES,
+                         axis->is_seed, &axis->range));
+  if (axis->is_seed) {
+    axis->name = "seed";
+    CLI_TRY(check_seed(args, &axis->range));
   } else {
     axis->setting = args->settings.count;
+    axis->name = args->settings.list[axis->setting].name;
     CLI_TRY(cli_settings_add(&args->settings, option->name, text));
-    memcpy(axis->name, args->settings.list[axis->setting].name,
-           sizeof axis->name);
   }
   if (args->points > MAX_POINTS / axis->range.count) {
     return cli_message(CLI_REFUSED, "--over %s: more than %llu points", text,
@@ -263,18 +318,15 @@ static int add_measure(cli_args_t *args, const char *name, const char *text) {
 }
 
 int cli_read_outcome(void *to, const cli_given_t *option) {
-  cli_args_t *args = to;
   const char *at = option->value;
-  for (;;) {
+  do {
     char name[32];
     const size_t length = strcspn(at, ",");
     (void)snprintf(name, sizeof name, "%.*s", (int)length, at);
-    CLI_TRY(add_measure(args, name, option->value));
-    if (at[length] == '\0') {
-      return CLI_DONE;
-    }
-    at += length + 1;
-  }
+    CLI_TRY(add_measure(to, name, option->value));
+    at += length;
+  } while (*at++ == ',');
+  return CLI_DONE;
 }
 
 int cli_sweep_check(cli_args_t *args) {
