@@ -191,21 +191,19 @@ static void place(point_t *point, const cli_sweep_t *sweep, uint64_t index) {
   }
 }
 
-static int read_setup(point_t *point) {
-  const cli_args_t *args = point->sweep->args;
-  return cli_setup_read(
-      &point->setup, args->scene, &point->settings,
-      point->select[0] != '\0' ? point->select : args->select);
-}
-
-static int prepare(point_t *point, uint64_t *steps) {
-  const cli_sweep_t *sweep = point->sweep;
-  CLI_TRY(read_setup(point));
+static int prepare(point_t *point, cli_sweep_t *sweep, uint64_t *steps) {
+  const cli_args_t *args = sweep->args;
+  CLI_TRY(
+      cli_setup_read(&point->setup, args->scene, &point->settings,
+                     point->select[0] != '\0' ? point->select : args->select));
+  if (sweep->scheme == NULL) {
+    sweep->scheme = cli_scheme_for(args, point->setup.params.dt, NULL);
+  }
   CLI_TRY(cli_check_law(sweep->scheme, point->setup.params.law));
   CLI_TRY(cli_setup_machine(&point->setup));
   point->drive = sweep->drive;
   point->setup.input = cli_drive_begin(&point->drive, &point->setup.machine, 0);
-  return cli_count_steps(sweep->args, point->setup.machine.dt, steps);
+  return cli_count_steps(args, point->setup.machine.dt, steps);
 }
 
 // An end of every axis, by a message that names the axis and its range.
@@ -226,16 +224,12 @@ static int check_end(cli_sweep_t *sweep, bool last) {
       sweep->together = 1;
     }
   }
-  CLI_TRY(read_setup(&point));
-  if (sweep->scheme == NULL) {
-    sweep->scheme = cli_scheme_for(args, point.setup.params.dt, NULL);
-  }
+  CLI_TRY(prepare(&point, sweep, &steps));
+  CLI_TRY(cli_setup_check_starts(&point.setup));
   if (sweep->scheme->code != MOTION_MOREAU ||
       point.setup.params.law != TF_TYRE_JUMP) {
     sweep->together = 1;
   }
-  CLI_TRY(prepare(&point, &steps));
-  CLI_TRY(cli_setup_check_starts(&point.setup));
   if (!last) {
     sweep->hash = cli_scene_hash(&point.setup);
     cli_setup_notes(&point.setup, sweep->scheme->unused, sweep->scheme->why);
@@ -345,7 +339,7 @@ static void drop_commas(char *text) {
   }
 }
 
-bool cli_points_follow(const cli_sweep_t *sweep, uint64_t index, size_t count) {
+bool cli_points_follow(cli_sweep_t *sweep, uint64_t index, size_t count) {
   uint64_t steps = 0;
   group.going = 0;
   for (size_t n = 0; n < count; n++) {
@@ -353,7 +347,7 @@ bool cli_points_follow(const cli_sweep_t *sweep, uint64_t index, size_t count) {
     memset(point, 0, sizeof *point);
     place(point, sweep, index + n);
     cli_message_divert(point->reason, REASON_ROOM);
-    int code = prepare(point, &steps);
+    int code = prepare(point, sweep, &steps);
     code = code == CLI_DONE ? cli_setup_start(&point->setup) : code;
     cli_message_divert(NULL, 0);
     point->end = code == CLI_DONE ? CLI_POINT_DONE : CLI_POINT_REFUSED;

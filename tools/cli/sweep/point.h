@@ -42,7 +42,7 @@ int cli_point_check(cli_sweep_t *sweep);
 /// index: in, of the first, 0 to points - 1; the last axis is the inner loop.
 /// count: in, 1 to sweep->together.
 /// Returns: whether they have come to their ends; false: a stop was asked for.
-bool cli_points_follow(const cli_sweep_t *sweep, uint64_t index, size_t count);
+bool cli_points_follow(cli_sweep_t *sweep, uint64_t index, size_t count);
 
 /// Writes the row of one of these points, with its newline.
 /// index: in, as above. which: in, 0 to count - 1. length: out.
