@@ -20,15 +20,15 @@ from pathlib import Path
 sys.path[:0] = [str(Path(__file__).resolve().parents[2] / place)
                 for place in ("tests/support", "tools/board/protocol")]
 from decode import decode  # noqa: E402  (the paths come first)
-from tap import TWOFOLD, check  # noqa: E402
+from tap import TWOFOLD, call, check  # noqa: E402
 
 BUILD = Path(TWOFOLD).parents[1]
 FIRMWARE = str(Path(os.environ.get("FIRMWARE") or
                     BUILD / "boards/host/chaos").resolve())
 REALS = (os.environ.get("REALS") or "double float").split()
 RUN = [TWOFOLD, "run", "chaos", "--t-end", "0.5", "--dt", "1e-3"]
-SCHEMA, STATE, REPORT, HEARTBEAT, ANSWER, EXPIRED = 1, 3, 4, 6, 8, 9
-INPUT, STOP, DESCRIBE, DEADMAN, EVERY = 0x41, 0x45, 0x4A, 0x4B, 0x4C
+SCHEMA, STATE, REPORT, HEARTBEAT, ANSWER = 1, 3, 4, 6, 8
+INPUT, STOP, DESCRIBE = 0x41, 0x45, 0x4A
 
 
 def says(said, *patterns):
@@ -87,6 +87,12 @@ class Board:
     def __exit__(self, *_):
         self.end()
 
+    def send(self, *commands, code=(0, 5, 6), key=()):
+        """What is said of commands. Where the computer is busy ticks get no
+        step (5) or rows are lost (6), which is another matter."""
+        words = [word for one in commands for word in ("--send", one)]
+        return call("monitor", self.name, *words, *key, code=code)[1]
+
     def stop_a_while(self):
         """For 80 ms, of the next 100."""
         self.run.send_signal(signal.SIGSTOP)
@@ -142,23 +148,19 @@ class Line:
                     return frame
         sys.exit("the board is silent")
 
+    def answer(self, kind, command):
+        """The code of the answer to a command."""
+        os.write(self.line, command)
+        payload = self.listen(lambda frame: frame[0] == ANSWER and
+                              frame[3][4] == kind)[3]
+        return struct.unpack_from("b", payload, 5)[0]
+
     def describe(self):
         """Asks the board who it is: its session and our next number."""
-        os.write(self.line, framed(DESCRIBE, 0, 0, b""))
-        self.listen(lambda frame: frame[0] == ANSWER and
-                    frame[3][4] == DESCRIBE)
+        self.answer(DESCRIBE, framed(DESCRIBE, 0, 0, b""))
         schema = self.listen(lambda frame: frame[0] == SCHEMA)[3]
         self.session = schema[13:17]
         self.number = struct.unpack_from("<I", schema, 17)[0]
-
-    def command(self, kind, data):
-        """It takes effect. Returns: the step after which it does."""
-        os.write(self.line, framed(kind, self.number, 0, self.session + data))
-        self.number += 1
-        answer = self.listen(lambda frame: frame[0] == ANSWER and
-                             frame[3][4] == kind)
-        check(answer[3][5] == 0, answer)
-        return answer[2]
 
 
 def pass_on(line, came):

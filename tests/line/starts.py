@@ -13,7 +13,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from boards import ANSWER, STATE, STOP, Board, Line, framed
+from boards import STATE, STOP, Board, Line, framed
 from tap import check, same
 
 KEY = bytes(0x1f * i % 256 for i in range(16))
@@ -68,43 +68,23 @@ def tagged(kind, number, tick, payload):
     return payload + struct.pack("<Q", siphash(KEY, body + payload))
 
 
-class Start:
-    """A start of the board at the end of a line."""
-
-    def __init__(self, line):
-        self.line, self.session = line, 0
-
-    def describe(self):
-        """Asks for the session."""
-        self.line.describe()
-        self.session, = struct.unpack("<I", self.line.session)
-
-    def answer(self, command):
-        """The code of the answer to a stop."""
-        os.write(self.line.line, command)
-        payload = self.line.listen(lambda frame: frame[0] == ANSWER and
-                                   frame[3][4] == STOP)[3]
-        return struct.unpack_from("b", payload, 5)[0]
-
-    def runs(self):
-        """Whether its machine does, by three states."""
-        ticks = [self.line.listen(lambda frame: frame[0] == STATE)[2]
-                 for _ in range(3)]
-        return ticks[0] < ticks[1] < ticks[2]
+def is_running(line):
+    """Whether its machine steps, by three states."""
+    ticks = [line.listen(lambda frame: frame[0] == STATE)[2] for _ in range(3)]
+    return ticks[0] < ticks[1] < ticks[2]
 
 
-def played(start, stop):
+def played(line, stop):
     """To a start: its session, and the stop, made where there is none."""
     if stop:
-        same(start.answer(stop), FOREIGN)
-    start.describe()
-    check(start.runs(), "the machine stands")
+        same(line.answer(STOP, stop), FOREIGN)
+    line.describe()
+    check(is_running(line), "the machine stands")
     if not stop:
-        stop = framed(STOP, 0, 0, tagged(STOP, 0, 0, struct.pack(
-            "<I", start.session)))
-        same(start.answer(stop), 0)
-        check(not start.runs(), "the stop does nothing")
-    return start.session, stop
+        stop = framed(STOP, 0, 0, tagged(STOP, 0, 0, line.session))
+        same(line.answer(STOP, stop), 0)
+        check(not is_running(line), "the stop does nothing")
+    return line.session, stop
 
 
 def started(command, folder, recorded):
@@ -117,7 +97,7 @@ def started(command, folder, recorded):
         far.close()
         try:
             with Line(near.detach()) as line:
-                return played(Start(line), recorded)
+                return played(line, recorded)
         finally:
             process.kill()
 

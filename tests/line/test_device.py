@@ -6,7 +6,6 @@ step of a run of the command line, bit for bit, and what did not come is
 counted. Then `twofold monitor` there: rows arrive, commands are answered, and
 when the device goes away the program says so or, under --follow, waits until it
 is back."""
-import contextlib
 import os
 import pty
 import re
@@ -18,25 +17,11 @@ import tty
 from pathlib import Path
 
 import starts
-from boards import (ANSWER, DEADMAN, DESCRIBE, EXPIRED, HEARTBEAT, INPUT, RUN,
-                    STATE, STOP, Board, Line, framed, program, relayed, says)
+from boards import (ANSWER, DESCRIBE, INPUT, RUN, STATE, STOP, Board, Line,
+                    framed, program, relayed, says)
 from decode import breaks, frames
 from starts import keyed
 from tap import TWOFOLD, call, check, main, output, same, until
-
-
-@contextlib.contextmanager
-def busy(processes):
-    """Other work beside what is tested. It starts processes: two that only
-    count can keep a kernel from passing on what terminals were written."""
-    others = [subprocess.Popen(["sh", "-c", "while :; do (:); done"])
-              for _ in range(processes)]
-    try:
-        yield
-    finally:
-        for other in others:
-            other.kill()
-            other.wait()
 
 
 def motion(payload):
@@ -68,57 +53,6 @@ class Listener(Line):
 
     def comes_to(self, tick):
         until(lambda: self.frames() and self.last >= tick, f"step {tick}")
-
-
-def beat_in(frame):
-    """The step of a heartbeat, and its ticks of the clock that got none."""
-    return [(frame[2], *struct.unpack_from("<I", frame[3], 60))] \
-        if frame[0] == HEARTBEAT else []
-
-
-def test_ticks_without_a_step_are_told():
-    """A board that is stopped for 80 ms of every 100 is late, and says so as
-    often as one that is not: a second of its clock is 1000 ticks."""
-    with Board("double") as board, Line(board.name) as line:
-        told = []
-        line.listen(lambda frame: frame[0] == STATE)
-        while len(told) < 4:
-            board.stop_a_while()
-            told += [beat for frame in line.frames() for beat in beat_in(frame)]
-        clock = [sum(beat) for beat in told]
-        check(all(two - one >= 1000 for one, two in zip(clock, clock[1:])),
-              told)
-        check(told[-1][1] > told[1][1], told)
-
-
-def hold(board, line, stops):
-    """Inputs hold for 2000 ticks. Returns: for how many steps they did, and how
-    many ticks there were meanwhile, as the heartbeats within count them."""
-    line.describe()
-    line.command(DEADMAN, struct.pack("<I", 2000))
-    beats, ended = [], None
-    begun = line.command(INPUT, struct.pack("<5d", -1, 0.1, 0, 0, 0))
-    while ended is None:
-        if stops:
-            board.stop_a_while()
-        for frame in line.frames():
-            beats += beat_in(frame)
-            if frame[0] == EXPIRED:
-                ended = frame[2]
-    within = [sum(beat) for beat in beats if begun < beat[0] < ended]
-    return ended - begun, within[-1] - within[0] if within else None
-
-
-def test_inputs_expire_by_the_clock():
-    """Of a board that is stopped for 80 ms of every 100 long before it has
-    taken so many steps, and of one beside other work after as many at most."""
-    for stops in True, False:
-        with Board("double") as board, Line(board.name) as line, \
-                busy(0 if stops else 2):
-            ticks = None
-            while ticks is None:  # all of the computer may stand for seconds
-                steps, ticks = hold(board, line, stops)
-            check(steps <= 2000 - 60 * stops and ticks < 2000, (steps, ticks))
 
 
 def test_reader_leaves_and_comes_back():
@@ -235,19 +169,11 @@ def test_what_came_before_a_device_was_heard_is_no_loss():
     same(monitor.wait(), 0)
 
 
-def sent(board, *commands, code=0, key=()):
-    """What is said of commands. Where the computer is busy ticks get no step
-    (5) or rows are lost (6), which is another matter."""
-    words = [word for one in commands for word in ("--send", one)]
-    return call("monitor", board.name, *words, *key,
-                code=code or (0, 5, 6))[1]
-
-
 def test_commands_are_sent_and_answered():
     with Board("double") as board:
-        said = sent(board, "set:mu=1.25", "select:random:9", "stop",
-                    "input:-1.5,0.1,0.25,-0.125", "deadman:123", "every:7",
-                    "set:mu=-1", code=3)
+        said = board.send("set:mu=1.25", "select:random:9", "stop",
+                          "input:-1.5,0.1,0.25,-0.125", "deadman:123",
+                          "every:7", "set:mu=-1", code=3)
         says(said, r"set:mu=1.25: took effect at step \d+; mu = 1.25, in \[0, ",
              "select:random:9: took effect", "stop: took effect",
              "input:-1.5,0.1,0.25,-0.125: took", "deadman:123: took effect",
@@ -279,12 +205,12 @@ def test_answers_to_others_are_not_its_own():
 def test_a_keyed_board_takes_keyed_commands():
     with keyed() as board:
         for key in [], ["--key", "wrong"]:
-            said = sent(board, "stop", code=3, key=key)
+            said = board.send("stop", code=3, key=key)
             check("stop: refused, its tag is not that" in said, said)
-        said = sent(board, "stop", key=["--key", "key"])
+        said = board.send("stop", key=["--key", "key"])
         check("stop: took effect" in said, said)
-        said = sent(board, "every:20", "every:10", code=3,
-                    key=["--key", "key"])
+        said = board.send("every:20", "every:10", code=3,
+                          key=["--key", "key"])
         says(said, r"20: took effect at step \d+; it asks 9020 bytes/s of "
              "11520, a record every 20", "10: refused, more than the line "
              r"carries at step \d+; it asks 17370 bytes/s of 11520, a record "

@@ -9,13 +9,12 @@ import itertools
 import re
 import resource
 import signal
-import struct
 import subprocess
 import sys
 from pathlib import Path
 
-from boards import (ANSWER, BUILD, EVERY, INPUT, REALS, REPORT, STATE, STOP,
-                    Board, Line, relayed, says)
+from boards import (ANSWER, BUILD, INPUT, REALS, REPORT, STATE, STOP, Board,
+                    relayed, says)
 from starts import keyed
 from tap import ROOT, call, check, run, same
 
@@ -114,24 +113,18 @@ def inputs_that_never_come_in_time(real):
         says(said, "without end, expired 0 times")
 
 
-def records_every(board, steps):
-    with Line(board.name) as line:
-        line.describe()
-        line.command(EVERY, struct.pack("<I", steps))
-
-
 def what_does_not_compare(real):
     """Another real type; states at other ticks, but in lockstep; a machine that
     is not the scene's, by its hash."""
     other = {"double": "float", "float": "double"}[real]
     with Board(real) as board:
         drive(board.name, *STEPS, real=other, code=3)
-        records_every(board, 20)
+        board.send("every:20")
         for words in ["--every", "16"], ["--every", "10", "--steps", "40"]:
             said = drive(board.name, *STEPS, *words, real=real, code=3)
             says(said, f"--every {words[1]} is no multiple of 20")
         drive(board.name, *LOCKSTEP, real=real)
-        call("monitor", board.name, "--send", "set:mu=1.5", code=(0, 5, 6))
+        board.send("set:mu=1.5")
         drive(board.name, *STEPS, real=real, code=3)
 
 
@@ -203,7 +196,7 @@ def a_line_of_115200_baud(kind, every, code, said_so, key=()):
 
     with keyed() if key else Board() as board:
         if not key:
-            records_every(board, every)
+            board.send(f"every:{every}")
         got, said = relayed(
             as_it_is, board, hil("double" if key else REAL), "LINE", "--steps",
             "4000", "--every", "20", *key, lose=lose, carries=11520)
