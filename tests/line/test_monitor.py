@@ -177,11 +177,6 @@ def test_what_is_not_understood():
                              stdout=full, stderr=subprocess.DEVNULL), 4)
 
 
-def refused(*words):
-    """Of a command whose files are not two."""
-    check("two files are needed" in call(*words, code=2)[1], words)
-
-
 def flagged(*words):
     """The frames of a run, whose steps may be."""
     done = subprocess.run([*RUN, *words, "--format", "frames"],
@@ -198,19 +193,26 @@ def borders_of(stream):
 
 def test_a_run_that_was_cut_is_told():
     """At each border of frames, where nothing else is wrong: what is before it,
-    and what is behind it without its beginning."""
+    and what is behind it without its beginning; and a run that comes twice.
+    Their rows stay in the part, and what had the name keeps it."""
+    words = ["--format", "csv", "--out", "rows"]
     stream = output(*RUN, "--every", "50", "--format", "frames")
-    monitor(stream, code=0)
+    monitor(stream, *words, code=0)
+    whole = Path("rows").read_bytes()
+    same(whole.count(b"\n"), 12)
     borders = borders_of(stream)
     same(len(borders) > 20, True)
     for border in borders:
-        _, said = monitor(stream[:border], code=6)
+        said = monitor(stream[:border], *words, code=6)[1]
         # A state whose report is cut off is lost.
-        same("ends before its run" in said or "were lost" in said, True)
+        check("ends before its run" in said or "were lost" in said, said)
         if border + 99 < len(stream):
-            monitor(stream[border:], code=6)
-    _, summary = monitor(stream[:borders[-1]], "--summary", "json", code=6)
-    same(json.loads(summary.splitlines()[-1])["exit"], 6)
+            monitor(stream[border:], *words, code=6)
+    says(monitor(stream + stream, *words, code=6)[1], "rows.part")
+    monitor(b"", *words, code=4)
+    same(Path("rows").read_bytes(), whole)
+    said = monitor(stream[:borders[-1]], "--summary", "json", code=6)[1]
+    same(json.loads(said.splitlines()[-1])["exit"], 6)
 
 
 def saved(name, *words):
@@ -345,59 +347,38 @@ def test_a_summary_that_is_lost_is_told():
         same((words, done.returncode), (words, 4))
 
 
-def test_rows_of_a_part_do_not_get_the_name():
-    """What was there stays, and the rows are in the part."""
-    stream = output(*RUN, "--every", "50", "--format", "frames")
-    cut = stream[:stream.index(b"\0\0", len(stream) // 2) + 1]
-    for broken in b"", cut, stream + stream, stream[len(stream) // 2:]:
-        Path("rows").write_text("kept")
-        _, said = monitor(broken, "--format", "csv", "--out", "rows",
-                          code=6 if broken else 4)
-        same(Path("rows").read_text(), "kept")
-        same("rows.part" in said or not Path("rows.part").exists(), True)
-    monitor(stream, "--format", "csv", "--out", "rows", code=0)
-    same(Path("rows").read_bytes().count(b"\n"), 12)
-
-
-def test_no_command_writes_what_it_reads():
+def test_no_command_writes_what_it_reads_or_writes_twice():
+    """Nor does a command that is refused so write anything."""
     Path("own.scene").write_bytes(output(RUN[0], "scene", "chaos"))
     Path("table").write_text("t,torque\n0,0\n1,0\n")
     output(*RUN, "--save", "stand")
+    Path("frames").write_bytes(output(*RUN, "--format", "frames"))
     Path("link.scene").symlink_to("own.scene")
+    Path("link").symlink_to("frames")
     for name in "own.scene", "table", "stand":
         Path(name + ".part").write_bytes(Path(name).read_bytes())
     before = {path: path.read_bytes() for path in Path(".").iterdir()}
-    for end in "", ".part":
-        scene, table, stand = "own.scene" + end, "table" + end, "stand" + end
-        refused("run", scene, "--out", "own.scene")
-        refused("run", scene, "--out=./own.scene")
-        refused("run", scene, "--save", "own.scene")
-        refused("run", "link.scene", "--out", "own.scene")
-        refused("sweep", scene, "--over", "mu=1:2:2", "--outcome", "rest",
-                "--out", "own.scene")
-        refused("regions", scene, "--out", "own.scene")
-        refused("diverge", scene, "--returns", "own.scene")
-        refused("run", "chaos", "--inputs", table, "--between", "held",
-                "--out", "table")
-        refused("run", "chaos", "--from=" + stand, "--out", "stand")
-    refused("diverge", "chaos", "--exits", "e", "--returns", "e.resume",
-            "--resume")
-    refused("run", "chaos", "--out", "new", "--save", "./new")
+    for words in ("run SCENE --out=./own.scene", "run SCENE --save own.scene",
+                  "run link.scene --out own.scene",
+                  "sweep SCENE --over mu=1:2:2 --outcome rest --out own.scene",
+                  "regions SCENE --out own.scene",
+                  "diverge SCENE --returns own.scene",
+                  "run chaos --inputs TABLE --between held --out table",
+                  "run chaos --from=STAND --out stand",
+                  "diverge chaos --exits e --returns e.resume --resume",
+                  "run chaos --out new --save ./new",
+                  "monitor --format csv frames --out ./frames",
+                  "monitor --format csv link --out frames",
+                  "monitor --format csv frames --record frames",
+                  "monitor --format csv frames --out new --record ./new"):
+        for end in "", ".part":
+            given = words.replace("SCENE", "own.scene" + end).replace(
+                "TABLE", "table" + end).replace("STAND", "stand" + end)
+            said = call(*given.split(), code=2)[1]
+            check("two files are needed" in said, f"{given}: {said}")
     same({path: path.read_bytes() for path in Path(".").iterdir()}, before)
-    output(*RUN, "--out", "chaos")  # a scene of the program, not a file
-    output(*RUN, "--out", "chaos")
-
-
-def test_no_file_is_written_twice():
-    stream = output(*RUN, "--format", "frames")
-    Path("frames").write_bytes(stream)
-    Path("link").symlink_to("frames")
-    for words in (["frames", "--out", "./frames"], ["link", "--out", "frames"],
-                  ["frames", "--record", "frames"],
-                  ["frames", "--out", "new", "--record", "./new"]):
-        refused("monitor", "--format", "csv", *words)
-        same(Path("frames").read_bytes() == stream, True)
-        same(Path("new").exists(), False)
+    for _ in range(2):  # a scene of the program, not a file
+        output(*RUN, "--out", "chaos")
 
 
 def board(**where):

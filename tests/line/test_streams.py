@@ -127,6 +127,22 @@ def test_decoder_in_python_rejects():
          [None] * 6)
 
 
+def test_layouts_describe_their_payloads():
+    """Names, types and, for a number with a unit, what to multiply it by."""
+    sizes = {"real": 8, "u8": 1, "i8": 1, "u32": 4}
+    found = decode.frames(output(*RUN, "--format", "frames"))
+    lengths = {kind: len(payload) for kind, _, _, payload in found}
+    layouts = {payload[0]: [field.split(",") for field in
+                            payload[1:].decode().split(";")]
+               for kind, _, _, payload in found if kind == 2}
+    same({kind: sum(sizes[field[1]] for field in fields)
+          for kind, fields in layouts.items()},
+         {kind: lengths[kind] for kind in (3, 4, 6)})
+    same([field for fields in layouts.values() for field in fields
+          if len(field) not in (2, 4) or len(field) == 4 and
+          not float(field[2]) > 0], [])
+
+
 def test_decoder_is_quoted_in_the_protocol():
     """Its beginning, which needs no more."""
     document = (ROOT / "docs/PROTOCOL.md").read_text()

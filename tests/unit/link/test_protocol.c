@@ -4,7 +4,6 @@
 #include <ctype.h>
 
 #include "frame_in.h"
-#include "same_state.h"
 #include "tap.h"
 #include "twofold.h"
 
@@ -169,26 +168,15 @@ TEST(documented_laws_are_those_of_the_core) {
   if (!CHECK(found)) printf("# no line %s", want);
 }
 
-TEST(state_and_report_read_back) {
+TEST(report_has_any_status) {
   uint8_t wire[LONGEST];
   uint32_t sequence = 0;
-  tf_state_t state;
-  tf_frame_t frame =
-      frame_of(wire, tf_send_state(wire, &sequence, &state_shown));
-  tf_read_state(frame.payload, frame.tick, &state);
-  CHECK(same_state(&state, &state_shown));
   for (int status = TF_STEP_TOO_LONG; status <= TF_STALLED; status++) {
     tf_report_t report = report_shown;
     report.status = (tf_status_t)status;
-    report.slip.h = 3;
-    report.residual = 4;
-    frame = frame_of(wire,
-                     tf_send_report(wire, &sequence, 0, &report, TF_INPUT_SET));
-    const uint8_t *bytes = frame.payload + 6 * R;
-    CHECK(tf_wire_get_real(frame.payload) == 3);
-    CHECK(tf_wire_get_real(frame.payload + 5 * R) == 4);
-    CHECK(bytes[0] == report.mode && bytes[3] == (uint8_t)(int8_t)status);
-    CHECK(bytes[4] == TF_INPUT_SET);
+    const tf_frame_t frame = frame_of(
+        wire, tf_send_report(wire, &sequence, 0, &report, TF_INPUT_SET));
+    CHECK(frame.payload[6 * R + 3] == (uint8_t)(int8_t)status);
   }
 }
 
@@ -263,59 +251,6 @@ TEST(schema_says_what_runs) {
   of = schema;
   of.build = "other";
   CHECK(tf_run_hash(0, &of, &start) != run);
-}
-
-/* Bytes that a layout adds up to. */
-static unsigned bytes_of(const char *layout) {
-  static const struct {
-    const char *name;
-    unsigned bytes;
-  } types[] = {{"real", sizeof(tf_real_t)},
-               {"u8", 1},
-               {"i8", 1},
-               {"u16", 2},
-               {"u32", 4},
-               {"u64", 8}};
-  unsigned sum = 0;
-  while (*layout) {
-    char name[16], type[8], scale[8], unit[16];
-    int used = 0, more = 0;
-    CHECK(sscanf(layout, "%15[^,;],%7[^,;]%n", name, type, &used) == 2);
-    if (layout[used] == ',') {
-      CHECK(sscanf(layout + used, ",%7[^,;],%15[^;]%n", scale, unit, &more) ==
-            2);
-      CHECK(strtod(scale, NULL) > 0);
-      used += more;
-    }
-    unsigned i = 0;
-    while (i < 6 && strcmp(types[i].name, type)) i++;
-    if (!CHECK(i < 6 && used > 0)) return 0;
-    sum += types[i].bytes;
-    layout += used;
-    layout += *layout == ';';
-  }
-  return sum;
-}
-
-TEST(layouts_describe_the_payloads) {
-  const struct {
-    const char *layout;
-    tf_type_t type;
-    unsigned bytes;
-  } all[] = {{tf_layout_state, TF_DOWN_STATE, TF_STATE_BYTES},
-             {tf_layout_report, TF_DOWN_REPORT, TF_REPORT_BYTES},
-             {tf_layout_heartbeat, TF_DOWN_HEARTBEAT, TF_HEARTBEAT_BYTES}};
-  uint32_t sequence = 0;
-  for (unsigned i = 0; i < 3; i++) {
-    uint8_t wire[LONGEST];
-    CHECK(bytes_of(all[i].layout) == all[i].bytes);
-    const tf_frame_t frame = frame_of(
-        wire, tf_send_layout(wire, &sequence, 0, all[i].type, all[i].layout));
-    CHECK(frame.payload[0] == all[i].type);
-    /* None is cut off. */
-    CHECK(frame.length == 1 + strlen(all[i].layout));
-    CHECK(!memcmp(frame.payload + 1, all[i].layout, strlen(all[i].layout)));
-  }
 }
 
 TEST(long_layout_fills_its_frame) {
