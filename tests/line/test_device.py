@@ -237,7 +237,8 @@ def test_parts_of_two_starts_are_told():
     for at in 90, 171, 252:
         Path("stream").write_bytes(b"\0".join(parts[0][:at] + parts[1][at:]))
         said = call("monitor", "stream", code=6)[1]
-        check("frames are of another run" in said, f"{at}: {said}")
+        # A late board may be cut between a state and its report, which is lost.
+        says(said, r"[1-9]\d* changes of the run")
 
 
 def test_no_session_comes_again():
