@@ -57,9 +57,20 @@ static inline int tap_near(long double got, long double want, long double tol,
            got - want, tol);
   return ok;
 }
+static inline int tap_above(long double got, long double least,
+                            const char *file, int line, const char *text) {
+  int ok = got > least;
+  if (!tap_check(ok, file, line, text) && tap.bad <= 5)
+    printf("#   %.6Lg is not above %.6Lg\n", got, least);
+  return ok;
+}
 #define CHECK(cond) tap_check(!!(cond), __FILE__, __LINE__, #cond)
 #define CHECK_NEAR(got, want, tol) \
   tap_near((got), (want), (tol), __FILE__, __LINE__, #got " near " #want)
+/* How often something was seen, or how small it stayed. */
+#define CHECK_ABOVE(got, least) \
+  tap_above((got), (least), __FILE__, __LINE__, #got " > " #least)
+#define CHECK_BELOW(got, most) CHECK_ABOVE(most, got)
 
 static inline void tap_run(const tap_test_t *test) {
   if (tap.only && strcmp(tap.only, test->name)) return;

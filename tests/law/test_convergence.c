@@ -113,8 +113,6 @@ TEST(smooth_slip_order_of_convergence) {
   CHECK(ref_run(&orbit, 0.3L) == REF_REACHED && orbit.events == 0);
   const real x[3] = {orbit.x.r, ref_v(&q, orbit.x), ref_w(&q, orbit.x)};
   const double first = slope(1, x), second = slope(0.5, x);
-  printf("# order with theta = 1: %.3f, with theta = 1/2: %.3f\n", first,
-         second);
   CHECK_NEAR(first, 1, 0.1);
   CHECK_NEAR(second, 2, IS_DOUBLE ? 0.1 : 0.4);
 }
@@ -140,8 +138,6 @@ TEST(random_exit_rate_is_independent_of_dt) {
       sum += ((double)s.x.tick - 0.5) * (double)s.params.dt;
       plus += s.x.mode == TF_SLIP_PLUS;
     }
-    printf("# dt = %g: mean stay %.4g / rate, share of slip+ %.3f\n",
-           (double)s.params.dt, sum / count * rate, (double)plus / count);
     /* four standard errors; the stay is known to half a step */
     CHECK_NEAR(sum / count * rate, 1, 4 / sqrt(count) + 0.004);
     CHECK_NEAR((double)plus / count, 0.5, 2 / sqrt(count));

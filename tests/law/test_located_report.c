@@ -46,13 +46,10 @@ TEST(located_residual_is_that_of_the_law) {
         slips[j]++;
       }
     }
-  printf("# %d slips: largest residual %.2e at 1e-3; %d: %.2e at %.0e\n",
-         slips[0], worst[0], slips[1], worst[1], tolerance[1]);
-  CHECK(slips[0] > 300 && slips[1] > 300);
-  CHECK(worst[0] > 1e-4);
-  printf("# in the mean %.2e, %.2e\n", sum[0] / slips[0], sum[1] / slips[1]);
-  CHECK(worst[1] <= (IS_DOUBLE ? 1e-5 : 1e-1));
-  CHECK(sum[1] / slips[1] < sum[0] / slips[0] / 10);
+  for (int j = 0; j < 2; j++) CHECK_ABOVE(slips[j], 300);
+  CHECK_ABOVE(worst[0], 1e-4);
+  CHECK_BELOW(worst[1], IS_DOUBLE ? 1e-5 : 1e-1);
+  CHECK_BELOW(sum[1] / slips[1], sum[0] / slips[0] / 10);
 }
 
 /* A step that ends at a change of mode, to the last bit: force and residual are
@@ -84,8 +81,7 @@ TEST(located_event_at_the_end_of_a_step) {
     events++;
     CHECK_NEAR((double)end.report.residual, 0, IS_DOUBLE ? 1e-5 : 2e-2);
   }
-  printf("# %d events\n", events);
-  CHECK(events > 20);
+  CHECK_ABOVE(events, 20);
 }
 
 /* The angle is the integral of w: over one step of 50 ms that of the same
@@ -121,8 +117,8 @@ TEST(located_angle_is_the_integral_of_the_speed) {
       with_event += s.x.mode != before;
     }
   }
-  printf("# %d steps, %d of them with an event\n", steps, with_event);
-  CHECK(steps > 200 && with_event > 10);
+  CHECK_ABOVE(steps, 200);
+  CHECK_ABOVE(with_event, 10);
 }
 
 /* In stick the Delassus scalar reported is the paper's A(r, sign g). */
@@ -145,8 +141,7 @@ TEST(located_delassus_is_that_of_the_side_of_g) {
                32 * (double)TF_REAL_EPSILON * (fabsl(want) + fabsl(other)));
     seen[sign > 0] += fabsl(want - other) > 0.1L;
   }
-  printf("# %d with g < 0, %d with g > 0\n", seen[0], seen[1]);
-  CHECK(seen[0] > 100 && seen[1] > 100);
+  for (int i = 0; i < 2; i++) CHECK_ABOVE(seen[i], 100);
 }
 
 /* Slip that starts at g = 0, where the law has a kink, one way or the other:

@@ -18,7 +18,7 @@ static real margin(const ref_machine_t *law, ref_force_t by) {
 }
 
 TEST(pinned_wheel_stays_as_long_as_the_law_has_its_force) {
-  int left[2][2] = {{0, 0}, {0, 0}}, steps = 0, fell_back = 0;
+  int left[2][2] = {{0, 0}, {0, 0}}, steps = 0;
   for (int i = 0; i < samples(80000); i++) {
     tf_params_t q = random_params();
     q.dt = TF_R(0.05);
@@ -47,8 +47,7 @@ TEST(pinned_wheel_stays_as_long_as_the_law_has_its_force) {
       if (status == TF_OK && rests) CHECK(margin(&law, by) >= -slack);
       if (rests && fminl(margin(&law, midway), margin(&law, by)) > slack) {
         steps++;
-        fell_back += status != TF_OK;
-        if (status != TF_OK) continue;
+        CHECK(status == TF_OK);
         CHECK_NEAR(wide(report.force.F), by.F, slack);
         CHECK_NEAR(wide(report.force.M), by.M, slack);
         continue;
@@ -59,10 +58,7 @@ TEST(pinned_wheel_stays_as_long_as_the_law_has_its_force) {
       break;
     }
   }
-  printf("# released: by F < 0 at M %d, at F %d; by F > 0 at M %d, at F %d\n",
-         left[0][0], left[0][1], left[1][0], left[1][1]);
-  printf("# %d steps pinned, %d of them by tf_step\n", steps, fell_back);
-  CHECK(steps > samples(1000) && fell_back == 0);
+  CHECK_ABOVE(steps, samples(1000));
   for (int j = 0; j < 4; j++)
-    CHECK(left[j / 2][j % 2] > (j % 2 ? samples(20) : 0));
+    CHECK_ABOVE(left[j / 2][j % 2], j % 2 ? samples(20) : 0);
 }

@@ -56,7 +56,7 @@ TEST(a_degraded_step_ends_in_a_mode) {
  * scalar. */
 TEST(no_step_enters_an_escaping_stick_from_slip) {
   const int machines = samples(20000);
-  long slips = 0, degraded = 0;
+  long slips = 0;
   for (int i = 0; i < machines; i++) {
     tf_params_t p = tf_scenes[0]->params;
     p.gamma = uniform(-3.14, 3.14);
@@ -73,14 +73,12 @@ TEST(no_step_enters_an_escaping_stick_from_slip) {
     for (int j = 0; j < 50; j++) {
       const uint8_t mode = s.x.mode;
       if (sim_step(&s, MOREAU) < 0) break;
-      degraded += s.report.status == TF_DEGRADED;
       if (!tf_mode_is_slip(mode)) continue;
       slips++;
       CHECK(!is_stick(s.report.mode) || s.report.delassus > 0);
     }
   }
-  printf("# %ld steps from slip, %ld degraded\n", slips, degraded);
-  CHECK(slips > samples(100000));
+  CHECK_ABOVE(slips, samples(100000));
 }
 
 /* A machine in long steps, and a state in some mode. */
@@ -112,8 +110,7 @@ TEST(a_degraded_step_is_the_same_compensated) {
     CHECK(pairs.report.set == plain.report.set);
     modes[plain.report.mode]++;
   }
-  printf("# %d pinned\n", modes[TF_PINNED]);
-  for (int mode = 0; mode < TF_MODES; mode++) CHECK(modes[mode] > 2);
+  for (int mode = 0; mode < TF_MODES; mode++) CHECK_ABOVE(modes[mode], 2);
 }
 
 /* The same machine in units of length of 2^-16 m, and its mirror image. */
@@ -154,6 +151,5 @@ TEST(of_equal_violations_the_first_is_taken) {
     ties++;
     CHECK(report.mode == TF_SLIP_PLUS && image.mode == TF_SLIP_PLUS);
   }
-  printf("# %d ties\n", ties);
-  CHECK(ties >= 20);
+  CHECK_ABOVE(ties, 19);
 }

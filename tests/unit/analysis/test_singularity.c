@@ -96,9 +96,8 @@ TEST(damped_two_folds_are_accurate) {
       places++;
     }
   }
-  printf("# %d places, N at most %.2Lg epsilon of its terms\n", places, worst);
-  CHECK(worst < 5000);
-  CHECK(places > samples(50));
+  CHECK_BELOW(worst, 5000);
+  CHECK_ABOVE(places, samples(50));
 }
 
 /* A damper beyond all other forces holds the slider: h is balanced where it
@@ -133,11 +132,9 @@ TEST(every_two_fold_is_found) {
     CHECK(hits == want);
     seen[f.count]++;
   }
-  printf("# machines with 0, 1, ... two-folds:");
-  for (int i = 0; i <= TF_TWO_FOLDS; i++) printf(" %d", seen[i]);
-  printf("\n");
-  CHECK(seen[0] > samples(10) && seen[1] + seen[2] > samples(10));
-  CHECK(seen[3] + seen[4] > samples(10));
+  CHECK_ABOVE(seen[0], samples(10));
+  CHECK_ABOVE(seen[1] + seen[2], samples(10));
+  CHECK_ABOVE(seen[3] + seen[4], samples(10));
 }
 
 /* The paper finds at most four, and one of them without determinism. That is so

@@ -28,8 +28,7 @@ TEST(of_two_sticks_the_faster_is_taken) {
     CHECK(s.x.mode == (minus ? TF_STICK_MINUS : TF_STICK_PLUS));
     taken[minus]++;
   }
-  printf("# stick+ %d times, stick- %d times\n", taken[0], taken[1]);
-  CHECK(taken[0] > 20 && taken[1] > 20);
+  for (int i = 0; i < 2; i++) CHECK_ABOVE(taken[i], 20);
 }
 
 /* A machine at h = g = 0 whose stick is escaping and moves g by next to nothing
@@ -73,7 +72,6 @@ TEST(rounding_of_g_does_not_choose) {
     steps++;
     apart += s.x.mode != at.x.mode;
   }
-  printf("# %d of %d apart\n", apart, steps);
-  CHECK(steps > samples(5000));
-  CHECK(apart * 25 < steps);
+  CHECK_ABOVE(steps, samples(5000));
+  CHECK_BELOW(apart * 25, steps);
 }

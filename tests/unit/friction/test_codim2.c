@@ -64,10 +64,9 @@ TEST(exits_of_any_field_are_those_of_a_search) {
         (attracts ? attract++ : repel++);
     }
   }
-  printf("# %d attract, %d do not; %d are too close for the search\n", attract,
-         repel, close);
-  CHECK(attract > samples(1000) && repel > samples(10) &&
-        close * 200 < attract);
+  CHECK_ABOVE(attract, samples(1000));
+  CHECK_ABOVE(repel, samples(10));
+  CHECK_BELOW(close * 200, attract);
 }
 
 /* Only a stick that arrives goes on at rest where the bow tie holds the wheel:
@@ -96,8 +95,8 @@ TEST(lost_modes_have_the_same_future) {
                   TF_PINNED;
     }
   }
-  printf("# %d lost, %d would be held on arrival\n", lost, held);
-  CHECK(lost > samples(8000) && held > samples(100));
+  CHECK_ABOVE(lost, samples(8000));
+  CHECK_ABOVE(held, samples(100));
 }
 
 /* Where a slip near h = g = 0 is after a step, by steps of its angle and its
@@ -157,12 +156,10 @@ TEST(slip_takes_its_course) {
       (want.arrives ? arrives++ : slips++);
     CHECK(is.share > 0 && is.share <= 1);
   }
-  printf(
-      "# %d slip on, %d come to h = g = 0, %d to h = 0; %d are elsewhere or "
-      "too close to tell\n",
-      slips, arrives, leaves_h, close);
-  CHECK(slips > samples(500) && arrives > samples(5));
-  CHECK(leaves_h > samples(100) && close * 20 < slips);
+  CHECK_ABOVE(slips, samples(500));
+  CHECK_ABOVE(arrives, samples(5));
+  CHECK_ABOVE(leaves_h, samples(100));
+  CHECK_BELOW(close * 20, slips);
 }
 
 /* The same of slips that are on the way to h = g = 0 or pass close by it, with
@@ -194,12 +191,9 @@ TEST(a_course_ends_with_the_signs_of_its_mode) {
     if (is.mode == TF_PINNED) wrong += end.g != 0;
     CHECK(is.share >= 0 && is.share <= 1);
   }
-  printf("# slip %d and %d, stick %d and %d, at h = g = 0 %d, none %d\n",
-         ends[TF_SLIP_PLUS], ends[TF_SLIP_MINUS], ends[TF_STICK_PLUS],
-         ends[TF_STICK_MINUS], ends[TF_PINNED], ends[TF_NO_MODE]);
-  CHECK(wrong == 0);
-  CHECK(ends[TF_NO_MODE] == 0);
-  for (int mode = 0; mode < TF_MODES; mode++) CHECK(ends[mode] > samples(200));
+  CHECK(wrong == 0 && ends[TF_NO_MODE] == 0);
+  for (int mode = 0; mode < TF_MODES; mode++)
+    CHECK_ABOVE(ends[mode], samples(200));
 }
 
 TEST(a_field_that_is_no_number_has_no_course) {

@@ -112,8 +112,8 @@ TEST(no_step_creates_energy) {
     follow(&s, scheme, 20, !located,
            located ? 1e-2L : 2.01L * TF_CREATED_SHARE);
   }
-  printf("# %ld steps, %ld coarse\n", accepted, coarse);
-  CHECK(accepted > samples(30000) && coarse > samples(1000));
+  CHECK_ABOVE(accepted, samples(30000));
+  CHECK_ABOVE(coarse, samples(1000));
 }
 
 /* A spring that swings by phi a step, beside a disc that stands still. */
@@ -208,7 +208,9 @@ TEST(a_slip_that_may_miss_its_future_is_coarse) {
     nearer += misses && nears;
     neither += !misses;
   }
-  CHECK(lost > samples(200) && nearer > samples(200) && neither > samples(200));
+  CHECK_ABOVE(lost, samples(200));
+  CHECK_ABOVE(nearer, samples(200));
+  CHECK_ABOVE(neither, samples(200));
 }
 
 static end_state_t far_end(tf_params_t p, tf_state_t x, real time, int steps) {

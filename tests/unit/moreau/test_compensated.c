@@ -100,8 +100,7 @@ TEST(rounding_is_compensated) {
     worst = fmaxl(worst, fabsl(got[j] - want[j]));
     worst_plain = fmaxl(worst_plain, fabsl(plain[j] - want[j]));
   }
-  CHECK(worst_plain > 3 * worst);
-  printf("# plain %.2Lg, compensated %.2Lg\n", worst_plain, worst);
+  CHECK_ABOVE(worst_plain, 3 * worst);
   CHECK(fabsl((real)run.low.r) <= EPSILON * fabsl((real)run.x.r));
   CHECK(fabsl((real)run.low.w) <= EPSILON * fabsl((real)run.x.w));
 }
@@ -152,9 +151,7 @@ TEST(compensated_step_is_the_step) {
       same += same_step(&run, &worst);
       CHECK(sim_step(&run, MOREAU) >= 0);
     }
-    printf("# %s: %d of 5000 alike, %.2Lg epsilon apart\n", tf_scenes[i]->name,
-           same, worst / EPSILON);
-    CHECK(same >= 4950);
+    if (!CHECK_ABOVE(same, 4949)) printf("#   %s\n", tf_scenes[i]->name);
     CHECK_NEAR(worst, 0, 20 * EPSILON);
   }
   /* At and about h = g = 0, under every rule: pinned, no mode, all modes. */
@@ -173,6 +170,6 @@ TEST(compensated_step_is_the_step) {
     run.x.mode = (uint8_t)(n % TF_MODES);
     same += same_step(&run, &worst);
   }
-  CHECK(same >= samples(19800));
+  CHECK_ABOVE(same, samples(19800) - 1);
   CHECK_NEAR(worst, 0, 300 * EPSILON);
 }

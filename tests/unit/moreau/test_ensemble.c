@@ -253,9 +253,8 @@ TEST(ensemble_is_pinned_as_single_steps_are) {
     steps += twins.steps;
   }
   CHECK(differ == 0);
-  printf("# %zu of %zu lanes done alone, %zu came to rest\n", alone, steps,
-         rests);
-  CHECK(rests > (size_t)samples(500) && alone * 3 < steps);
-  for (int i = 0; i < TF_MODES; i++) CHECK(taken[i] > (size_t)samples(1000));
-  for (int i = 1; i <= 3; i++) CHECK(choices[i] > (size_t)samples(100));
+  CHECK_ABOVE(rests, samples(500));
+  CHECK_BELOW(alone * 3, steps);
+  for (int i = 0; i < TF_MODES; i++) CHECK_ABOVE(taken[i], samples(1000));
+  for (int i = 1; i <= 3; i++) CHECK_ABOVE(choices[i], samples(100));
 }
