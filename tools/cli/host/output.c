@@ -32,7 +32,6 @@
 #include "host.h"
 
 #define MAX_LINKS 40 // as many as Linux follows
-#define MAX_TRIES 100
 
 bool cli_is_regular(int descriptor) {
   struct stat status;
@@ -43,63 +42,44 @@ static bool same_file(const struct stat *a, const struct stat *b) {
   return a->st_dev == b->st_dev && a->st_ino == b->st_ino;
 }
 
-// Whether a path still names the file that is open.
-static bool names(const char *path, int descriptor) {
-  struct stat by_name, opened;
-  return lstat(path, &by_name) == 0 && fstat(descriptor, &opened) == 0 &&
-         same_file(&by_name, &opened);
+static bool is_standard(const char *path) {
+  return path == NULL || strcmp(path, "-") == 0;
 }
 
-#define FOLDER_ROOM (CLI_PATH_ROOM + 2)
-
-// The folder of a path, as the caller may open it. Returns: whether it fits;
-// opening a longer one reports what is wrong.
-static bool folder_of(const char *path, char folder[FOLDER_ROOM]) {
+// The length of the folder in a path, with its slash.
+static size_t folder_length(const char *path) {
   const char *slash = strrchr(path, '/');
-  const size_t length = slash == NULL ? 0 : (size_t)(slash - path) + 1;
-  if (length + 2 > FOLDER_ROOM) {
-    return false;
-  }
-  memcpy(folder, path, length);
-  memcpy(folder + length, ".", 2);
-  return true;
+  return slash == NULL ? 0 : (size_t)(slash - path) + 1;
 }
 
-static const char *name_of(const char *path) {
-  const char *slash = strrchr(path, '/');
-  return slash == NULL ? path : slash + 1;
-}
-
-static bool in_one_folder(const char *one, const char *other) {
-  char folder[2][FOLDER_ROOM];
-  struct stat a, b;
-  return folder_of(one, folder[0]) && folder_of(other, folder[1]) &&
-         stat(folder[0], &a) == 0 && stat(folder[1], &b) == 0 &&
-         same_file(&a, &b);
+// The one name of the folder of a path. Returns: whether it has one.
+static bool folder_of(const char *path, char folder[PATH_MAX]) {
+  char named[CLI_PATH_ROOM];
+  const int length =
+      snprintf(named, sizeof named, "%.*s.", (int)folder_length(path), path);
+  return length < CLI_PATH_ROOM && realpath(named, folder) != NULL;
 }
 
 bool cli_one_file(const char *one, const char *other) {
   struct stat a, b;
-  if (one == NULL || other == NULL || strcmp(one, "-") == 0 ||
-      strcmp(other, "-") == 0) {
+  char folder[2][PATH_MAX];
+  if (is_standard(one) || is_standard(other)) {
     return false;
   }
   const bool there = stat(one, &a) == 0;
-  if (there != (stat(other, &b) == 0)) {
-    return false;
+  if (there || stat(other, &b) == 0) {
+    return there && stat(other, &b) == 0 && S_ISREG(a.st_mode) &&
+           same_file(&a, &b);
   }
-  if (there) {
-    return S_ISREG(a.st_mode) && same_file(&a, &b);
-  }
-  return strcmp(name_of(one), name_of(other)) == 0 && in_one_folder(one, other);
+  return strcmp(one + folder_length(one), other + folder_length(other)) == 0 &&
+         folder_of(one, folder[0]) && folder_of(other, folder[1]) &&
+         strcmp(folder[0], folder[1]) == 0;
 }
 
 // Whether a path is an entry of /proc, such as a descriptor of this process.
 static bool in_proc(const char *path) {
-  char folder[FOLDER_ROOM];
-  char real[PATH_MAX];
-  return folder_of(path, folder) && realpath(folder, real) != NULL &&
-         strncmp(real, "/proc/", 6) == 0;
+  char folder[PATH_MAX];
+  return folder_of(path, folder) && strncmp(folder, "/proc/", 6) == 0;
 }
 
 // Replaces a symbolic link by what it names, so that the link survives; the
@@ -107,16 +87,12 @@ static bool in_proc(const char *path) {
 static int follow_links(char path[CLI_PATH_ROOM]) {
   for (int i = 0; i < MAX_LINKS; i++) {
     char link[CLI_PATH_ROOM];
-    if (in_proc(path)) {
-      return 0;
-    }
-    const ssize_t length = readlink(path, link, sizeof link);
+    const ssize_t length =
+        in_proc(path) ? -1 : readlink(path, link, sizeof link);
     if (length < 0) {
       return 0; // no link: opening it reports what else is wrong
     }
-    const char *slash = strrchr(path, '/');
-    const size_t kept =
-        link[0] == '/' || slash == NULL ? 0 : (size_t)(slash - path) + 1;
+    const size_t kept = link[0] == '/' ? 0 : folder_length(path);
     if (kept + (size_t)length >= CLI_PATH_ROOM) {
       return ENAMETOOLONG;
     }
@@ -126,76 +102,41 @@ static int follow_links(char path[CLI_PATH_ROOM]) {
   return ELOOP;
 }
 
-// Opens the part. Whoever had it locked may have renamed it in between: then
-// the name is another file's, or nobody's, and it is tried again.
-static int open_part(cli_destination_t *to, const struct stat *before,
-                     bool keep) {
-  for (int i = 0; i < MAX_TRIES; i++) {
-    const int opened =
-        open(to->part, O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC,
-             0666);
-    if (opened < 0) {
-      return errno;
-    }
-    struct stat found;
-    int error = cli_is_regular(opened) ? 0 : EEXIST;
-    // Under another name it is somebody's file.
-    if (error == 0 && fstat(opened, &found) == 0 && found.st_nlink > 1) {
-      error = EMLINK;
-    }
-    if (error == 0 && flock(opened, LOCK_EX | LOCK_NB) != 0) {
-      error = errno == EWOULDBLOCK ? EBUSY : errno;
-    }
-    if (error == 0 && !names(to->part, opened)) {
-      (void)close(opened);
-      continue;
-    }
-    if (error == 0 && !keep && ftruncate(opened, 0) != 0) {
-      error = errno;
-    }
-    // What replaces a file is as private as the file was.
-    if (error == 0 && before != NULL &&
-        fchmod(opened, before->st_mode & 0777) != 0) {
-      error = errno;
-    }
-    if (error != 0) {
-      (void)close(opened);
-      return error;
-    }
-    to->descriptor = opened;
-    to->beside = true;
-    return 0;
+// Whether the part still has its name, and no other one.
+static bool has_its_name(const cli_destination_t *to) {
+  struct stat by_name, opened;
+  return lstat(to->part, &by_name) == 0 &&
+         fstat(to->descriptor, &opened) == 0 && same_file(&by_name, &opened);
+}
+
+// Makes the part ready that is open. Whoever had it locked may have renamed it
+// in between: then the name is another file's, or nobody's.
+// mode: in, that of the file that it replaces, which is as private; < 0: none.
+// Returns: 0 or an errno.
+static int take_part(const cli_destination_t *to, int mode, bool keep) {
+  struct stat found;
+  if (fstat(to->descriptor, &found) != 0 || !S_ISREG(found.st_mode)) {
+    return EEXIST;
   }
-  return EBUSY;
-}
-
-static int open_as_it_is(cli_destination_t *to, const char *path, int flags) {
-  to->descriptor = open(path, O_WRONLY | O_NOCTTY | flags);
-  return to->descriptor < 0 ? errno : 0;
-}
-
-// A descriptor by its name. Standard output is written through its own
-// descriptor, whose position it shares with all that write there; of another
-// one nothing is cut off.
-static int open_descriptor(cli_destination_t *to, const char *path) {
-  struct stat named, standard;
-  if (stat(path, &named) == 0 && fstat(STDOUT_FILENO, &standard) == 0 &&
-      same_file(&named, &standard)) {
-    to->descriptor = STDOUT_FILENO;
-    return 0;
+  if (found.st_nlink > 1) {
+    return EMLINK; // under another name it is somebody's file
   }
-  return open_as_it_is(to, path, O_APPEND);
+  if (flock(to->descriptor, LOCK_EX | LOCK_NB) != 0) {
+    return errno == EWOULDBLOCK ? EBUSY : errno;
+  }
+  if (!has_its_name(to)) {
+    return EBUSY;
+  }
+  return (!keep && ftruncate(to->descriptor, 0) != 0) ||
+                 (mode >= 0 && fchmod(to->descriptor, (mode_t)mode) != 0)
+             ? errno
+             : 0;
 }
 
-// A path of NULL or "-" is standard output. keep: what is in the part stays.
+// Opens a path that is not "-". keep: what is in the part stays.
 // Returns: 0 or an errno; EBUSY: another program writes this file.
-static int destination_open(cli_destination_t *to, const char *path,
-                            bool keep) {
-  to->descriptor = STDOUT_FILENO;
-  to->beside = to->left = false;
-  if (path == NULL || strcmp(path, "-") == 0) {
-    return 0;
-  }
+static int open_path(cli_destination_t *to, const char *path, bool keep) {
+  struct stat before, standard;
   to->descriptor = -1;
   if (strlen(path) >= CLI_PATH_ROOM) {
     return ENAMETOOLONG;
@@ -205,89 +146,103 @@ static int destination_open(cli_destination_t *to, const char *path,
   if (error != 0) {
     return error;
   }
-  if (in_proc(to->path)) {
-    return open_descriptor(to, to->path);
-  }
-  struct stat before;
   const bool exists = stat(to->path, &before) == 0;
-  if (exists && !S_ISREG(before.st_mode)) {
-    return open_as_it_is(to, to->path, 0);
+  const bool is_descriptor = in_proc(to->path);
+  // Standard output is written through its own descriptor, whose position it
+  // shares with all that write there; of another one nothing is cut off.
+  if (is_descriptor && exists && fstat(STDOUT_FILENO, &standard) == 0 &&
+      same_file(&before, &standard)) {
+    to->descriptor = STDOUT_FILENO;
+    return 0;
+  }
+  if (is_descriptor || (exists && !S_ISREG(before.st_mode))) {
+    to->descriptor =
+        open(to->path, O_WRONLY | O_NOCTTY | (is_descriptor ? O_APPEND : 0));
+    return to->descriptor < 0 ? errno : 0;
   }
   if (exists && access(to->path, W_OK) != 0) {
     return errno;
   }
-  const int length = snprintf(to->part, sizeof to->part, "%s.part", to->path);
-  if (length < 0 || (size_t)length >= sizeof to->part) {
+  if (snprintf(to->part, sizeof to->part, "%s.part", to->path) >=
+      CLI_PATH_ROOM) {
     return ENAMETOOLONG;
   }
-  return open_part(to, exists ? &before : NULL, keep);
-}
-
-// The new name is on disk once the folder is. A file system that cannot sync a
-// folder has done what it can.
-static void sync_folder(const char *path) {
-  char folder[FOLDER_ROOM];
-  const int opened =
-      folder_of(path, folder) ? open(folder, O_RDONLY | O_CLOEXEC) : -1;
-  if (opened >= 0) {
-    (void)fsync(opened);
-    (void)close(opened);
+  to->descriptor = open(
+      to->part, O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
+  if (to->descriptor < 0) {
+    return errno;
   }
+  const int taken =
+      take_part(to, exists ? (int)(before.st_mode & 0777) : -1, keep);
+  to->beside = taken == 0;
+  if (!to->beside) {
+    (void)close(to->descriptor);
+    to->descriptor = -1;
+  }
+  return taken;
 }
 
-static int name_it(cli_destination_t *to) {
-  if (!names(to->part, to->descriptor)) {
+// Gives the part the name of the file. The name is on disk once the folder is;
+// a file system that cannot sync a folder has done what it can.
+// Returns: 0 or an errno; EBUSY: the part is not the file that was opened.
+static int name_part(const cli_destination_t *to) {
+  char folder[PATH_MAX];
+  if (!has_its_name(to)) {
     return EBUSY;
   }
   if (rename(to->part, to->path) != 0) {
     return errno;
   }
-  sync_folder(to->path);
+  const int opened =
+      folder_of(to->path, folder) ? open(folder, O_RDONLY | O_CLOEXEC) : -1;
+  if (opened >= 0) {
+    (void)fsync(opened);
+    (void)close(opened);
+  }
   return 0;
 }
 
 // A part without a row is of no use.
-static void leave_part(cli_destination_t *to) {
+static bool leave_part(const cli_destination_t *to) {
   struct stat status;
-  to->left = names(to->part, to->descriptor);
-  if (to->left && fstat(to->descriptor, &status) == 0 && status.st_size == 0) {
-    to->left = unlink(to->part) != 0;
-  }
+  return has_its_name(to) && (fstat(to->descriptor, &status) != 0 ||
+                              status.st_size > 0 || unlink(to->part) != 0);
 }
 
-// Closes it, on disk; standard output stays open. whole: all rows are there.
-// Returns: 0 or an errno; EBUSY: `part` is not the file that was opened.
-static int destination_close(cli_destination_t *to, bool whole) {
-  int error = 0;
+bool cli_output_open(cli_output_t *output, const char *path, bool keep) {
+  const bool standard = is_standard(path);
+  output->used = 0;
+  output->last = '\n';
+  output->flushed = cli_now();
+  output->name = standard ? "standard output" : path;
+  output->to.descriptor = STDOUT_FILENO;
+  output->to.beside = output->to.left = false;
+  output->error = standard ? 0 : open_path(&output->to, path, keep);
+  return output->error == 0;
+}
+
+bool cli_output_close(cli_output_t *output, bool whole) {
+  cli_destination_t *to = &output->to;
+  (void)cli_output_flush(output);
   if (to->descriptor < 0) {
-    return 0;
+    return output->error == 0;
   }
+  int error = output->error;
   if (cli_is_regular(to->descriptor) && fsync(to->descriptor) != 0 &&
-      errno != EINVAL && errno != EROFS) {
+      errno != EINVAL && errno != EROFS && error == 0) {
     error = errno;
   }
   if (to->beside && whole && error == 0) {
-    error = name_it(to);
+    error = name_part(to);
   }
-  if (to->beside && (!whole || error != 0)) {
-    leave_part(to);
-  }
+  to->left = to->beside && (!whole || error != 0) && leave_part(to);
   if (to->descriptor != STDOUT_FILENO && close(to->descriptor) != 0 &&
       error == 0) {
     error = errno;
   }
   to->descriptor = -1;
-  return error;
-}
-
-bool cli_output_open(cli_output_t *output, const char *path, bool keep) {
-  output->used = 0;
-  output->last = '\n';
-  output->flushed = cli_now();
-  output->name =
-      path == NULL || strcmp(path, "-") == 0 ? "standard output" : path;
-  output->error = destination_open(&output->to, path, keep);
-  return output->error == 0;
+  output->error = error;
+  return error == 0;
 }
 
 static void drop_incomplete_row(const cli_output_t *output, size_t written) {
@@ -346,15 +301,6 @@ bool cli_output_lines(cli_output_t *output, const void *lines, size_t length) {
   return output->error == 0;
 }
 
-bool cli_output_close(cli_output_t *output, bool whole) {
-  (void)cli_output_flush(output);
-  const int error = destination_close(&output->to, whole && output->error == 0);
-  if (output->error == 0) {
-    output->error = error;
-  }
-  return output->error == 0;
-}
-
 const char *cli_output_reason(const cli_output_t *output) {
   switch (output->error) {
     case EPIPE:
@@ -391,13 +337,6 @@ void cli_output_go_on(cli_output_t *output, size_t kept) {
        lseek(output->to.descriptor, (off_t)kept, SEEK_SET) < 0)) {
     output->error = errno;
   }
-}
-
-int cli_output_refuse_other(const char *path, const char *what) {
-  return cli_message(CLI_REFUSED,
-                     "--resume: %s is of another %s, or of another build of "
-                     "twofold; remove it, or give another file",
-                     path, what);
 }
 
 int cli_output_end(cli_output_t *output, int code) {

@@ -50,10 +50,6 @@ int cli_output_begin(cli_output_t *output, const char *option, const char *path,
 /// goes on behind them.
 void cli_output_go_on(cli_output_t *output, size_t kept);
 
-/// Refuses to go on with a file that is of something else; what: in, a sweep or
-/// a run.
-int cli_output_refuse_other(const char *path, const char *what);
-
 /// Closes it for a command that has ended with a code. Under CLI_DONE a file
 /// gets its name, otherwise a message says where its rows are.
 /// Returns: the code, or CLI_STOPPED in place of CLI_DONE.
