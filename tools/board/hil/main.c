@@ -10,7 +10,6 @@
 
 #include "board/hil/board.h"
 #include "cli/host/host.h"
-#include "cli/host/key.h"
 #include "cli/host/output.h"
 #include "cli/text/text.h"
 

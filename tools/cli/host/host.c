@@ -13,6 +13,7 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>
+#include <poll.h>
 #include <sched.h>
 #include <signal.h>
 #include <stdarg.h>
@@ -31,6 +32,13 @@ static const char *volatile restoring = NULL;
 static struct termios lines;          // how the terminal was
 static volatile sig_atomic_t in_keys; // it hands over keys
 
+static void end_keys(void) {
+  if (in_keys) {
+    in_keys = 0;
+    (void)tcsetattr(STDIN_FILENO, TCSANOW, &lines);
+  }
+}
+
 // `write` and `tcsetattr` are all that a handler may do with a terminal. Where
 // that fails there is no terminal to be put in order.
 static void ask_for_stop(int number) {
@@ -41,13 +49,12 @@ static void ask_for_stop(int number) {
   if (bytes != NULL && write(STDOUT_FILENO, bytes, strlen(bytes)) < 0) {
     restoring = NULL;
   }
-  cli_keys_end();
+  end_keys();
   errno = kept;
 }
 
-void cli_ask_for_stop(void) { (void)raise(SIGINT); }
-
-void cli_keys_begin(void) {
+void cli_screen_begin(const char *give_back) {
+  restoring = give_back;
   // A job in the background that sets the terminal of another one is stopped.
   if (tcgetpgrp(STDIN_FILENO) != getpgrp() ||
       tcgetattr(STDIN_FILENO, &lines) != 0) {
@@ -60,22 +67,20 @@ void cli_keys_begin(void) {
   (void)tcsetattr(STDIN_FILENO, TCSANOW, &keys);
 }
 
-void cli_keys_end(void) {
-  if (in_keys) {
-    in_keys = 0;
-    (void)tcsetattr(STDIN_FILENO, TCSANOW, &lines);
-  }
+void cli_screen_end(void) {
+  end_keys();
+  restoring = NULL;
 }
 
-bool cli_key_pressed(char key) {
+void cli_stop_on_key(char key) {
   char pressed[64];
   const ssize_t count = in_keys && tcgetpgrp(STDIN_FILENO) == getpgrp()
                             ? read(STDIN_FILENO, pressed, sizeof pressed)
                             : 0;
-  return count > 0 && memchr(pressed, key, (size_t)count) != NULL;
+  if (count > 0 && memchr(pressed, key, (size_t)count) != NULL) {
+    (void)raise(SIGINT);
+  }
 }
-
-void cli_restore_on_stop(const char *bytes) { restoring = bytes; }
 
 void cli_terminal_size(int *columns, int *rows) {
   struct winsize size = {0};
@@ -91,11 +96,7 @@ double cli_now(void) {
   return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-void cli_sleep(int milliseconds) {
-  const struct timespec wait = {milliseconds / 1000,
-                                (long)(milliseconds % 1000) * 1000000L};
-  (void)nanosleep(&wait, NULL);
-}
+void cli_sleep(int milliseconds) { (void)poll(NULL, 0, milliseconds); }
 
 // The wait is to an absolute time, so that waking up late once does not delay
 // the waits that follow.

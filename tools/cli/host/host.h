@@ -32,22 +32,16 @@ void cli_guard_descriptors(void);
 /// of write, not a signal.
 void cli_catch_signals(void);
 
-/// From now on a signal that asks for a stop first writes these bytes, kept, to
-/// standard output: what puts a terminal back in order must not wait, for a
-/// second signal kills. NULL: nothing.
-void cli_restore_on_stop(const char *bytes);
-
 /// From now on a terminal at standard input hands over keys as they are
-/// pressed, until cli_keys_end or a signal that asks for a stop. Does nothing
-/// where standard input is no terminal, or that of another job.
-void cli_keys_begin(void);
-void cli_keys_end(void);
+/// pressed; nothing changes where standard input is no terminal, or that of
+/// another job. A signal that asks for a stop, for a second one kills, first
+/// ends that and writes these bytes, kept, to standard output.
+void cli_screen_begin(const char *give_back);
+void cli_screen_end(void);
 
-/// Whether a key was pressed since the last call; what else was is dropped.
-bool cli_key_pressed(char key);
-
-/// As the signal that Ctrl-C sends.
-void cli_ask_for_stop(void);
+/// Asks for a stop, as Ctrl-C does, if a key was pressed since the last call;
+/// what else was is dropped.
+void cli_stop_on_key(char key);
 
 /// Size of the terminal at standard output, as it is now; 80 by 24 where it
 /// does not tell.

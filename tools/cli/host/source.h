@@ -1,4 +1,5 @@
-/// A source of frames: a file, a pipe, a terminal or a serial device.
+/// A source of frames: a file, a pipe, a terminal or a serial device; and the
+/// key of a board that takes only tagged commands.
 #pragma once
 
 #include "twofold.h"
@@ -35,3 +36,9 @@ bool cli_source_write(cli_source_t *source, const uint8_t *bytes,
                       size_t length);
 
 void cli_source_close(cli_source_t *source);
+
+/// Reads a key from a file, for an argument would stand in the list of
+/// processes: 32 hexadecimal digits, with nothing behind them but white space.
+/// The file's owner alone may read it.
+/// Returns: NULL; or what is wrong with the file.
+const char *cli_read_key(const char *path, uint8_t key[TF_KEY_BYTES]);

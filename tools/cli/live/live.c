@@ -84,8 +84,7 @@ static bool take_terminal(void) {
   terminal.colour = plain == NULL || plain[0] == '\0';
   terminal.columns = terminal.rows = 0;
   cli_catch_signals();
-  cli_restore_on_stop(GIVE_BACK);
-  cli_keys_begin();
+  cli_screen_begin(GIVE_BACK);
   put(TAKE, false);
   return true;
 }
@@ -432,9 +431,7 @@ void cli_live_draw(cli_live_t *live, const char *title, double now) {
   write_rows(compose(live, title), LINE_END, &text);
   cli_add(&text, END);
   put(drawing, true);
-  if (cli_key_pressed('q')) {
-    cli_ask_for_stop();
-  }
+  cli_stop_on_key('q');
 }
 
 void cli_live_close(cli_live_t *live, const char *title) {
@@ -448,8 +445,7 @@ void cli_live_close(cli_live_t *live, const char *title) {
   write_rows(compose(live, title), "\n", &text);
   cli_add(&text, "\n");
   put(GIVE_BACK, false);
-  cli_keys_end();
-  cli_restore_on_stop(NULL);
+  cli_screen_end();
   put(drawing, false);
   for (char *line = strtok(live->said, "\n"); line != NULL;
        line = strtok(NULL, "\n")) {

@@ -11,7 +11,6 @@
 #include <string.h>
 
 #include "../host/host.h"
-#include "../host/key.h"
 #include "../run/row.h"
 #include "../setup/setup.h"
 #include "../text/text.h"
