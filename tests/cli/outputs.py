@@ -50,19 +50,30 @@ def check_whole(path, columns):
           f"{path} has rows of {sorted(set(counts))} fields")
 
 
-def interrupted(path, *words, number=signal.SIGINT):
-    """Ends a command by a signal when rows are in the part of its file."""
+def started(path, *words, **options):
+    """A command in the background, when rows are in the part of its file."""
     part = Path(f"{path}.part")
-    with subprocess.Popen([TWOFOLD, *map(str, words)], text=True,
-                          stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                          stderr=subprocess.PIPE) as child:
-        until(lambda: part.exists() and part.read_text().count("\n") > 20,
-              "rows in the part")
-        child.send_signal(number)
-        said = child.communicate()[1]
+    part.unlink(missing_ok=True)
+    child = subprocess.Popen([TWOFOLD, *map(str, words)], text=True,
+                             stdin=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                             stdout=subprocess.DEVNULL, **options)
+    until(lambda: part.exists() and part.read_text().count("\n") > 20, part)
+    return child
+
+
+def ended(child, number=signal.SIGINT):
+    """What a command says when a signal has ended it with code 4."""
+    child.send_signal(number)
+    said = child.communicate()[1]
     same(child.returncode, 4)
     check("interrupted" in said or "by a signal" in said, said)
-    check(f"its rows so far are in {part}" in said, said)
+    return said
+
+
+def interrupted(path, *words, number=signal.SIGINT):
+    """Ends a command by a signal when rows are in the part of its file."""
+    said = ended(started(path, *words), number)
+    check(f"its rows so far are in {path}.part" in said, said)
     check(not Path(path).exists(), "a part that passes for a whole file")
     return said
 

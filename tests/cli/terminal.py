@@ -1,6 +1,7 @@
 """A terminal to test with: a program behind a pseudo-terminal, and what its
 screen shows. It knows the ANSI codes that `--live` uses and no others: one that
 is not known fails the test."""
+import codecs
 import fcntl
 import os
 import pty
@@ -13,7 +14,8 @@ import termios
 import time
 
 PATIENCE = 60  # [s], for what has to happen
-CODE = re.compile(rb"\x1b\[(\??)([0-9;]*)([A-Za-z])")
+CODE = re.compile(r"\x1b\[(\??[0-9;]*[A-Za-z])|[^\x1b]")
+SWITCHES = {"?25": "cursor", "?7": "wraps", "?1049": "other"}
 
 
 class Screen:
@@ -27,58 +29,47 @@ class Screen:
         self.saved = 0, 0
         self.strict = True  # what is beyond the edge is a failure
         self.drawings, self.drawing = 0, []
-
-    def resize(self, columns, rows):
-        self.columns, self.rows = columns, rows
+        self.left = ""  # what is not drawn yet
+        self.decoder = codecs.getincrementaldecoder("utf-8")()
 
     def cells(self):
         return self.page[self.other]
 
-    def code(self, private, numbers, letter):
-        if private and numbers == "25":
-            self.cursor = letter == "h"
-        elif private and numbers == "7":
-            self.wraps = letter == "h"
-        elif private and numbers == "1049":
-            if letter == "h":
-                self.saved = self.row, self.column
-            else:
-                self.row, self.column = self.saved
-            self.other = letter == "h"
-        elif not private and letter == "H" and numbers == "":
+    def erase(self, is_erased):
+        self.page[self.other] = {at: letter for at, letter in
+                                 self.cells().items() if not is_erased(at)}
+
+    def code(self, code):
+        here = self.row, self.column
+        if code[:-1] in SWITCHES and code[-1] in "hl":
+            setattr(self, SWITCHES[code[:-1]], code[-1] == "h")
+            if code[:-1] == "?1049":
+                (self.row, self.column), self.saved = self.saved, here
+        elif code == "H":
             self.row = self.column = 0
-        elif not private and letter == "J":
-            for at in [at for at in self.cells()
-                       if numbers == "2" or at >= (self.row, self.column)]:
-                del self.cells()[at]
-            if numbers == "":  # the end of a drawing
-                self.drawings += 1
-                self.drawing = self.lines()
-        elif not private and letter == "K" and numbers == "":
-            for at in [at for at in self.cells()
-                       if at[0] == self.row and at[1] >= self.column]:
-                del self.cells()[at]
-        elif not (not private and letter == "m"):
-            raise AssertionError(f"unknown code {numbers}{letter}")
+        elif code == "2J":
+            self.erase(lambda at: True)
+        elif code == "J":  # the end of a drawing
+            self.erase(lambda at: at >= here)
+            self.drawings += 1
+            self.drawing = self.lines()
+        elif code == "K":
+            self.erase(lambda at: at[0] == here[0] and at >= here)
+        elif code[0] == "?" or code[-1] != "m":
+            raise AssertionError(f"unknown code {code}")
 
     def feed(self, data):
-        """Takes bytes; returns those of a code that is not whole yet."""
+        text = self.left + self.decoder.decode(data)
         at = 0
-        while at < len(data):
-            if data[at:at + 1] == b"\x1b":
-                found = CODE.match(data, at)
-                if not found:
-                    return data[at:]
-                self.code(found[1] == b"?", found[2].decode(),
-                          found[3].decode())
-                at = found.end()
-                continue
-            size = 1 if data[at] < 0x80 else 2 if data[at] < 0xe0 else 3
-            if at + size > len(data):
-                return data[at:]
-            self.put(data[at:at + size].decode("utf-8"))
-            at += size
-        return b""
+        for found in CODE.finditer(text):
+            if found.start() > at:  # a code that is not whole yet
+                break
+            if found[1]:
+                self.code(found[1])
+            else:
+                self.put(found[0])
+            at = found.end()
+        self.left = text[at:]
 
     def put(self, letter):
         if letter == "\n":
@@ -110,7 +101,8 @@ class Terminal:
         self.line, self.child_end = pty.openpty()
         self.lines = termios.tcgetattr(self.line)
         self.screen = Screen(columns, rows)
-        self.left = self.all = b""
+        self.all = b""
+        self.is_open = True
         self.resize(columns, rows)
         settings = {**os.environ, "TERM": "xterm", "LC_ALL": "", "NO_COLOR": "",
                     "LANG": "C.UTF-8", **environment}
@@ -134,36 +126,30 @@ class Terminal:
     def resize(self, columns, rows):
         fcntl.ioctl(self.line, termios.TIOCSWINSZ,
                     struct.pack("HHHH", rows, columns, 0, 0))
-        self.screen.resize(columns, rows)
+        self.screen.columns, self.screen.rows = columns, rows
 
     def read(self, seconds=0.1):
-        """Returns: whether the program still has its end open."""
-        ready, _, _ = select.select([self.line], [], [], seconds)
-        if not ready:
-            return True
-        try:
-            data = os.read(self.line, 65536)
-        except OSError:
-            return False
-        self.all += data
-        self.left = self.screen.feed(self.left + data)
-        return bool(data)
+        if select.select([self.line], [], [], seconds)[0]:
+            try:
+                data = os.read(self.line, 65536)
+            except OSError:  # the program has closed its end
+                data = b""
+            self.is_open = bool(data)
+            self.all += data
+            self.screen.feed(data)
 
     def until(self, holds, what):
         """Reads until something holds."""
         end = time.monotonic() + PATIENCE
         while not holds():
-            if not self.read() and not holds():
-                raise AssertionError(f"it ended before {what}: {self.text()}")
-            if time.monotonic() > end:
-                raise AssertionError(f"not in time: {what}: {self.text()}")
+            if not self.is_open or time.monotonic() > end:
+                raise AssertionError(f"it ended before {what}, or it did not "
+                                     f"come in time: {self.text()}")
+            self.read()
 
     def end(self):
         """Reads to the end. Returns: the exit code."""
-        end = time.monotonic() + PATIENCE
-        while self.read():
-            if time.monotonic() > end:
-                raise AssertionError(f"no end: {self.text()}")
+        self.until(lambda: not self.is_open, "its end")
         return self.child.wait(PATIENCE)
 
     def signal(self, number=signal.SIGINT):
