@@ -213,44 +213,12 @@ TEST(a_slip_that_may_miss_its_future_is_coarse) {
   CHECK_ABOVE(neither, samples(200));
 }
 
-static end_state_t far_end(tf_params_t p, tf_state_t x, real time, int steps) {
-  p.dt = (tf_real_t)(time / steps);
+static end_state_t balanced_end(tf_params_t p, const tf_state_t *x,
+                                tf_real_t dt) {
+  p.dt = dt;
   const tf_machine_t k = prepared(&p);
   const tf_input_t u = tf_input_default(&k);
-  for (int n = 0; n < steps; n++) {
-    const balanced_end_t end =
-        tf_balanced_end(&k, &x, &u, TF_SLIP_PLUS, (tf_force_t){0, 0});
-    x.r = end.at.r;
-    x.v = end.at.v;
-    x.w = end.at.w;
-  }
-  return place(&x);
-}
-
-static real between(end_state_t a, end_state_t b) {
-  return fabsl(wide(a.r) - wide(b.r)) + fabsl(wide(a.v) - wide(b.v)) +
-         fabsl(wide(a.w) - wide(b.w));
-}
-
-/* The balanced step keeps the energy to rounding and has order 2. */
-TEST(balanced_step_order_and_energy) {
-  if (!IS_DOUBLE) SKIP("rounding of float is as large as the differences");
-  for (int i = 0; i < 200; i++) {
-    tf_params_t p = conservative();
-    p.theta = TF_R(0.5);
-    p.k2 = log_uniform(0.1, 10);
-    p.beta = log_uniform(0.3, 1);
-    const tf_state_t x = {
-        .r = uniform(0.5, 1), .v = uniform(-1, 1), .w = uniform(-2, 2)};
-    const end_state_t a = far_end(p, x, 0.5L, 200);
-    const end_state_t b = far_end(p, x, 0.5L, 400);
-    const end_state_t c = far_end(p, x, 0.5L, 800);
-    const real ab = between(a, b), bc = between(b, c);
-    if (bc > 1e-9L) CHECK_NEAR(ab / bc, 4, 0.4);
-    const ref_machine_t q = {PARAMETERS_OF(real, &p)};
-    CHECK_NEAR(energy_of(&q, a), energy_of(&q, place(&x)),
-               2000 * noise(&q, place(&x)));
-  }
+  return tf_balanced_end(&k, x, &u, TF_SLIP_PLUS, (tf_force_t){0, 0}).at;
 }
 
 /* A spring that turns by 1/45 rad a step or more gains 2^-20 of the energy a
@@ -276,35 +244,38 @@ TEST(a_stiff_spring_gains_no_energy_in_time) {
   }
 }
 
-/* However strong a damper is and however long the step, the balanced step loses
- * energy by it. */
+/* The balanced step keeps the energy to rounding, and loses some by a damper
+ * however strong it is and however long the step. */
 TEST(damping_takes_energy_from_a_balanced_step) {
   for (int i = 0; i < samples(4000); i++) {
     tf_params_t p = conservative();
-    p.c1 = log_uniform(1e-3, 1e6);
-    p.c2 = tap_bits() % 2 ? 0 : log_uniform(1e-3, 1e6);
+    p.c1 = i % 4 ? log_uniform(1e-3, 1e6) : 0;
+    p.c2 = i % 2 ? log_uniform(1e-3, 1e6) : 0;
+    const bool damped = i % 4 != 0;
+    if (!damped) p.theta = TF_R(0.5);
     const ref_machine_t q = {PARAMETERS_OF(real, &p)};
     const tf_state_t x = moving();
-    const end_state_t end = far_end(p, x, wide(p.dt), 1);
-    CHECK(energy_of(&q, end) <= energy_of(&q, place(&x)) +
-                                    64 * noise(&q, place(&x)) +
-                                    64 * noise(&q, end));
+    const end_state_t from = place(&x), to = balanced_end(p, &x, p.dt);
+    const real gain = energy_of(&q, to) - energy_of(&q, from);
+    const real room = 64 * (noise(&q, from) + noise(&q, to));
+    CHECK(gain <= room && (damped || gain >= -room));
   }
 }
 
 /* How far the end of a balanced step is from (18), its equation of P, with the
  * matrix of the true middle. */
 static real missed_at_middle(const tf_params_t *p, const tf_state_t *x,
-                             real dt) {
+                             tf_real_t dt) {
   ref_machine_t q = {PARAMETERS_OF(real, p)};
-  const end_state_t from = place(x), to = far_end(*p, *x, dt, 1);
+  const end_state_t from = place(x), to = balanced_end(*p, x, dt);
   const real w0 = wide(from.w), w1 = wide(to.w);
   const real R0 = hypotl(q.beta, wide(from.r)), R1 = hypotl(q.beta, wide(to.r));
   const real dP = wide(to.v) - wide(from.v) - q.d * (w1 - w0);
   const real r = wide(from.r + to.r) / 2, w = (R0 * w0 + R1 * w1) / (R0 + R1);
   ref_prepare(&q);
   const ref_state_t middle = ref_state(&q, r, 0, w);
-  return q.m * fabsl(dP / dt - ref_rate(&q, middle, (ref_force_t){0, 0}).p);
+  return q.m *
+         fabsl(dP / wide(dt) - ref_rate(&q, middle, (ref_force_t){0, 0}).p);
 }
 
 /* A guess of the middle is one power of the step better than that before it:
@@ -319,8 +290,8 @@ TEST(two_guesses_miss_the_middle_by_the_third_power) {
     p.beta = uniform(0.3, 1);
     const tf_state_t x = {
         .r = uniform(0.5, 1), .v = uniform(-1, 1), .w = uniform(-2, 2)};
-    far += missed_at_middle(&p, &x, 0.04L);
-    near += missed_at_middle(&p, &x, 0.02L);
+    far += missed_at_middle(&p, &x, TF_R(0.04));
+    near += missed_at_middle(&p, &x, TF_R(0.02));
   }
   CHECK_NEAR(far / near, 8, 2);
 }
