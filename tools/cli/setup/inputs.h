@@ -93,7 +93,7 @@ int cli_drive_read(cli_drive_t *drive, const tf_scene_t *scene,
 tf_input_t cli_drive_begin(cli_drive_t *drive, const tf_machine_t *machine,
                            uint64_t tick);
 
-/// Reports on standard error which settings have no effect beside the table.
+/// Notes which settings have no effect beside the table.
 void cli_drive_notes(const cli_drive_t *drive, const cli_setup_t *setup);
 
 /// Inputs of a machine over a span.

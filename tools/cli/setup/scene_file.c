@@ -391,69 +391,57 @@ static void pad_to(cli_buffer_t *out, size_t line, size_t column) {
   } while (!out->truncated && out->used - line < column);
 }
 
-static void add_key(cli_buffer_t *out, const char *key) {
+// A text that begins with = would lose it to the one that may stand before a
+// value. What has no value has no line.
+static void add_line(cli_buffer_t *out, const char *key, const char *value,
+                     const char *unit) {
   const size_t line = out->used;
+  if (value[0] == '\0') {
+    return;
+  }
   cli_add(out, key);
   pad_to(out, line, VALUES);
-}
-
-// A text that begins with = would lose it to the one that may stand before a
-// value.
-static void add_word(cli_buffer_t *out, const char *key, const char *word) {
-  add_key(out, key);
-  cli_add_form(out, word[0] == '=' ? "= %s\n" : "%s\n", word);
+  cli_add_form(out, value[0] == '=' ? "= %s" : "%s", value);
+  if (strcmp(unit, "1") != 0) {
+    pad_to(out, line, UNITS);
+    cli_add_form(out, "# %s", unit);
+  }
+  cli_add(out, "\n");
 }
 
 static void add_number(cli_buffer_t *out, size_t key, tf_real_t value) {
-  const tf_parameter_range_t *number = number_of(key);
-  const size_t line = out->used;
-  add_key(out, number->name);
-  cli_add_real(out, value);
-  if (strcmp(number->unit, "1") != 0) {
-    pad_to(out, line, UNITS);
-    cli_add_form(out, "# %s", number->unit);
-  }
-  cli_add(out, "\n");
-}
-
-static void add_profile(cli_buffer_t *out, const tf_scene_t *scene) {
-  if (scene->knots == 0) {
-    return;
-  }
-  cli_add(out, "# speed of the turntable, linear between these times [s]\n");
-  add_key(out, "profile");
-  for (size_t i = 0; i < scene->knots; i++) {
-    cli_add_form(out, "%s%g:%g", i > 0 ? " " : "", (double)scene->profile[i].t,
-                 (double)scene->profile[i].omega0);
-  }
-  cli_add(out, "\n");
+  char text[CLI_REAL_ROOM];
+  (void)cli_write_real(text, value);
+  add_line(out, number_of(key)->name, text, number_of(key)->unit);
 }
 
 void cli_scene_print(const tf_scene_t *scene, const tf_params_t *params,
                      cli_buffer_t *out) {
-  add_word(out, "name", scene->name);
-  if (scene->shows[0] != '\0') {
-    add_word(out, "shows", scene->shows);
-  }
-  if (scene->leaves_out[0] != '\0') {
-    add_word(out, "leaves-out", scene->leaves_out);
-  }
+  add_line(out, "name", scene->name, "1");
+  add_line(out, "shows", scene->shows, "1");
+  add_line(out, "leaves-out", scene->leaves_out, "1");
   cli_add(out, "\n# the machine\n");
-  add_word(out, "law", tf_tyre_law_name(params->law));
-  add_word(out, "rest", tf_rest_law_name(params->rest));
-  add_word(out, "rule", tf_rule_name(params->rule));
-  add_word(out, "with-angle", params->with_angle ? "yes" : "no");
+  add_line(out, "law", tf_tyre_law_name(params->law), "1");
+  add_line(out, "rest", tf_rest_law_name(params->rest), "1");
+  add_line(out, "rule", tf_rule_name(params->rule), "1");
+  add_line(out, "with-angle", params->with_angle ? "yes" : "no", "1");
   for (size_t i = 0; i < TF_PARAMETERS; i++) {
     add_number(out, i, cli_parameter(params, i));
   }
   cli_add(out, "\n# the start, by its speed v or its slip speed h\n");
   add_number(out, CLI_R, scene->r);
   add_number(out, CLI_OMEGA, scene->omega);
-  if (scene->v_is_given) {
-    add_number(out, CLI_V, scene->v);
-  } else {
-    add_number(out, CLI_H, scene->h);
-  }
+  add_number(out, scene->v_is_given ? CLI_V : CLI_H,
+             scene->v_is_given ? scene->v : scene->h);
   add_number(out, T_END, scene->t_end);
-  add_profile(out, scene);
+  if (scene->knots > 0) {
+    cli_add(out,
+            "# speed of the turntable, linear between these times [s]\n"
+            "profile          ");
+    for (size_t i = 0; i < scene->knots; i++) {
+      cli_add_form(out, " %g:%g", (double)scene->profile[i].t,
+                   (double)scene->profile[i].omega0);
+    }
+    cli_add(out, "\n");
+  }
 }

@@ -13,10 +13,8 @@ typedef struct {
 
 // The settings of a command line: NAME=VALUE pairs, still as text.
 
-/// The longest name that --set knows, with its terminating zero.
-#define CLI_NAME_ROOM 16
-/// How many settings one command line may hold: more than there are names.
-#define CLI_SETTINGS 64
+#define CLI_NAME_ROOM 16 ///< of the longest name, with its terminating zero
+#define CLI_SETTINGS 64  ///< of a command line: more than there are names
 
 typedef struct {
   const char *option;       ///< "--set" or "--dt"
@@ -78,18 +76,14 @@ int cli_setup_read(cli_setup_t *setup, const tf_scene_t *scene,
 /// The first setting of the start, NULL where none was given.
 const cli_setting_t *cli_setup_start_set(const cli_setup_t *setup);
 
-/// Prepares the machine.
+/// Prepares the machine; checks the initial values that were set, each by
+/// itself; does so, computes the initial state and begins it.
 int cli_setup_machine(cli_setup_t *setup);
-
-/// Checks the initial values that were set, each by itself.
 int cli_setup_check_starts(const cli_setup_t *setup);
-
-/// Does so, computes the initial state and begins it.
 int cli_setup_start(cli_setup_t *setup);
 
-/// Reports on standard error which settings have no effect in this scene.
-/// unused, why: in, a parameter that the scheme does not use, and the end of
-/// the message "... has no effect".
+/// Notes which settings have no effect in this scene. unused, why: in, a
+/// parameter that the scheme does not use, and the end of the message about it.
 void cli_setup_notes(const cli_setup_t *setup, const char *unused,
                      const char *why);
 
