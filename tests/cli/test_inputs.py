@@ -4,11 +4,10 @@ a table does what it says between two rows, and what is wrong in one is named by
 line, column and reason."""
 import math
 import subprocess
-import sys
 from pathlib import Path
 
-sys.path.append(str(Path(__file__).resolve().parents[1] / "support"))
-from tap import TWOFOLD, call, check, main, same  # noqa: E402
+import outputs
+from tap import TWOFOLD, call, check, main, same
 
 SCHEMES = ("moreau", "located", "compensated")
 KNOTS = "# knots of driven\nt,omega0\n0,-1\n2,-2\n4,-2\n8,1\n10,0\n"
@@ -16,43 +15,44 @@ JUMP = "t,omega0\n0,-1\n0.3,-1\n0.3,-0.8\n"
 BINARY = "run chaos --dt 0x1p-10"  # [s], so that times are exact
 
 
-def does(words, text=None, between="linear", code=0):
-    """The output of a command, under a table, and what it says."""
-    words = words.split()
-    if text is not None:
-        Path("table.csv").write_bytes(text.encode())
-        words += "--inputs", "table.csv", "--between", between
-    return call(*words, code=code)
+def command(words, text=None, between="linear"):
+    """A command, under a table."""
+    if text is None:
+        return words.split()
+    Path("table.csv").write_bytes(text.encode())
+    return [*words.split(), "--inputs", "table.csv", "--between", between]
+
+
+def says(texts, *given, code=0):
+    """Its rows, where it says all texts, which stand between &."""
+    return outputs.says(code, texts, *command(*given))
 
 
 def rows(*given):
-    return does(*given)[0]
+    return says("", *given)
 
 
 def lines(head, values):
     return "\n".join([head, *(",".join(map(repr, row)) for row in values), ""])
 
 
-def says(said, texts, holds=True):
-    for text in texts.split("&"):
-        check((text in said) == holds, f"{text}\n{said}")
-
-
-def refuses(code, texts, *given):
-    out, said = does(*given, code=int(code))
-    same(out, "")
-    says(said, texts)
+def within(count, *given):
+    """Likewise, with so many rows within a step."""
+    out, said = call(*command(*given))
+    text = f" {count} times of rows lie within a step" if count else "lie within"
+    same(text in said, count > 0)
+    return out
 
 
 def test_profile_as_a_table():
     for scheme in SCHEMES:  # at a dt at which no step says that it is coarse
         words = f"--scheme {scheme} --every 11 --dt 2e-4"
-        out, said = does(f"run chaos --set phi=0 --t-end 12 {words}", KNOTS)
-        same(out, rows(f"run driven {words}"))
-        says(said, "table.csv, linear: 5 of 5 rows, t = 0 to 10 s; "
-             "applied omega0 in [-2, 1] rad")
-    says(does("run driven --t-end 3")[1], "linear: 3 of 5 rows, t = 0 to 4 s; "
-         "applied omega0 in [-2, -1.00005] rad/s")
+        same(says("table.csv, linear: 5 of 5 rows, t = 0 to 10 s; applied "
+                  "omega0 in [-2, 1] rad",
+                  f"run chaos --set phi=0 --t-end 12 {words}", KNOTS),
+             rows(f"run driven {words}"))
+    says("linear: 3 of 5 rows, t = 0 to 4 s; applied omega0 in [-2, -1.00005] "
+         "rad/s", "run driven --t-end 3")
     quoted = "\ufeff" + KNOTS.replace("t,omega0", '"t","omega0"')
     same(rows("run driven --t-end 1", quoted, "held"),
          rows("run driven --t-end 1", KNOTS, "held"))
@@ -65,21 +65,19 @@ def test_linear_is_the_mean_over_a_step():
     free = "--set " + "=0 --set ".join(("k2", "c1", "c2", "d", "omega", "v=0"))
     out = rows(f"run frictionless {free} --t-end 1e-3", blow)
     check(abs(float(out.split(",")[-8]) - 140) < 1e-4, out)
-    says(does("run chaos --t-end 1e-3", blow, "held")[1],
-         "held: 2 of 3 rows&1 other rows lie between")
+    says("held: 2 of 3 rows&1 other rows lie between",
+         "run chaos --t-end 1e-3", blow, "held")
     words = f"{BINARY} --t-end 0.5"
     want = rows(words, "t,force\n0,0\n0.5,0.5\n")
     steps = lines("t, torque ,force", [(i / 1024, 0, (i + 0.5) / 1024)
                                        for i in range(512)])
-    out, said = does(words, steps, "held")
-    same(out, want)
-    says(said, "held: 512 of 512 rows")
+    same(says("held: 512 of 512 rows", words, steps, "held"), want)
     check(rows(words) != want, "a force makes no difference")
     piped = subprocess.run(
         [TWOFOLD, *words.split(), "--inputs", "-", "--between", "held"],
         input=steps, capture_output=True, check=True, text=True)
     same(piped.stdout, want)
-    says(piped.stderr, "standard input, held")
+    check("standard input, held" in piped.stderr, piped.stderr)
 
 
 def test_held_from_the_step_that_begins_there():
@@ -97,10 +95,10 @@ def test_held_from_the_step_that_begins_there():
     want = rows("run chaos --t-end 1 --set r0=0.12")
     for between in ("held", "linear"):
         same(rows("run chaos --t-end 1", one, between), want)
-    says(does("run chaos --t-end 0.01 --set r0=0.2", one)[1],
-         "r0=0.2 has no effect&table.csv")
-    says(does("run driven --t-end 0.1", one)[1],
-         "profile of the scene, linear&table.csv, linear")
+    says("r0=0.2 has no effect&table.csv",
+         "run chaos --t-end 0.01 --set r0=0.2", one)
+    says("profile of the scene, linear&table.csv, linear",
+         "run driven --t-end 0.1", one)
     same(rows("run chaos --t-end 0.2", "t,omega0\n0,-0.5\n"),  # also of v
          rows("run chaos --t-end 0.2 --set omega0=-0.5"))
 
@@ -116,19 +114,16 @@ def test_rows_of_one_time_are_a_jump():
         same(rows(f"run chaos {words}", JUMP), want)
         same(rows(f"run jump.scene {words}"), want)
     words = f"{BINARY} --t-end 0.5"
-    out, said = does(words, JUMP)
-    same(out, rows(words, "t,omega0\n0,-1\n0.2998046875,-0.8\n", "held"))
-    says(said, "1 times of rows lie within a step, 1 of them")
-    said = does(f"{words} --scheme located", JUMP)[1]
-    says(said, "lie within a step", holds=False)
-    # The only inputs that are told are those of the table; steps before its
-    # first row have none of its rows within.
-    said = does("run driven --t-end 0.1", JUMP)[1]
-    says(said, "profile of the scene", holds=False)
-    says(said, "table.csv, linear&applied omega0 in [-1, -1] rad/s")
-    for first, count in (("0.3", ""), ("0.30005", " 1 times of rows")):
-        said = does("run chaos --t-end 0.5", f"t,force\n{first},0\n0.4,1\n")[1]
-        says(said, f"{count} lie within a step", holds=count != "")
+    same(says("1 times of rows lie within a step, 1 of them", words, JUMP),
+         rows(words, "t,omega0\n0,-1\n0.2998046875,-0.8\n", "held"))
+    within(0, f"{words} --scheme located", JUMP)
+    # The table takes the place of the profile; steps before its first row have
+    # none of its rows within.
+    said = call(*command("run driven --t-end 0.1", JUMP))[1]
+    check("profile of the scene" not in said and
+          "applied omega0 in [-1, -1] rad/s" in said, said)
+    for first, count in ("0.3", 0), ("0.30005", 1):
+        within(count, "run chaos --t-end 0.5", f"t,force\n{first},0\n0.4,1\n")
 
 
 def test_a_step_is_told_its_ends():
@@ -145,11 +140,8 @@ def test_a_step_is_told_its_ends():
         ends.append((at, w + (then - w) * ((at - t) / (after - t))))
     for scheme in ("moreau", "compensated"):
         words = f"{BINARY} --t-end 0.3 --scheme {scheme}"
-        want, said = does(words, lines("t,omega0", ends))
-        says(said, "lie within a step", holds=False)
-        out, said = does(words, lines("t,omega0", kinks))
-        same(out, want)
-        says(said, "2 times of rows lie within a step, 0 of")
+        same(within(0, words, lines("t,omega0", ends)),
+             within(2, words, lines("t,omega0", kinks)))
 
 
 def test_located_is_split_at_rows():
@@ -181,8 +173,8 @@ def test_each_part_of_a_step_has_a_draw_by_itself():
 
 def test_a_long_table():
     many = lines("t,force", [(i * 1e-5, 1e-3 * (i % 7)) for i in range(300000)])
-    says(does("run chaos --t-end 3 --dt 1e-5 --every 1000", many, "held")[1],
-         "300000 of 300000 rows")
+    says("300000 of 300000 rows", "run chaos --t-end 3 --dt 1e-5 --every 1000",
+         many, "held")
 
 
 def test_files_that_are_cut():
@@ -240,10 +232,10 @@ def test_what_is_wrong():
     for line in WRONG.split("\n")[1:]:
         *code, text, said = line.split("|")
         if code:
-            refuses(*code, f"table.csv:{said}", "run chaos",
-                    text.encode().decode("unicode_escape"))
+            says(f"table.csv:{said}", "run chaos",
+                 text.encode().decode("unicode_escape"), code=int(code[0]))
         else:
-            refuses(2, said, "run chaos" + text)
+            says(said, "run chaos" + text, code=2)
 
 
 main(globals(), jobs=2)

@@ -11,29 +11,17 @@ SET = ("--set kappa=0.3 --set law=smooth --set epsilon=1e-3 --set r=0.2 --set "
 
 
 def test_there_and_back():
-    for line in call("scenes")[0].splitlines():
-        scene = line.split()[0]
-        call("scene", scene, "--out", "one.scene")
+    """Also with what the command line changes."""
+    scenes = [line.split()[0] for line in call("scenes")[0].splitlines()]
+    for words in (*([scene] for scene in scenes), ["driven", *SET]):
+        call("scene", *words, "--out", "one.scene")
         call("scene", "./one.scene", "--out", "two.scene")
         same(Path("two.scene").read_text(), Path("one.scene").read_text())
-        words = ["--t-end", "3", "--every", "7"]
-        same(call("run", "one.scene", *words)[0],
-             call("run", scene, *words)[0])
-
-
-def test_what_the_command_line_changes():
-    call("scene", "driven", *SET, "--out", "changed.scene")
-    same(call("run", "changed.scene", "--t-end", "2")[0],
-         call("run", "driven", *SET, "--t-end", "2")[0])
-    words = ["run", "changed.scene", "--t-end", "0.01"]
-    check(call(*words)[0] != call(*words, "--set", "v=0.25")[0],
+        end = ["--t-end", "3", "--every", "7"]
+        same(call("run", "one.scene", *end)[0], call("run", *words, *end)[0])
+    check(call("run", "one.scene", *end)[0] !=
+          call("run", "one.scene", *end, "--set", "v=0.25")[0],
           "settings change a file, too")
-    says_each("""
-2 chaos --select random:7|a scene has no seed
-2 chaos --set phi=1|phi=1&starts with phi = 0
-3 chaos --set kappa=-1|kappa must lie in [1e-09, 1e+06] m
-2 chaos --set kapa=1|did you mean 'kappa'?
-2|which scene?""", "scene")
     check("\nrule              random\n" in
           call("scene", "chaos", "--select", "random")[0], "the rule is kept")
 
@@ -42,10 +30,11 @@ def test_every_command_takes_a_file():
     Path("mine.scene").write_bytes(
         b"based-on chaos\r\nname mine\r\nkappa\t0.27\r\n")
     check('"mine"' in call("singularities", "mine.scene")[0], "its name")
-    call("regions", "mine.scene", "--r", "0:1:2", "--omega=-1:1:2")
-    call("design", "mine.scene", "--r", "0.2", "--omega=-1.04")
-    call("atlas", "mine.scene", "--r", "0.1:0.2:2", "--omega=-1.1:-1.05:2")
-    call("diverge", "./mine.scene", "--samples", "2")
+    for words in ("design mine.scene --r 0.2 --omega=-1.04",
+                  "regions mine.scene --r 0:1:2 --omega=-1:1:2",
+                  "atlas mine.scene --r 0.1:0.2:2 --omega=-1.1:-1.05:2",
+                  "diverge ./mine.scene --samples 2"):
+        call(*words.split())
     check("mine" in call("run", "mine.scene", "--t-end", "0.01", "--format",
                          "frames")[0], "its name in frames")
 
@@ -93,15 +82,20 @@ def test_what_is_wrong():
     says(2, "long.scene: longer than 16384 bytes", "run", "long.scene")
 
 
-def test_names_of_files():
+def test_words_that_are_wrong():
     Path("no name.scene").write_text("based-on chaos\n")
     Path("mine.scene").write_text("based-on chaos\n")
-    says(2, "is no name of a scene&give", "run", "./no name.scene")
+    says(2, "is no name of a scene&give", "scene", "./no name.scene")
     says_each("""
 2 none.scene|none.scene: No such file
 2 none|unknown scene&a file has a . or a /
 2 ./|Is a directory
-2 mine.scene chaos|one scene at a time (mine was given)""", "run")
+2 mine.scene chaos|one scene at a time (mine was given)
+2 chaos --select random:7|a scene has no seed
+2 chaos --set phi=1|phi=1&starts with phi = 0
+3 chaos --set kappa=-1|kappa must lie in [1e-09, 1e+06] m
+2 chaos --set kapa=1|did you mean 'kappa'?
+2|which scene?""", "scene")
 
 
 main(globals(), jobs=2)

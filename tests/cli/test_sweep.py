@@ -65,17 +65,13 @@ def test_outcomes():
                  "--set", "h=0", "--set", "mu=1", *outcomes("rest", "modes"))
     same(column(rows, "rest", "modes"),  # pinned for a while is no rest
          [("", "slip+|slip-|stick+|stick-|pinned"), ("0", "pinned")])
-    (before,), (after,) = (sweep(
-        "chaos", "--over", "mu=1.5:1.5:1", "--t-end", t_end,
-        *outcomes("energy", "energy_change")) for t_end in (0, 2))
-    check(before["energy_change"] == "0" and abs(
-        float(after["energy"]) - float(before["energy"]) -
-        float(after["energy_change"])) < 1e-6, "the change is since t = 0")
     names = ["t", "modes", "rest", "recurrence", "ambiguous",
-             "ambiguous_share", "energy_change"]
-    rows = sweep("chaos", "--over", "kappa=0.3:0.3:1", "--t-end", "0",
-                 *outcomes(*names[1:]))
-    same(column(rows, *names), [("0", "slip+", "", "", "", "", "0")])
+             "ambiguous_share", "energy_change", "energy"]
+    before, after = (sweep("chaos", "--over", "mu=1.5:1.5:1", "--t-end", t_end,
+                           *outcomes(*names[1:])) for t_end in (0, 2))
+    same(column(before, *names[:-1]), [("0", "slip+", "", "", "", "", "0")])
+    check(abs(float(after[0]["energy"]) - float(before[0]["energy"]) -
+              float(after[0]["energy_change"])) < 1e-6, "it is since t = 0")
 
 
 def test_seeds():
@@ -90,9 +86,6 @@ def test_seeds():
                              "--t-end", "3", program=program)[0])
             same((rows[2]["seed"], rows[2]["end_r"]),
                  ("100000002", run[-1]["r"]))
-    same(column(sweep("chaos", "--over", "seed=1:300:300", "--select",
-                      "random", "--t-end", "0"), "seed"),
-         [str(seed) for seed in range(1, 301)])
 
 
 def test_inputs_over_time():
@@ -110,14 +103,13 @@ def test_inputs_over_time():
     (alone,) = sweep("chaos", "--t-end", "2", "--over", "mu=1:1:1",
                      *outcomes("end_r"))
     check(alone["end_r"] != rows[0]["end_r"], "inputs make no difference")
-    words = ["chaos", "--inputs", "in.csv", "--between", "held"]
-    rows = sweep(*words, "--select", "random", "--over", "seed=1:3:3",
-                 "--over", "r=0.18:0.19:2", "--t-end", "3",
-                 *outcomes("end_r"))
+    rows = sweep("chaos", "--inputs", "in.csv", "--between", "held",
+                 "--select", "random", "--over", "seed=1:3:3", "--over",
+                 "r=0.18:0.19:2", "--t-end", "3", *outcomes("end_r"))
     same(len(set(column(rows, "end_r"))), 6)
-    said = says(0, "--over r0=0.1:0.2:2 has no effect: in.csv gives r0",
-                "sweep", *words, "--over", "r0=0.1:0.2:2")
-    same(set(column(table(said), "reason")), {""})
+    says(0, "--over r0=0.1:0.2:2 has no effect: in.csv gives r0", "sweep",
+         "chaos", "--inputs", "in.csv", "--between", "held", "--over",
+         "r0=0.1:0.2:2")
 
 
 def test_what_the_rows_are_of():
@@ -155,23 +147,17 @@ SLOW = ["sweep", "chaos", "--over", "kappa=0.25:0.3:150", "--over",
         "h=-0.01:0.01:3", "--t-end", "2"]
 
 
-def killed(name):
-    """Kills a sweep when some of its rows are noted. Returns: how many."""
-    notes = Path(f"{name}.resume")
-    with subprocess.Popen([TWOFOLD, *SLOW, "--out", name],
+def test_kill_truncation_and_flipped_bytes():
+    """Whatever is left, the bytes of an unbroken run, or a refusal by name."""
+    whole = call(*SLOW)[0].encode()
+    rows, notes = Path("x.part"), Path("x.resume")
+    with subprocess.Popen([TWOFOLD, *SLOW, "--out", "x"],
                           stderr=subprocess.DEVNULL) as child:
         until(lambda: notes.exists() and notes.read_text().count("\n") > 2,
               "notes")
         child.send_signal(signal.SIGKILL)
-    return int(notes.read_text().splitlines()[-1].split()[2])
-
-
-def test_kill_truncation_and_flipped_bytes():
-    """Whatever is left, the bytes of an unbroken run, or a refusal by name."""
-    whole = call(*SLOW)[0].encode()
-    kept = killed("x")
-    rows, notes = Path("x.part"), Path("x.resume")
     old, told = rows.read_bytes(), notes.read_bytes()
+    kept = int(told.splitlines()[-1].split()[2])
     check(kept > 2 and whole.startswith(old[:-1]), "no rows of the sweep")
     for text, said, least in (
             (old, told, kept), (old + b"9,0.2", told + b"12 3", kept),
@@ -197,17 +183,14 @@ def test_kill_truncation_and_flipped_bytes():
 
 
 def test_of_a_whole_file_nothing_is_done():
-    call("sweep", *GRID, "--out", "x", "--resume")
+    words = ["sweep", *GRID, "--resume", "--out"]
+    call(*words, "x")
     before = Path("x").stat().st_mtime_ns
-    for _ in range(2):
-        says(0, "x has all of its 25 points", "sweep", *GRID, "--out", "x",
-             "--resume")
+    says(0, "x has all of its 25 points", *words, "x")
     same(Path("x").stat().st_mtime_ns, before)
     call("sweep", *GRID, "--out", "y")
-    same(sorted(path.name for path in Path().iterdir()),
-         ["x", "x.resume", "y"])
-    says(3, "--resume: y is of another sweep", "sweep", *GRID, "--out", "y",
-         "--resume")
+    same({path.name for path in Path().iterdir()}, {"x", "x.resume", "y"})
+    says(3, "--resume: y is of another sweep", *words, "y")
 
 
 def test_rows_of_another_sweep():
