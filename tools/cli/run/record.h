@@ -100,16 +100,16 @@ typedef struct {
   bool replays;        ///< instead of driving the scene
   const cli_args_t *args;
   uint64_t steps;
-  double start;             ///< cli_now() at t = 0
-  uint64_t late;            ///< steps that ended after the time of the next one
-  double latest;            ///< largest delay among them [s]
-  double began;             ///< delay of the beginning of the last step [s]
-  cli_lateness_t *lateness; ///< of all steps in real time, or NULL
-  uint64_t first;           ///< steps taken before this run, by another one
-  uint64_t done;            ///< steps taken, by both
-  uint64_t written;         ///< step of the last row
-  cli_frames_t frames;      ///< where the rows are that
-  cli_glance_t glance;      ///< where they are for a person who looks
+  double start;            ///< cli_now() at t = 0
+  uint64_t late;           ///< steps that ended after the time of the next one
+  double latest;           ///< largest delay among them [s]
+  double began;            ///< delay of the beginning of the last step [s]
+  cli_lateness_t lateness; ///< of all steps in real time
+  uint64_t first;          ///< steps taken before this run, by another one
+  uint64_t done;           ///< steps taken, by both
+  uint64_t written;        ///< step of the last row
+  cli_frames_t frames;     ///< where the rows are that
+  cli_glance_t glance;     ///< where they are for a person who looks
   motion_t system;
   tf_report_t report; ///< of the last step that was taken
   tf_status_t status; ///< of the last step that was tried

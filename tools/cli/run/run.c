@@ -97,10 +97,8 @@ static unsigned lateness_bin(double late) {
 static void check_time(cli_run_t *run) {
   const double ended = cli_now() - run->start;
   const double late = ended - cli_run_time(run, run->done + 1);
-  if (run->lateness != NULL) {
-    run->lateness->began[lateness_bin(run->began)]++;
-    run->lateness->ended[lateness_bin(ended - cli_run_time(run, run->done))]++;
-  }
+  run->lateness.began[lateness_bin(run->began)]++;
+  run->lateness.ended[lateness_bin(ended - cli_run_time(run, run->done))]++;
   if (late > 0) {
     run->late++;
     run->latest = fmax(run->latest, late);
@@ -108,24 +106,20 @@ static void check_time(cli_run_t *run) {
 }
 
 static void take_batch(cli_run_t *run) {
-  const uint64_t left = run->steps - run->done;
-  const uint64_t most = run->args->real_time ? 1 : BATCH;
-  const uint64_t until = run->done + (left < most ? left : most);
-  while (run->done < until && run->done < run->steps && run->end == CLI_ENDED) {
-    if (run->args->real_time) {
+  const bool real_time = run->args->real_time;
+  for (unsigned left = real_time ? 1 : BATCH;
+       left > 0 && run->done < run->steps && run->end == CLI_ENDED; left--) {
+    if (real_time) {
       await_step(run);
     }
-    if (run->end != CLI_ENDED) {
-      return;
-    }
-    if (cli_stop_asked()) {
+    if (run->end == CLI_ENDED && cli_stop_asked()) {
       run->end = CLI_INTERRUPTED;
-      return;
     }
-    if (take_step(run) && run->system.state.tick % run->args->every == 0) {
+    if (run->end == CLI_ENDED && take_step(run) &&
+        run->system.state.tick % run->args->every == 0) {
       cli_rows_add(run);
     }
-    if (run->args->real_time && run->end == CLI_ENDED) {
+    if (real_time && run->end == CLI_ENDED) {
       check_time(run);
     }
   }
@@ -171,31 +165,26 @@ static void step_through(cli_run_t *run) {
   }
 }
 
-static void write_lateness(const cli_lateness_t *lateness,
-                           cli_output_t *output) {
+static int write_lateness(cli_run_t *run) {
   static const char header[] = "us,began,ended\n";
+  cli_output_t *output = &run->late_rows;
+  char text[CLI_PROVENANCE_ROOM];
+  size_t length = 0;
+  if (run->args->provenance) {
+    length = cli_run_provenance(run, "us us, began and ended 1 (steps)", text);
+  }
+  (void)cli_output_lines(output, text, length);
   (void)cli_output_lines(output, header, sizeof header - 1);
   for (unsigned us = 0; us <= CLI_LATENESS_BINS; us++) {
-    char row[64];
-    if (lateness->began[us] != 0 || lateness->ended[us] != 0) {
-      const int length =
-          snprintf(row, sizeof row, "%u,%" PRIu64 ",%" PRIu64 "\n", us,
-                   lateness->began[us], lateness->ended[us]);
-      (void)cli_output_lines(output, row, (size_t)length);
+    const uint64_t began = run->lateness.began[us];
+    const uint64_t ended = run->lateness.ended[us];
+    if (began != 0 || ended != 0) {
+      length = (size_t)snprintf(
+          text, sizeof text, "%u,%" PRIu64 ",%" PRIu64 "\n", us, began, ended);
+      (void)cli_output_lines(output, text, length);
     }
   }
-}
-
-static int end_lateness(cli_run_t *run, int code) {
-  char lines[CLI_PROVENANCE_ROOM];
-  if (run->args->provenance) {
-    (void)cli_output_lines(
-        &run->late_rows, lines,
-        cli_run_provenance(run, "us us, began and ended 1 (steps)", lines));
-  }
-  write_lateness(run->lateness, &run->late_rows);
-  const int written = cli_output_end(&run->late_rows, CLI_DONE);
-  return written == CLI_DONE ? code : written;
+  return cli_output_end(output, CLI_DONE);
 }
 
 static int open_files(cli_run_t *run, const cli_args_t *args) {
@@ -208,13 +197,10 @@ static int open_files(cli_run_t *run, const cli_args_t *args) {
           args->save, run->output.name);
     }
   }
-  if (args->lateness != NULL) {
-    static cli_lateness_t lateness;
-    run->lateness = &lateness;
-    CLI_TRY(
-        cli_output_begin(&run->late_rows, "--lateness", args->lateness, false));
-  }
-  return CLI_DONE;
+  return args->lateness == NULL
+             ? CLI_DONE
+             : cli_output_begin(&run->late_rows, "--lateness", args->lateness,
+                                false);
 }
 
 static int perform(cli_run_t *run, const cli_args_t *args) {
@@ -248,10 +234,23 @@ static int perform(cli_run_t *run, const cli_args_t *args) {
     code = CLI_STOPPED;
   }
   cli_summary(run, args->summary != 0, code);
-  return args->lateness != NULL ? end_lateness(run, code) : code;
+  const int written = args->lateness != NULL ? write_lateness(run) : CLI_DONE;
+  return written == CLI_DONE ? code : written;
 }
 
-static int prepare(const cli_args_t *args, cli_setup_t *setup, cli_run_t *run) {
+// The step after the last one of a record is never taken; what stands at the
+// end of the record is looked at before it.
+static int prepare_replay(cli_run_t *run, cli_setup_t *setup) {
+  const cli_setup_t asked = *setup;
+  run->replays = true;
+  CLI_TRY(cli_replay_begin(&run->replay, setup, run->scheme, &run->steps));
+  run->steps++;
+  return cli_run_check_start(run->args, &asked, "--replay", run->args->replay,
+                             setup->seed);
+}
+
+static int prepare(cli_run_t *run, cli_setup_t *setup) {
+  const cli_args_t *args = run->args;
   CLI_TRY(cli_setup_read(setup, args->scene, &args->settings, args->select));
   if (args->scheme != CLI_NOT_GIVEN) {
     run->scheme = &cli_schemes[args->scheme];
@@ -274,40 +273,20 @@ static int prepare(const cli_args_t *args, cli_setup_t *setup, cli_run_t *run) {
   setup->input = cli_drive_begin(&run->drive, &setup->machine, 0);
   cli_drive_notes(&run->drive, setup);
   CLI_TRY(cli_setup_start(setup));
-  return cli_count_steps(args, setup->machine.dt, &run->steps);
-}
-
-// The step after the last one of the record is never taken; what stands at the
-// end of the record is looked at before it.
-static int prepare_replay(cli_run_t *run, const cli_args_t *args,
-                          cli_setup_t *setup) {
-  const cli_setup_t asked = *setup;
-  CLI_TRY(cli_replay_begin(&run->replay, setup, run->scheme, &run->steps));
-  run->steps++;
-  return cli_run_check_start(args, &asked, "--replay", args->replay,
-                             setup->seed);
-}
-
-static int prepare_and_perform(cli_run_t *run, cli_setup_t *setup,
-                               const cli_args_t *args) {
-  CLI_TRY(prepare(args, setup, run));
-  run->replays = args->replay != NULL;
-  if (run->replays) {
-    CLI_TRY(prepare_replay(run, args, setup));
+  CLI_TRY(cli_count_steps(args, setup->machine.dt, &run->steps));
+  if (args->replay != NULL) {
+    CLI_TRY(prepare_replay(run, setup));
   }
-  run->setup = setup;
-  run->args = args;
   cli_system_begin(&run->system, run->scheme, setup);
   run->report = run->system.report;
   run->drive.accuracy = (tf_real_t)args->accuracy;
-  run->end = CLI_ENDED;
   if (args->from != NULL) {
     CLI_TRY(cli_run_go_on(run, args, setup));
   }
   cli_events_begin(&run->events, args->listed,
                    run->first == 0 ? &run->report : NULL);
   cli_setup_notes(setup, run->scheme->unused, run->scheme->why);
-  return perform(run, args);
+  return CLI_DONE;
 }
 
 int cli_run_check(cli_args_t *args) {
@@ -332,9 +311,14 @@ int cli_run_check(cli_args_t *args) {
 }
 
 int cli_run(const cli_args_t *args) {
-  static cli_run_t run;
-  cli_setup_t setup;
-  const int code = prepare_and_perform(&run, &setup, args);
+  static cli_run_t run; // CLI_ENDED
+  static cli_setup_t setup;
+  run.setup = &setup;
+  run.args = args;
+  int code = prepare(&run, &setup);
+  if (code == CLI_DONE) {
+    code = perform(&run, args);
+  }
   cli_drive_free(&run.drive);
   free(run.replay.session.rows);
   free(run.events.list);
