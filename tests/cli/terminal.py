@@ -30,7 +30,8 @@ class Screen:
         self.strict = True  # what is beyond the edge is a failure
         self.drawings, self.drawing = 0, []
         self.left = ""  # what is not drawn yet
-        self.decoder = codecs.getincrementaldecoder("utf-8")()
+        # A signal may end a drawing within a character.
+        self.decoder = codecs.getincrementaldecoder("utf-8")("replace")
 
     def cells(self):
         return self.page[self.other]
