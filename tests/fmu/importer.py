@@ -1,8 +1,12 @@
 """An importer of FMUs for co-simulation, FMI 2.0 and 3.0, of the standard
 library alone: reads the model description, loads the binary, and calls its
-functions. Two classes of one interface, so that a test runs under both."""
+functions. Two classes of one interface, so that a test runs under both. And
+the command line, whose rows an FMU has."""
+import csv
 import ctypes
+import os
 import shutil
+import sys
 import tempfile
 import weakref
 import xml.etree.ElementTree as ET
@@ -12,6 +16,14 @@ from ctypes import (byref, c_bool, c_char_p, c_double, c_int,
                     c_int32, c_int64, c_size_t, c_uint32, c_uint64, c_void_p)
 from pathlib import Path
 
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "tests" / "support"))
+from tap import call, check  # noqa: E402
+
+BUILD = (ROOT / os.environ.get("BUILD", "build")).resolve()
+COMMAND = BUILD / "double" / "twofold"
+COLUMNS = ["time", "r", "v", "omega", "h", "g", "F", "M"]
+DT = 1e-4
 OK, WARNING, DISCARD, ERROR = range(4)
 MODES = ["slip+", "slip-", "stick+", "stick-", "pinned"]
 NAMES = ["ok", "warning", "discard", "error", "fatal"]
@@ -37,10 +49,12 @@ class Fmu:
     """An unpacked FMU with its binary loaded. A copy of its own is loaded for
     each object, so that the pools of two objects are two."""
 
-    def __init__(self, archive, binary=None):
+    def __init__(self, version, scene="chaos", binary=None):
+        self.archive = BUILD / "fmu" / scene / (
+            "twofold.fmu" if version == "3" else "twofold-fmi2.fmu")
         self.home = Path(tempfile.mkdtemp(prefix="twofold-fmu."))
         weakref.finalize(self, shutil.rmtree, self.home)
-        with zipfile.ZipFile(archive) as files:
+        with zipfile.ZipFile(self.archive) as files:
             files.extractall(self.home)
         self.root = ET.parse(self.home / "modelDescription.xml").getroot()
         self.version = self.root.get("fmiVersion")[0]
@@ -227,3 +241,38 @@ class Instance2(Instance):
     def step(self, time, length):
         self.call("DoStep", c_double(time), c_double(length), c_int(1))
         return False, False, time + length
+
+
+def rows(scene, *options):
+    """What the command line computes."""
+    out = call("run", scene, *options, code=(0, 5), program=COMMAND)[0]
+    return [[float(row[k.replace("time", "t")]) for k in COLUMNS]
+            + [row["mode"], int(row["choices"])]
+            for row in csv.DictReader(out.splitlines())]
+
+
+def row_of(wheel):
+    return wheel.reals(COLUMNS) + [MODES[wheel.get("mode")],
+                                   wheel.get("choices")]
+
+
+def same_bits(wheel, expected, every):
+    """Steps an instance along the rows of the command line."""
+    for i, row in enumerate(expected):
+        if i > 0:
+            wheel.step((i - 1) * every * DT, every * DT)
+        got = row_of(wheel)
+        check(got == row, f"row {i}: {got} is not {row}")
+    check(len(expected) > 10, "no rows")
+
+
+def refused(status, words, function, *arguments):
+    """Calls what has to be refused, with all the words in the message."""
+    try:
+        function(*arguments)
+    except Refused as refusal:
+        check(refusal.status == status, f"status of {refusal}")
+        for word in words.split("|"):
+            check(word in refusal.text, f"no '{word}' in: {refusal.text}")
+        return
+    raise AssertionError(f"not refused: {words}")

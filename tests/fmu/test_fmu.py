@@ -5,73 +5,35 @@ usage: test_fmu.py [WORD]...     tests whose names contain one of the words
 
 BUILD is the folder with fmu/SCENE/twofold.fmu and double/twofold, which
 `make test-fmu` makes."""
-import csv
-import os
+import inspect
 import sys
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.append(str(ROOT / "tests" / "support"))
+import test_archive
+import test_calls
+from importer import (BUILD, COMMAND, DT, MODES, ROOT, Fmu, row_of, rows,
+                      same_bits)
+from tap import check, output, run
 
-import test_archive  # noqa: E402
-import test_calls  # noqa: E402
-from importer import MODES, Fmu  # noqa: E402
-from tap import call, check, output, run  # noqa: E402
-
-BUILD = (ROOT / os.environ.get("BUILD", "build")).resolve()
-COMMAND = BUILD / "double" / "twofold"
 SCENES = [line.split()[0] for line in
           output(COMMAND, "scenes", text=True).splitlines()]
-COLUMNS = ["time", "r", "v", "omega", "h", "g", "F", "M"]
-DT = 1e-4
-
-
-def archive(scene, version):
-    name = "twofold.fmu" if version == "3" else "twofold-fmi2.fmu"
-    return BUILD / "fmu" / scene / name
-
-
-def rows(scene, *options):
-    """What the command line computes."""
-    out = call("run", scene, *options, code=(0, 5), program=COMMAND)[0]
-    return [[float(row[k.replace("time", "t")]) for k in COLUMNS]
-            + [row["mode"], int(row["choices"])]
-            for row in csv.DictReader(out.splitlines())]
-
-
-def row_of(wheel):
-    return wheel.reals(COLUMNS) + [MODES[wheel.get("mode")],
-                                   wheel.get("choices")]
-
-
-def same_bits(wheel, expected, every, dt=DT):
-    """Steps an instance along the rows of the command line."""
-    for i, row in enumerate(expected):
-        if i > 0:
-            tick = (i - 1) * every
-            wheel.step(tick * dt, every * dt)
-        got = row_of(wheel)
-        check(got == row, f"row {i}: {got} is not {row}")
-    check(len(expected) > 10, "no rows")
 
 
 def instance(version, scene="chaos", **options):
-    return Fmu(archive(scene, version)).instance(**options)
+    return Fmu(version, scene).instance(**options)
 
 
-def bits_of(scene, version):
-    def test():
+def test_scenes_have_the_bits_of_the_command_line(fmu):
+    for scene in SCENES:
         expected = rows(scene, "--t-end", "12", "--every", "25")
-        wheel = instance(version, scene).begin()
+        wheel = instance(fmu.version, scene).begin()
         same_bits(wheel, expected, 25)
-        listed = (wheel.fmu.home / "documentation/twofold_ref.csv").read_text()
-        got, row = listed.splitlines()[101].split(","), expected[400]
+        listed = wheel.fmu.home / "documentation/twofold_ref.csv"
+        got, row = listed.read_text().splitlines()[101].split(","), expected[400]
         check([*map(float, got)] == [*row[:8], MODES.index(row[8]), row[9]],
               f"reference: {got}")
-    return test
 
 
-def from_a_file():
+def test_from_a_file():
     """A scene from a file, with what only a file can change: the law of rest,
     the profile and the length."""
     file = "tests/data/own.scene"
@@ -82,7 +44,7 @@ def from_a_file():
         same_bits(instance(version, "own.scene").begin(), expected, 25)
 
 
-def settings(version):
+def test_settings(fmu):
     """Options of the command line, and the same values of the FMU."""
     cases = [
         ("chaos", ["--set", "kappa=0.3", "--set", "h=0", "--set", "r0=0.12"],
@@ -100,14 +62,14 @@ def settings(version):
         ("driven", ["--scheme", "located"], {"scheme": 1})]
     for scene, options, values in cases:
         expected = rows(scene, "--t-end", "2.5", "--every", "10", *options)
-        same_bits(instance(version, scene).begin(**values), expected, 10)
+        same_bits(instance(fmu.version, scene).begin(**values), expected, 10)
 
 
-def other_step(version):
+def test_other_step(fmu):
     """A dt that is no decimal, and a start time at which time is coarse."""
     dt = 1 / 60 / 64
     expected = rows("chaos", "--t-end", "3", "--dt", repr(dt), "--every", "64")
-    wheel = instance(version).begin(start=1e5, dt=dt)
+    wheel = fmu.instance().begin(start=1e5, dt=dt)
     time = 1e5
     for i, row in enumerate(expected):
         if i > 0:
@@ -122,7 +84,7 @@ def changes(expected):
             if i > 0 and row[-2:] != expected[i - 1][-2:]]
 
 
-def events_in_order():
+def test_events_in_order():
     """Every change is an event of its own, at its tick, and no other but a
     change of the set of the same size."""
     expected = rows("chaos", "--t-end", "3")
@@ -152,16 +114,15 @@ def events_in_order():
         check(same.get("events") == wheel.get("events"), "count")
 
 
-def restored(version):
+def test_restored(fmu):
     """A state restores bit for bit, in another instance, and from bytes."""
-    fmu = Fmu(archive("chaos", version))
     one = fmu.instance().begin(rule=3, seed=5)
     one.step(0.0, 1.9)
     handle = one.copy()
     data = one.serialize(handle)
     one.step(1.9, 0.8)
     expected = row_of(one)
-    other = Fmu(archive("chaos", version)).instance()  # of another binary
+    other = instance(fmu.version)  # of another binary
     read = other.deserialize(data)
     check(other.serialize(read) == data, "bytes of bytes")
     for again, at in ((one, handle), (fmu.instance(), handle), (other, read)):
@@ -173,11 +134,11 @@ def restored(version):
     check(not handle.value, "freed handle")
 
 
-def futures(version):
+def test_futures(fmu):
     """From one point with a choice the importer takes every open mode, under
     FMI 3 in event mode."""
-    events = {"events": True} if version == "3" else {}
-    wheel = instance(version, **events).begin(start_h=0.0, start_omega=-1.02)
+    events = {"events": True} if fmu.version == "3" else {}
+    wheel = fmu.instance(**events).begin(start_h=0.0, start_omega=-1.02)
     time = wheel.step(0.0, DT)[2]
     if events:
         wheel.call("EnterEventMode")
@@ -195,13 +156,19 @@ def futures(version):
     check(len(set(ends.values())) == 3, f"futures: {ends}")
 
 
-TESTS = [(f"{scene}_under_fmi_{v}_has_the_bits_of_the_command_line",
-          bits_of(scene, v)) for scene in SCENES for v in "23"]
-TESTS += [(f"{test.__name__}_under_fmi_{v}", lambda t=test, v=v: t(v))
-          for test in (settings, other_step, restored, futures) for v in "23"]
-TESTS += [(test.__name__, test) for test in (events_in_order, from_a_file)]
-TESTS += test_calls.tests(archive)
-TESTS += test_archive.tests(archive, rows, same_bits)
+def tests():
+    """One of an `fmu` is a test under each version."""
+    for name, test in (one for room in (sys.modules[__name__], test_calls,
+                                        test_archive)
+                       for one in vars(room).items()):
+        if name.startswith("test_") and inspect.isfunction(test):
+            if not inspect.signature(test).parameters:
+                yield name[5:], test
+                continue
+            for version in "23":
+                yield (f"{name[5:]}_under_fmi_{version}",
+                       lambda t=test, v=version: t(Fmu(v)))
+
 
 if __name__ == "__main__":
-    sys.exit(run(TESTS))
+    sys.exit(run([*tests()]))
