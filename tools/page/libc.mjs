@@ -2,7 +2,7 @@
 // text and into it, which the browser reads and writes exactly.
 import { MIN_NORMAL, decimal, power } from './decimal.mjs';
 
-const ERANGE = 34; // as in libc/errno.h
+const ERANGE = 34; // as in libc.h
 const NUMBER = new RegExp('^[+-]?(?:' +
   '(0x(?:[\\da-f]+\\.?[\\da-f]*|\\.[\\da-f]+)(?:p[+-]?\\d+)?)|' +
   '(?:\\d+\\.?\\d*|\\.\\d+)(?:e[+-]?\\d+)?|inf(?:inity)?|nan)', 'i');

@@ -1,10 +1,6 @@
 // The functions of C on text, byte by byte, and one on the parts of a number.
 // libc.mjs has those that read and print numbers.
-#include <errno.h>
-#include <math.h>
 #include <stdbool.h>
-#include <stdint.h>
-#include <string.h>
 
 int errno;
 
