@@ -89,10 +89,18 @@ def step(page, number):
     arrived(page)
 
 
-def csv(page, every, steps):
-    """All rows that the page writes."""
-    return page.value("twofold.play(false); "
-                      f"[...twofold.motion.lines({every}, {steps})].join('')")
+WRITTEN = """new Promise((done) => {
+  URL.createObjectURL = (blob) => { blob.text().then(done); return '#'; };
+  HTMLAnchorElement.prototype.click = () => {};
+  document.getElementById('csv').click();
+})"""
+
+
+def csv(page):
+    """The file of rows that the page writes, and the command beside it."""
+    words = page.value("twofold.play(false), twofold.draw(), "
+                       "document.getElementById('command').textContent")
+    return page.value(WRITTEN), words.split()
 
 
 def leads_there(page):

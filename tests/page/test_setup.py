@@ -38,7 +38,7 @@ def test_address_there_and_back():
           const log = [{{ tick: 3, mode: {draw.randrange(5)} }},
             {{ tick: {draw.randrange(2 ** 50)}, force: {draw.random()!r},
             torque: {-draw.random()!r} }}];
-          const all = () => core.names.map((_, i) => core.c.get(i));
+          const all = () => core.setup.slice();
           const before = all(), text = twofold.writeOf({scene}, log, 12);
           if (!all().every((x, i) => Object.is(x, before[i])))
             return 'writing has changed the set-up';

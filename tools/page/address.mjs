@@ -20,12 +20,10 @@ export function sceneWord(core, scene) {
 
 export const whole = (words) => `${words.join('&')}&${END}`;
 
-export const numbers = (core) => core.names.map((_, i) => core.c.get(i));
-
 // What of the set-up differs from the scene: [name, value as text] each. Of h
 // and v, the one that is given.
 export function differences(core, scene) {
-  const words = [], now = numbers(core);
+  const words = [], now = core.setup.slice();
   const isGiven = now[core.at['v is given']];
   const [given, other] = isGiven ? ['v', 'h'] : ['h', 'v'];
   core.c.load(scene);
@@ -33,10 +31,10 @@ export function differences(core, scene) {
   core.names.forEach((name, i) => {
     const value = now[i], list = core.lists[name];
     if (name === 'v is given' || name === other ||
-      Object.is(core.c.get(i), value) && !(name === given && isOther)) return;
+      Object.is(core.setup[i], value) && !(name === given && isOther)) return;
     words.push([name, list ? list[value] : exact(value)]);
   });
-  putBack(core, now);
+  core.setup.set(now);
   return words;
 }
 
@@ -53,15 +51,6 @@ export function write(core, scene, log, tick, tour = null) {
   if (tick > 0) words.push(`tick=${tick}`);
   if (tour !== null) words.push(`tour=${tour}`);
   return whole(words);
-}
-
-// Numbers of a set-up into the core. h and v each say which of them is given,
-// so the one that is comes last.
-export function putBack(core, now) {
-  const { h, v } = core.at;
-  now.forEach((value, i) => { if (i !== h && i !== v) core.c.set(i, value); });
-  const order = now[core.at['v is given']] ? [h, v] : [v, h];
-  for (const i of order) core.c.set(i, now[i]);
 }
 
 const clipped = (text) => (text.length > SHOWN ? `${text.slice(0, SHOWN)}…`

@@ -61,6 +61,7 @@ export class Core {
     this.names = [...this.parameters.map((p) => p.name), 'law', 'rule', 'rest',
       'r', 'omega', 'h', 'v', 'v is given', 'seed'];
     this.at = Object.fromEntries(this.names.map((name, i) => [name, i]));
+    this.setup = this.numbers(exports.numbers(), this.names.length);
   }
 
   #list(count, name) {
@@ -106,7 +107,7 @@ export class Core {
     return new Float64Array(this.c.memory.buffer, at, count);
   }
 
-  get(name) { return this.c.get(this.at[name]); }
+  get(name) { return this.setup[this.at[name]]; }
 
   // Returns: the number that a text is for the command line, or why it is none.
   number(text) {
@@ -166,11 +167,12 @@ export class Core {
       `${words} as in scene ${this.scenes[scene]}`).join('; ');
   }
 
-  // Returns: whether the set-up has such a number and, if it is one of a list,
-  // whether it is in the list. Ranges are checked by refusal and begin.
+  // Ranges are checked by refusal and begin. Of h and v, the one that was set
+  // last is given.
   set(name, value) {
-    return Object.hasOwn(this.at, name) &&
-      this.c.set(this.at[name], value) !== 0;
+    this.setup[this.at[name]] = value;
+    if (name === 'h' || name === 'v')
+      this.setup[this.at['v is given']] = Number(name === 'v');
   }
 
   // Returns: null, or why the core refuses, by name and range.

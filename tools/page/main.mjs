@@ -1,6 +1,6 @@
 // The page: one motion, one clock, and what looks at them or acts on them.
 import { AT, Core } from './core.mjs';
-import { numbers, putBack, read, sceneWord, whole, write } from './address.mjs';
+import { read, sceneWord, whole, write } from './address.mjs';
 import { Line, Record, openSerial } from './board.mjs';
 import { short } from './decimal.mjs';
 import { $, readColours } from './draw.mjs';
@@ -153,7 +153,7 @@ function open(text) {
 // A number of the set-up has a new value: the same motion, from its start.
 // Returns: null or why not; then the set-up is as it was.
 function change(name, value) {
-  const before = numbers(core);
+  const before = core.setup.slice();
   const time = Math.max(motion.tick, goal) * motion.dt;
   let refusal = core.refusal(name, value), given = '';
   if (!refusal) {
@@ -163,7 +163,7 @@ function change(name, value) {
   }
   isStale = true;
   if (refusal) {
-    putBack(core, before);
+    core.setup.set(before);
     return refusal;
   }
   if (given) say(`law ${core.lists.law[value]}: ${given}`);

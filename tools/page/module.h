@@ -1,5 +1,5 @@
 /// What the files of the page's module share: how a function is exported, the
-/// text that goes to the page and back, the motion and the scene from a file.
+/// text that goes to the page and back, and the set-up of the next motion.
 #pragma once
 
 #include "cli/setup/scene_file.h"
@@ -14,12 +14,5 @@
 #define TEXT_ROOM (CLI_SCENE_BYTES + 1)
 extern char page_text[TEXT_ROOM];
 
-/// The machine of the motion, NULL before the first, and its last input.
-const tf_machine_t *machine_begun(void);
-tf_input_t input_applied(void);
-
-/// The scene that was read last, NULL before the first; it is kept.
-const tf_scene_t *own_scene(void);
-
-/// A scene as the text of a file, until the next file is put in its place.
-const char *scene_as_file(const tf_scene_t *scene);
+/// The scene that the numbers of the set-up make. seed: out, of its rule.
+tf_scene_t page_setup(uint32_t *seed);

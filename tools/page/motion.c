@@ -11,12 +11,6 @@
 // The module contains no other scheme.
 #define SCHEME MOTION_MOREAU
 
-// A set-up is a scene whose parameters and start the page alters. The angle is
-// drawn, so it is integrated here in every scene; nothing depends on it.
-static tf_scene_t setup;
-static bool with_angle; // as the scene has it
-static uint32_t seed;
-
 // The motion, of the set-up with which it began.
 static tf_scene_t scene;
 static uint32_t scene_seed;
@@ -26,7 +20,6 @@ static tf_input_t applied; // in the last step
 static double table;       // angle of the turntable [rad]
 static double force, torque;
 static int offender;
-static bool begun;
 
 // The columns of a row, in the order in which core.mjs names them, and the
 // value of each at the present instant; `at` is what motion_row returns. The
@@ -65,108 +58,15 @@ static double row[ROW_COLUMNS];
 static double change[CHANGES][CHANGE_COLUMNS];
 static uint32_t changes;
 
-// Numbers of the set-up behind the parameters.
-enum {
-  SETUP_LAW = TF_PARAMETERS,
-  SETUP_RULE,
-  SETUP_REST,
-  SETUP_R,
-  SETUP_OMEGA,
-  SETUP_H,
-  SETUP_V,
-  SETUP_V_IS_GIVEN,
-  SETUP_SEED,
-  SETUP_NUMBERS
-};
-
-uint32_t EXPORT(scenes)(void) { return TF_SCENES; }
-
-// The number behind those of the core is that of a file.
-static const tf_scene_t *scene_at(uint32_t number) {
-  if (number < TF_SCENES) return tf_scenes[number];
-  return number == TF_SCENES ? own_scene() : NULL;
-}
-
-const char *EXPORT(scene_name)(uint32_t number) {
-  const tf_scene_t *at = scene_at(number);
-  return at != NULL ? at->name : "";
-}
-
-const char *EXPORT(scene_shows)(uint32_t number) {
-  const tf_scene_t *at = scene_at(number);
-  return at != NULL ? at->shows : "";
-}
-
-// The set-up is that of a scene. Returns: how many numbers it has; 0 where
-// there is no such scene.
-uint32_t EXPORT(load)(uint32_t number) {
-  const tf_scene_t *at = scene_at(number);
-  if (at == NULL) return 0;
-  setup = *at;
-  with_angle = setup.params.with_angle;
-  setup.params.with_angle = true;
-  seed = 0;
-  return SETUP_NUMBERS;
-}
-
-// A number that is real, NULL of another one.
-static tf_real_t *real_at(uint32_t number) {
-  if (number < TF_PARAMETERS)
-    return (tf_real_t *)(void *)((char *)&setup.params +
-                                 tf_parameter_ranges[number].offset);
-  tf_real_t *const start[] = {&setup.r, &setup.omega, &setup.h, &setup.v};
-  return number >= SETUP_R && number <= SETUP_V ? start[number - SETUP_R]
-                                                : NULL;
-}
-
-double EXPORT(get)(uint32_t number) {
-  const tf_real_t *real = real_at(number);
-  const uint32_t whole[] = {[SETUP_LAW] = setup.params.law,
-                            [SETUP_RULE] = setup.params.rule,
-                            [SETUP_REST] = setup.params.rest,
-                            [SETUP_V_IS_GIVEN] = setup.v_is_given,
-                            [SETUP_SEED] = seed};
-  if (real != NULL) return *real;
-  return number < SETUP_NUMBERS ? whole[number] : 0;
-}
-
-// Any number is taken: ranges are begin's. Returns: whether there is such a
-// number in a set-up and, if it is one of a list, in the list.
-bool EXPORT(set)(uint32_t number, double value) {
-  static const double below[SETUP_NUMBERS] = {[SETUP_LAW] = TF_TYRE_LAWS,
-                                              [SETUP_RULE] = TF_RULES,
-                                              [SETUP_REST] = TF_REST_LAWS,
-                                              [SETUP_SEED] = 0x1p32};
-  tf_real_t *real = real_at(number);
-  if (real != NULL) {
-    *real = value;
-    if (number == SETUP_H || number == SETUP_V)
-      setup.v_is_given = number == SETUP_V;
-    return true;
-  }
-  if (number >= SETUP_NUMBERS || !(value >= 0 && value < below[number]))
-    return false;
-  const uint32_t whole = (uint32_t)value;
-  if ((double)whole < value) return false;
-  if (number == SETUP_LAW) setup.params.law = (tf_tyre_law_t)whole;
-  if (number == SETUP_RULE) setup.params.rule = (tf_rule_t)whole;
-  if (number == SETUP_REST) setup.params.rest = (tf_rest_law_t)whole;
-  if (number == SETUP_SEED) seed = whole;
-  return true;
-}
-
-// The set-up as a file.
-const char *EXPORT(scene_print)(void) {
-  tf_scene_t own = setup;
-  own.params.with_angle = with_angle;
-  return scene_as_file(&own);
-}
-
 // Prepares the machine and starts. Returns: a tf_status_t. Where it is refused
 // the motion before goes on; after TF_BAD_PARAMETER `offending` is the number
 // of the parameter.
 int32_t EXPORT(begin)(void) {
   motion_t next;
+  uint32_t seed = 0;
+  tf_scene_t setup = page_setup(&seed);
+  // It is drawn in every scene, and nothing depends on it.
+  setup.params.with_angle = true;
   const motion_start_t start = motion_start(&setup, seed);
   offender = TF_PARAMETERS;
   tf_status_t status = motion_prepare(&next, SCHEME, &setup.params, &offender);
@@ -180,16 +80,13 @@ int32_t EXPORT(begin)(void) {
   applied = input;
   table = force = torque = 0;
   changes = 0;
-  begun = true;
   return TF_OK;
 }
 
 int32_t EXPORT(offending)(void) { return offender; }
 
 // Whether the law of rest matters: only where stick carries a moment.
-bool EXPORT(uses_rest)(void) {
-  return begun && machine->contact.stick_kappa > 0;
-}
+bool EXPORT(uses_rest)(void) { return machine->contact.stick_kappa > 0; }
 
 // A force and a torque beside those of the scene, from the next step on.
 void EXPORT(by_hand)(double new_force, double new_torque) {
@@ -225,7 +122,7 @@ static void note_step(const tf_input_t *input, const tf_report_t *before) {
 // Returns: the status of the last step; if that is < 0 it was refused, and no
 // further one was taken. Changes are those of this call alone.
 int32_t EXPORT(step)(uint32_t steps) {
-  tf_status_t status = begun ? TF_OK : TF_BAD_STATE;
+  tf_status_t status = TF_OK;
   changes = 0;
   for (; steps > 0 && status >= 0; steps--) {
     const tf_report_t before = motion.report;
@@ -239,7 +136,7 @@ int32_t EXPORT(step)(uint32_t steps) {
 // One step into a mode that it may take; the rule goes on from there.
 // Returns: as step; of what is < 0 nothing is kept.
 int32_t EXPORT(take)(uint32_t mode) {
-  if (mode >= TF_MODES || !begun) return TF_BAD_PARAMETER;
+  if (mode >= TF_MODES) return TF_BAD_PARAMETER;
   const tf_report_t before = motion.report;
   const tf_input_t input = next_input();
   changes = 0;
@@ -286,6 +183,60 @@ const double *EXPORT(changed)(void) { return change[0]; }
 
 uint32_t EXPORT(count_changes)(void) { return changes; }
 
-const tf_machine_t *machine_begun(void) { return begun ? machine : 0; }
+// The surface h = 0: which region a point lies in, a map of them over
+// (r, omega), what friction does to a slip there, and the two-folds.
+#define MAP_MOST 40000
+#define NO_REGION TF_REGIONS // the law has no surface, or the point has no v
+static uint8_t map[MAP_MOST];
+static double two_fold[TF_TWO_FOLDS][4];
 
-tf_input_t input_applied(void) { return applied; }
+// Returns: whether the surface has a point there.
+static bool surface_at(tf_real_t r, tf_real_t w, tf_surface_t *at) {
+  tf_real_t v = 0;
+  return tf_speed_for_slip(machine, r, w, applied.omega0, 0, &v) == TF_OK &&
+         tf_surface_at(machine, &applied, r, v, w, at) == TF_OK;
+}
+
+static tf_real_t part(double from, double to, uint32_t i, uint32_t count) {
+  return from + (to - from) * (((double)i + 0.5) / (double)count);
+}
+
+// Regions at the centres of columns x rows cells, row by row from w0 on.
+// Returns: 0 where that is more than there is room for.
+const uint8_t *EXPORT(regions)(double r0, double r1, uint32_t columns,
+                               double w0, double w1, uint32_t rows) {
+  if (columns * rows > MAP_MOST) return 0;
+  for (uint32_t j = 0; j < rows; j++) {
+    for (uint32_t i = 0; i < columns; i++) {
+      tf_surface_t at;
+      const bool is_there =
+          surface_at(part(r0, r1, i, columns), part(w0, w1, j, rows), &at);
+      map[j * columns + i] = is_there ? at.region : NO_REGION;
+    }
+  }
+  return map;
+}
+
+// By how much 1 N of friction brakes the slip of a wheel that rolls forwards,
+// [m/s^2]; 0 where there is no such point.
+double EXPORT(delassus_at)(double r, double w) {
+  tf_surface_t at;
+  return surface_at(r, w, &at) ? at.delassus : 0;
+}
+
+// Returns: how many there are.
+uint32_t EXPORT(find_two_folds)(void) {
+  tf_surface_point_t points[TF_TWO_FOLDS];
+  int count = 0;
+  if (tf_two_folds(machine, &applied, points, &count, 0) != TF_OK) return 0;
+  for (int i = 0; i < count; i++) {
+    two_fold[i][0] = points[i].r;
+    two_fold[i][1] = points[i].v;
+    two_fold[i][2] = points[i].w;
+    two_fold[i][3] = points[i].g;
+  }
+  return (uint32_t)count;
+}
+
+// r, v, omega and g of each of them.
+const double *EXPORT(two_folds)(void) { return two_fold[0]; }
