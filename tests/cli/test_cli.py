@@ -2,12 +2,12 @@
 """The command line keeps its contract: exit codes, columns, row counts,
 decimals that read back, and refusals that say what and why."""
 import re
-import signal
 import subprocess
 from pathlib import Path
 
-from outputs import column, fails_to_write, says, says_each, table
-from tap import TWOFOLD, call, check, main, same, until
+from outputs import (column, ended, fails_to_write, says, says_each, started,
+                     table)
+from tap import TWOFOLD, call, check, main, same
 
 HEADER = "t,r,v,omega,h,g,F,M,mode,choices"
 REAL = call("--version")[0].split()[-1]
@@ -26,16 +26,6 @@ def rows(*words):
 def listed(said):
     """Lines of the events that a summary lists."""
     return re.findall(r"^  \d.*", said, re.M)
-
-
-def test_commands():
-    says(2, "which command")
-    says(2, "unknown command 'scnes'&'scenes'", "scnes")
-    for words in ["--help"], ["--version"], ["run", "--help"]:
-        check(call(*words)[0], f"{words} prints")
-    check(re.search("^chaos +[^ ]", call("scenes")[0], re.M), "a line of chaos")
-    for report in "bench", "stability":
-        says(2, f"make {report}", report)
 
 
 def test_rows():
@@ -86,7 +76,26 @@ def test_numbers():
         says(2, f"--every {text}", "run", "chaos", "--every", text)
 
 
+COMMANDS = """
+2 |which command
+2 scnes|unknown command 'scnes'&'scenes'
+2 bench|'make bench'
+2 stability|'make stability'
+2 run|which scene
+2 run choas|unknown scene 'choas'&mean 'chaos'
+0 --help|
+0 --version|
+0 scenes|
+0 run --help|"""
 REFUSED = """
+2 --t-end 0 --set=m=1 --t-end=1|--t-end 1: --t-end was already given
+2 --dt 1e-4 --set=m=1 --dt=1e-3|--dt 1e-3: dt was already given
+2 --select slip+ --select=slip-|--select slip-: --select was already given
+2 --set r=1 --set=m=1 --set=r=2|--set r=2: r was already given
+2 --set law=none --set=law=none|--set law=none: law was already given
+3 --scheme located --set law=smooth|law must be jump, coulomb or none, not smo
+3 --scheme located --set law=string|law must be jump, coulomb or none, not str
+3 --scheme located --set law=two_piece|law must be jump, coulomb or none, not t
 2 --events some|--events some
 2 --out|--out
 2 --set bta=1|unknown name 'bta'&'beta'
@@ -120,24 +129,13 @@ REFUSED = """
 
 
 def test_refusals():
-    says(2, "which scene", "run")
-    says(2, "unknown scene 'choas'&mean 'chaos'", "run", "choas")
+    """Of two values one is a mistake, and the program cannot know which."""
+    says_each(COMMANDS)
+    check(re.search("^chaos +[^ ]", call("scenes")[0], re.M), "a line of chaos")
     says_each(REFUSED, "run", "chaos")
     Path("kept").write_text("keep")
     says(2, "bta", "run", "chaos", "--out", "kept", "--set", "bta=1")
     same(Path("kept").read_text(), "keep")
-    # Of two values one is a mistake, and the program cannot know which.
-    for option, first, second, name in (
-            ("--t-end", "0", "1", "--t-end"), ("--dt", "1e-4", "1e-3", "dt"),
-            ("--select", "slip+", "slip-", "--select"),
-            ("--set", "r=1", "r=2", "r"),
-            ("--set", "law=none", "law=none", "law")):
-        says(2, f"{option} {second}: {name} was already given", "run", "chaos",
-             option, first, "--set=m=1", f"{option}={second}")
-    for law in "smooth", "string", "two_piece":
-        says(3, "--scheme located: law must be jump, coulomb or none, not "
-             + law, "run", "chaos", "--scheme", "located", "--set",
-             f"law={law}")
 
 
 def test_what_is_not_finite():
@@ -181,31 +179,23 @@ def test_output_that_fails():
 def test_real_time():
     """On the wall clock a run may take longer than its time but never less, and
     a step that is shorter than a look at the clock is late."""
-    words = ["--t-end", "0.2", "--dt", "0.01"]
-    want, said = chaos(*words)
+    want, said = chaos("--t-end", "0.2", "--dt", "0.001")
     check("\nreal time" not in said, "without it no pace is printed")
-    got, said = chaos(*words, "--realtime")
+    got, said = chaos("--t-end", "0.2", "--dt", "0.001", "--realtime",
+                      "--priority", "--lateness", "late")
     same(got, want)
     check(re.search(r"^real time +\d+ of ", said, re.M), said)
+    late = table(Path("late").read_text())
+    same(list(late[0]), ["us", "began", "ended"])
+    same([sum(map(int, column(late, name))) for name in ("began", "ended")],
+         [200, 200])
     out, said = chaos("--t-end", "1e-6", "--dt", "1e-9", "--realtime",
                       "--every", "10")
     check(int(re.search(r"^real time +(\d+) of ", said, re.M)[1]) > 0, said)
     same(out.count("\n"), 102)
     # It waits, or it would be over before the signal that ends the wait.
-    with open("out", "w", encoding="ascii") as to, subprocess.Popen(
-            [TWOFOLD, "run", "chaos", "--realtime", "--dt", "1", "--t-end",
-             "1000"], stdout=to, stderr=subprocess.PIPE) as child:
-        until(lambda: Path("out").read_text().count("\n") > 1, "rows")
-        child.send_signal(signal.SIGINT)
-        check(b"interrupted" in child.communicate()[1], "it is reported")
-        same(child.returncode, 4)
-    words = ["--t-end", "0.2", "--dt", "0.001"]
-    same(chaos(*words, "--realtime", "--priority", "--lateness", "late")[0],
-         chaos(*words)[0])
-    late = table(Path("late").read_text())
-    same(list(late[0]), ["us", "began", "ended"])
-    same([sum(map(int, column(late, name))) for name in ("began", "ended")],
-         [200, 200])
+    ended(started("x", "run", "chaos", "--realtime", "--dt", "0.02", "--t-end",
+                  "100", "--out", "x"))
 
 
 def test_steps_that_miss_their_bound():
