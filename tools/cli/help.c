@@ -76,7 +76,10 @@ static void describe(const cli_option_t *option, size_t column, size_t margin) {
   }
 }
 
-static void print_options(const cli_command_t *command) {
+// The page of a command down to its section.
+static void print_page(const cli_command_t *command) {
+  (void)printf("usage: twofold %s %s\n\n%s\n%s", command->name, command->words,
+               command->what, command->bit != 0 ? "\n" : "");
   for (size_t i = 0; i < cli_option_count; i++) {
     const cli_option_t *option = &cli_options[i];
     if (!cli_takes(command, option)) {
@@ -87,6 +90,7 @@ static void print_options(const cli_command_t *command) {
     (void)printf("%*s", used < COLUMN ? COLUMN - used : 1, "");
     describe(option, COLUMN, COLUMN);
   }
+  (void)puts("");
 }
 
 static void print_commands(void) {
@@ -118,11 +122,8 @@ static void print_outcomes(void) {
   }
 }
 
-// page: the command that a section is the page of, NULL: none.
-static void print_line(const char *line, const cli_command_t *page) {
-  if (strcmp(line, "OPTIONS") == 0 && page != NULL) {
-    print_options(page);
-  } else if (strcmp(line, "COMMANDS") == 0) {
+static void print_line(const char *line) {
+  if (strcmp(line, "COMMANDS") == 0) {
     print_commands();
   } else if (strcmp(line, "PARAMETERS") == 0) {
     cli_print_ranges();
@@ -162,10 +163,10 @@ static bool print_sections(cli_closest_t *closest) {
       continue;
     }
     if (prints && is_heading && page != NULL) {
-      (void)printf("usage: twofold %s %s\n\n", page->name, page->words);
+      print_page(page);
     }
     if (prints) {
-      print_line(*line, page);
+      print_line(*line);
     }
     is_heading = false;
   }
