@@ -196,11 +196,11 @@ typedef struct {
   uint64_t kept;           ///< cycles of the run that was stopped
   double noted;            ///< cli_now() of the last note
   cli_progress_t progress;
-  bool stopped, unwritten;
 } work_t;
 
 // What is counted beside the samples: each outcome, and all cycles.
 enum { CYCLES = CLI_OUTCOMES };
+
 static void write_rows(work_t *work, uint64_t sample, uint64_t number) {
   const cli_cycle_t *cycle = &work->motion.tracker.cycle;
   for (int i = 0; i < work->sheets.count; i++) {
@@ -230,30 +230,24 @@ static void show_progress(work_t *work, double now) {
 
 // between: no sample is under way. Until the next note, rows go to the system
 // cycle by cycle.
-static void check_clock(work_t *work, bool between) {
+// Returns: whether to go on: no stop is asked for, and rows can be written.
+static bool check_clock(work_t *work, bool between) {
   const double now = cli_now();
-  work->stopped = work->stopped || cli_stop_asked();
+  bool written = true;
   show_progress(work, now);
-  if (now - work->noted < NOTE_EVERY) {
-    return;
+  if (now - work->noted >= NOTE_EVERY) {
+    work->noted = between ? now : work->noted;
+    written = between ? cli_sheets_note(&work->sheets, &work->done)
+                      : cli_sheets_flush(&work->sheets);
   }
-  if (between) {
-    work->noted = now;
-    work->unwritten |= !cli_sheets_note(&work->sheets, &work->done);
-  } else {
-    work->unwritten |= !cli_sheets_flush(&work->sheets);
-  }
+  return written && !cli_stop_asked();
 }
 
-// Follows one cycle.
-// Returns: whether it ended; otherwise a signal has asked for a stop.
+// Follows one cycle. Returns: whether it ended.
 static bool follow(work_t *work) {
   for (unsigned i = 1; !cli_motion_advance(&work->motion); i++) {
-    if (i % BATCH == 0) {
-      check_clock(work, false);
-      if (work->stopped) {
-        return false;
-      }
+    if (i % BATCH == 0 && !check_clock(work, false)) {
+      return false;
     }
   }
   return true;
@@ -266,41 +260,40 @@ static bool do_sample(work_t *work, uint64_t sample) {
   cli_motion_begin(motion, job, sample);
   // Under noise it starts before the two-fold, and first arrives.
   const bool arrives = job->at_two_fold && !motion->passes;
-  for (uint64_t cycle = arrives ? 0 : 1;; cycle++) {
-    if (!follow(work)) {
-      return false;
-    }
+  for (uint64_t cycle = arrives ? 0 : 1; follow(work); cycle++) {
     const cli_outcome_t outcome = motion->tracker.cycle.outcome;
+    const bool returned = outcome == CLI_CYCLE_RETURNED;
     if (cycle > 0) {
       write_rows(work, sample, cycle);
       work->done.count[CYCLES]++;
       work->done.count[outcome]++;
       work->in_sample = cycle;
-      check_clock(work, false);
-      if (outcome != CLI_CYCLE_RETURNED || cycle == job->args->cycles) {
+      if (!returned || cycle == job->args->cycles) {
         return true;
       }
-      if (work->stopped || work->unwritten) {
+      if (!check_clock(work, false)) {
         return false;
       }
     }
-    if (outcome == CLI_CYCLE_RETURNED) {
+    if (returned) {
       cli_motion_next(motion);
     }
   }
+  return false;
 }
 
 static void do_samples(work_t *work) {
+  bool goes_on = true;
   work->noted = cli_now();
   work->progress = cli_progress_start(work->noted, -1);
-  while (work->done.done < work->samples && !work->stopped &&
-         !work->unwritten && do_sample(work, work->first + work->done.done)) {
+  while (goes_on && work->done.done < work->samples &&
+         do_sample(work, work->first + work->done.done)) {
     work->done.done++;
     work->in_sample = 0;
-    check_clock(work, true);
+    goes_on = check_clock(work, true);
   }
   if (work->done.done == work->samples) {
-    work->unwritten |= !cli_sheets_note(&work->sheets, &work->done);
+    (void)cli_sheets_note(&work->sheets, &work->done);
   }
 }
 
@@ -403,14 +396,15 @@ static int perform(work_t *work, const cli_args_t *args) {
   }
   do_samples(work);
   // Where the output failed, the message is that of cli_sheets_close.
-  const int code = cli_sheets_close(
-      &work->sheets, work->unwritten || work->stopped ? CLI_STOPPED : CLI_DONE);
+  const bool all = work->done.done == work->samples;
+  const int code =
+      cli_sheets_close(&work->sheets, all ? CLI_DONE : CLI_STOPPED);
   const double seconds = cli_now() - work->progress.started;
   cli_progress_clear(&work->progress);
   if (args->summary == 0) {
     summarise(work, seconds);
   }
-  if (work->stopped) {
+  if (!all && cli_stop_asked()) {
     (void)cli_message(CLI_STOPPED,
                       "stopped by a signal after %" PRIu64
                       " samples; what has ended is written",

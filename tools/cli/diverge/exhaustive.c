@@ -36,44 +36,38 @@ typedef struct {
   cli_output_t output;
   node_t *nodes; ///< args->nodes of them at most
   uint64_t used, branches, joined, dropped;
+  uint64_t visited, open; ///< nodes that are done, and that are to be left
+  double part; ///< of the present one, by the times at which it is left
   cli_motion_t motion;
-  uint64_t visited; ///< nodes whose branches have all been followed
-  double part;      ///< of the present one, by the times at which it is left
   cli_progress_t progress;
 } search_t;
-
-// What is left is that of the known nodes: branches may lead to further ones.
-static void show_progress(search_t *search) {
-  const double now = cli_now();
-  uint64_t open = 0;
-  if (!cli_progress_due(&search->progress, now)) {
-    return;
-  }
-  for (uint64_t i = search->visited; i < search->used; i++) {
-    open += search->nodes[i].depth < search->job->args->depth;
-  }
-  const double done = (double)search->visited + search->part;
-  cli_progress_say(
-      &search->progress, now, done / ((double)search->visited + (double)open),
-      "%" PRIu64 " branches, %" PRIu64 " of %" PRIu64 " known nodes are done",
-      search->branches, search->visited, search->used);
-}
 
 static const char header[] =
     "node,depth,kind,r,omega,mode,stick_time,exit_r,exit_omega,end,to,time,"
     "end_r,landing_r,windings\n";
 
+// What is left is that of the known nodes: branches may lead to further ones.
+static void show_progress(search_t *search) {
+  const double done = (double)search->visited + search->part;
+  const double all = (double)search->visited + (double)search->open;
+  cli_progress_say(&search->progress, cli_now(), done / all,
+                   "%" PRIu64 " branches, %" PRIu64 " of %" PRIu64
+                   " known nodes are done",
+                   search->branches, search->visited, search->used);
+}
+
+static bool is_one_place(const node_t *a, const node_t *b) {
+  return a->two_fold == b->two_fold &&
+         (a->two_fold ||
+          (a->state.mode == b->state.mode &&
+           fabs((double)a->state.r - (double)b->state.r) < JOIN));
+}
+
 // Index of a node, which may be known or new; UINT64_MAX if there is no room
 // for a new one.
 static uint64_t node_at(search_t *search, const node_t *node) {
   for (uint64_t i = 0; i < search->used; i++) {
-    const node_t *known = &search->nodes[i];
-    const bool same =
-        node->two_fold
-            ? known->two_fold
-            : !known->two_fold && known->state.mode == node->state.mode &&
-                  fabs((double)known->state.r - (double)node->state.r) < JOIN;
-    if (same) {
+    if (is_one_place(node, &search->nodes[i])) {
       search->joined++;
       return i;
     }
@@ -82,33 +76,32 @@ static uint64_t node_at(search_t *search, const node_t *node) {
     search->dropped++;
     return UINT64_MAX;
   }
+  search->open += node->depth < search->job->args->depth;
   search->nodes[search->used] = *node;
   return search->used++;
 }
 
-// Follows one branch from the state that the motion was put into.
-static void follow(search_t *search, const node_t *from, uint64_t index,
-                   unsigned mode, double stick_time) {
+// Follows one branch in a mode from the state of the motion, and writes it.
+static void follow(search_t *search, uint64_t index, unsigned mode,
+                   double stick_time) {
+  static const char *const ends[] = {"two-fold", "codim2", "escaping",
+                                     "unfinished"};
   cli_motion_t *motion = &search->motion;
-  char row[ROW_ROOM];
-  char to[CLI_REAL_ROOM] = "";
-  node_t next = {.depth = from->depth + 1};
+  const cli_cycle_t *cycle = &motion->tracker.cycle;
+  const node_t from = search->nodes[index];
   const tf_state_t left = motion->state;
+  char row[ROW_ROOM], to[CLI_REAL_ROOM] = "", landing[CLI_REAL_ROOM] = "";
+  node_t next = {.depth = from.depth + 1};
   const cli_branch_t end = cli_random_branch(motion, mode, &next.set);
-  static const char *const names[] = {"two-fold", "codim2", "escaping",
-                                      "unfinished"};
   const bool rests = end == CLI_BRANCH_TIME && motion->tracker.last.rests;
-  uint64_t found = UINT64_MAX;
   next.state = motion->state;
   next.two_fold = end == CLI_BRANCH_TWO_FOLD;
   if (next.two_fold || end == CLI_BRANCH_CODIM2) {
-    found = node_at(search, &next);
+    const uint64_t found = node_at(search, &next);
+    if (found != UINT64_MAX) {
+      (void)snprintf(to, sizeof to, "%" PRIu64, found);
+    }
   }
-  if (found != UINT64_MAX) {
-    (void)snprintf(to, sizeof to, "%" PRIu64, found);
-  }
-  const cli_cycle_t *cycle = &motion->tracker.cycle;
-  char landing[CLI_REAL_ROOM] = "";
   if (cycle->landed) {
     (void)snprintf(landing, sizeof landing, "%.12g", cycle->land_r);
   }
@@ -117,9 +110,9 @@ static void follow(search_t *search, const node_t *from, uint64_t index,
       "%" PRIu64 ",%" PRIu64
       ",%s,%.12g,%.12g,%s,%.6g,%.12g,%.12g,%s,%s,%.9g,"
       "%.12g,%s,%" PRIu64 "\n",
-      index, from->depth, from->two_fold ? "two-fold" : "codim2",
-      (double)from->state.r, (double)from->state.w, tf_mode_name(mode),
-      stick_time, (double)left.r, (double)left.w, rests ? "rest" : names[end],
+      index, from.depth, from.two_fold ? "two-fold" : "codim2",
+      (double)from.state.r, (double)from.state.w, tf_mode_name(mode),
+      stick_time, (double)left.r, (double)left.w, rests ? "rest" : ends[end],
       to, motion->t, (double)motion->state.r, landing, cycle->windings);
   search->branches++;
   show_progress(search);
@@ -131,13 +124,12 @@ static bool has_to_stop(const search_t *search) {
 }
 
 // All branches that leave the canard.
-static void leave_two_fold(search_t *search, const node_t *node,
-                           uint64_t index) {
+static void leave_two_fold(search_t *search, uint64_t index) {
   const cli_job_t *job = search->job;
+  cli_point_t at;
   double reached = 0;
   for (uint64_t i = 1; !has_to_stop(search); i++) {
     const double t = (double)i * job->args->grid;
-    cli_point_t at;
     if (t > job->args->patience ||
         !cli_canard_after(&job->canard, t, &at, &reached)) {
       break;
@@ -145,18 +137,26 @@ static void leave_two_fold(search_t *search, const node_t *node,
     search->part = t / job->args->patience;
     for (unsigned mode = TF_SLIP_PLUS; mode <= TF_SLIP_MINUS; mode++) {
       search->motion.state = cli_state_at(&job->wide, at);
-      follow(search, node, index, mode, t);
+      follow(search, index, mode, t);
     }
   }
 }
 
-static void leave_codim2(search_t *search, const node_t *node, uint64_t index) {
-  for (unsigned mode = 0; mode < TF_MODES; mode++) {
-    if ((node->set & TF_MODE_BIT(mode)) != 0 && !has_to_stop(search)) {
-      search->motion.state = node->state;
-      follow(search, node, index, mode, 0);
+static void visit(search_t *search, uint64_t index) {
+  const node_t node = search->nodes[index];
+  if (node.depth >= search->job->args->depth) {
+    return;
+  }
+  if (node.two_fold) {
+    leave_two_fold(search, index);
+  }
+  for (unsigned mode = 0; mode < TF_MODES && !node.two_fold; mode++) {
+    if ((node.set & TF_MODE_BIT(mode)) != 0 && !has_to_stop(search)) {
+      search->motion.state = node.state;
+      follow(search, index, mode, 0);
     }
   }
+  search->open--;
 }
 
 static void visit_all(search_t *search) {
@@ -168,18 +168,10 @@ static void visit_all(search_t *search) {
   (void)node_at(search, &first);
   search->progress =
       cli_progress_start(cli_now(), search->output.to.descriptor);
-  for (uint64_t i = 0; i < search->used && !has_to_stop(search); i++) {
-    search->visited = i;
+  for (; search->visited < search->used && !has_to_stop(search);
+       search->visited++) {
     search->part = 0;
-    const node_t node = search->nodes[i];
-    if (node.depth >= job->args->depth) {
-      continue;
-    }
-    if (node.two_fold) {
-      leave_two_fold(search, &node, i);
-    } else {
-      leave_codim2(search, &node, i);
-    }
+    visit(search, search->visited);
   }
   cli_progress_clear(&search->progress);
 }
@@ -200,6 +192,26 @@ static void summarise(const search_t *search, int code) {
           search->used, search->branches, search->joined, search->dropped);
 }
 
+// Writes all branches to the output that is open.
+static int write_all(search_t *search) {
+  const char *units =
+      "r m, omega rad/s, stick_time s, exit_r m, exit_omega rad/s, time s, "
+      "end_r m, landing_r m";
+  char lines[CLI_PROVENANCE_ROOM];
+  if (search->job->args->provenance) {
+    const size_t length = cli_job_provenance(search->job, units, lines);
+    (void)cli_output_lines(&search->output, lines, length);
+  }
+  (void)cli_output_lines(&search->output, header, sizeof header - 1);
+  visit_all(search);
+  const int code = cli_stop_asked()
+                       ? cli_message(CLI_STOPPED,
+                                     "stopped by a signal; the branches that "
+                                     "have ended are written")
+                       : CLI_DONE;
+  return cli_output_end(&search->output, code);
+}
+
 int cli_exhaustive(const cli_job_t *job) {
   static search_t search;
   search.job = job;
@@ -210,23 +222,7 @@ int cli_exhaustive(const cli_job_t *job) {
   int code = cli_output_begin(&search.output, "--branches", job->args->branches,
                               false);
   if (code == CLI_DONE) {
-    if (job->args->provenance) {
-      char lines[CLI_PROVENANCE_ROOM];
-      const size_t length = cli_job_provenance(
-          job,
-          "r m, omega rad/s, stick_time s, exit_r m, exit_omega rad/s, time s, "
-          "end_r m, landing_r m",
-          lines);
-      (void)cli_output_lines(&search.output, lines, length);
-    }
-    (void)cli_output_lines(&search.output, header, sizeof header - 1);
-    visit_all(&search);
-    if (cli_stop_asked()) {
-      code = cli_message(CLI_STOPPED,
-                         "stopped by a signal; the branches that "
-                         "have ended are written");
-    }
-    code = cli_output_end(&search.output, code);
+    code = write_all(&search);
     summarise(&search, code);
   }
   free(search.nodes);
