@@ -20,9 +20,8 @@ static double time_to_the_two_fold(sim_t *s, double r, double w) {
 TEST(sliding_region_flows_into_the_two_fold_in_finite_time) {
   if (!IS_DOUBLE) SKIP("the digits of r next to the two-fold are too few");
   sim_t s = {.params = tf_scenes[0]->params};
-  paper_t p;
+  const paper_t p = paper_default();
   paper_twofold_t n;
-  paper_default(&p);
   const real x[3] = {PAPER_R_STAR, paper_sing_v(&p, PAPER_R_STAR, PAPER_W_STAR),
                      PAPER_W_STAR};
   paper_twofold(&p, x, 1, &n);

@@ -19,20 +19,19 @@ long double paper_clock_rate(const paper_t *p, long double r) {
   return p->m * (p->beta * p->beta + r * r);
 }
 
-void paper_default(paper_t *p) {
-  p->m = 1.0L;
-  p->d = 1.0L;
-  p->beta = 1.0L / 20.0L;
-  p->k2 = 0.0L;
-  p->c1 = 1e-3L;
-  p->c2 = 1e-3L;
-  p->r0 = 0.1L;
-  p->omega0 = -1.0L;
-  p->mu = 1.0L;
-  p->kappa = 0.0L;
-  p->gamma = -0.75L * PAPER_PI;
-  p->kappa = paper_sing_kappa(p, PAPER_R_STAR);
-  p->k2 = paper_sing_k2(p, PAPER_R_STAR, PAPER_W_STAR);
+paper_t paper_default(void) {
+  paper_t p = {.m = 1,
+               .d = 1,
+               .beta = 1.0L / 20.0L,
+               .c1 = 1e-3L,
+               .c2 = 1e-3L,
+               .r0 = 0.1L,
+               .omega0 = -1,
+               .mu = 1,
+               .gamma = -0.75L * PAPER_PI};
+  p.kappa = paper_sing_kappa(&p, PAPER_R_STAR);
+  p.k2 = paper_sing_k2(&p, PAPER_R_STAR, PAPER_W_STAR);
+  return p;
 }
 
 /* (stickV)  v* = (w* - w0) (d - r* cot gamma) */

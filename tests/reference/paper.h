@@ -39,7 +39,7 @@ typedef struct {
 
 /* Section 5 of the paper: constants as printed, kappa and k2 computed from
  * (singKappa) and (singK2) at the two-fold above. */
-void paper_default(paper_t *p);
+paper_t paper_default(void);
 
 /* (stickV), (singKappa), (singK2): what makes (r, w) a two-fold at g > 0. */
 long double paper_sing_v(const paper_t *p, long double r, long double w);

@@ -66,8 +66,7 @@ static void equations(void) {
 // (2fold): both h' vanish at r*, w*, and A has its other zero where the paper
 // has it.
 static void two_fold(void) {
-  paper_t p;
-  paper_default(&p);
+  const paper_t p = paper_default();
   ref_machine_t q = {PARAMETERS_OF(real_t, &p)};
   ref_prepare(&q);
   const real_t r = PAPER_R_STAR, w = PAPER_W_STAR;
