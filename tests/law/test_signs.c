@@ -89,20 +89,12 @@ TEST(signs_are_those_of_the_mode) {
   }
 }
 
-/* Stick with sign s of g at (r, g) on h = 0, by the paper: the rates of r and g
- * per second. */
-typedef struct {
-  real r, g;
-} rate_t;
-
-static rate_t stick_rate(const paper_t *p, int s, real r, real g) {
-  const real S = sinl(p->gamma), C = cosl(p->gamma), z = g * S / r;
-  const real x[3] = {r, -g * C + p->d * z, p->omega0 + z};
-  real rate[3], g_x[3];
-  paper_stick(p, x, s, rate);
-  paper_g_x(p, x, g_x);
-  return (rate_t){rate[0],
-                  g_x[0] * rate[0] + g_x[1] * rate[1] + g_x[2] * rate[2]};
+/* Stick with sign s of g at (r, g) on h = 0. */
+static ref_rate_t stick_rate(const ref_machine_t *q, int s, real r, real g) {
+  const ref_state_t x =
+      ref_from_slip(q, (ref_state_t){.r = r, .piece = 1}, (ref_slip_t){0, g});
+  const ref_edge_t edge = ref_edge(q, x, s);
+  return ref_rate(q, x, ref_stick_force(q, s, edge.N / edge.A));
 }
 
 /* A machine whose stick tends to h = g = 0 for ever: at r it is at rest under
@@ -119,7 +111,8 @@ static int draw_rest(sim_t *run, int i, real *rest) {
                    (p.d - (r * cosl(wide(p.gamma)) + s * wide(p.kappa)) / S);
   p.r0 = (tf_real_t)(r + (Q_r - p.m * r * p.omega0 * p.omega0) / p.k2);
   if (fabsl(S) < 0.1L || fabsl(Q_r / S) > 0.9L * p.mu) return 0;
-  const paper_t q = paper_of(&p);
+  *run = sim_of(&p);
+  const ref_machine_t q = reference_of(&p, &run->u);
   const real e = 1e-6L, nu = stick_rate(&q, s, r, 1).r;
   const real by_r =
       (stick_rate(&q, s, r + e, 0).g - stick_rate(&q, s, r - e, 0).g) / (2 * e);
@@ -128,9 +121,8 @@ static int draw_rest(sim_t *run, int i, real *rest) {
   const real root = by_g * by_g + 4 * by_r * nu;
   const real slow = (by_g + sqrtl(root > 0 ? root : 0)) / 2;
   if (!(root > 0 && by_g < 0 && by_r * nu < 0 && slow < -1.5L) ||
-      paper_delassus(&q, r, s) <= 0)
+      ref_edge(&q, (ref_state_t){.r = r}, s).A <= 0)
     return 0;
-  *run = sim_of(&p);
   run->x.r = (tf_real_t)(r + nu * s * 1e-3L / slow);
   run->x.w = (tf_real_t)(p.omega0 + s * 1e-3L * S / run->x.r);
   tf_speed_for_slip(&run->k, run->x.r, run->x.w, p.omega0, 0, &run->x.v);
