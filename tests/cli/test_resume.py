@@ -11,7 +11,7 @@ from pathlib import Path
 from outputs import interrupted, says, says_each
 from tap import call, check, main, same
 
-REAL = call("--version")[0].split()[-1]
+USUAL = "compensated" if "float" in call("--version")[0] else "moreau"
 TABLE = "t,omega0,force\n0,-1,0\n0.4,-1.2,0.1\n1.1,-0.9,0\n"
 
 
@@ -19,16 +19,19 @@ def lines_of(path):
     return Path(path).read_text().splitlines()
 
 
-def joined(middle, end, every, *words):
+def joined(middle, end, every, *words, scheme=USUAL):
     """A run to a time, and from there to the end, joined. The last row of the
-    first one is in the whole only where `every` divides its step."""
+    first one is in the whole only where `every` divides its step. The scheme is
+    that of the file, and noted where it is not the usual one."""
     codes = []
-    for path, more in (("want", ["--t-end", end]),
-                       ("one", ["--t-end", middle, "--save", "at"]),
-                       ("two", ["--t-end", end, "--from", "at"])):
-        said = call("run", *words, "--every", every, *more, "--out", path,
-                    "--summary", "json", code=(0, 5))[1]
+    first = [*words, "--scheme", scheme]
+    for path, more in (("want", [*first, "--t-end", end]),
+                       ("one", [*first, "--t-end", middle, "--save", "at"]),
+                       ("two", [*words, "--t-end", end, "--from", "at"])):
+        said = call("run", *more, "--every", every, "--out", path, "--summary",
+                    "json", code=(0, 5))[1]
         codes.append(5 if '"exit": 5' in said else 0)
+    same(f"--scheme {scheme}, which is that of at" in said, scheme != USUAL)
     same(codes[0], max(codes[1:]))  # flagged steps lie in one half or the other
     want, one, two = map(lines_of, ("want", "one", "two"))
     same(two[1], one[-1])
@@ -37,30 +40,16 @@ def joined(middle, end, every, *words):
 
 def test_the_rows_are_those_of_one_run():
     for scheme in "moreau", "located", "compensated":
-        joined(1.25, 3, 1, "chaos", "--scheme", scheme, "--dt", "1e-3")
-        joined(1.2345, 2, 10, "chaos", "--scheme", scheme)
+        joined(1.25, 3, 1, "chaos", "--dt", "0x1p-11", scheme=scheme)
+        joined(1.2345, 2, 10, "chaos", scheme=scheme)
     for line in call("scenes")[0].splitlines():
         joined(1.5, 3, 100, line.split()[0])
-    joined(2, 3, 1, "chaos", "--select", "random:9", "--dt", "1e-3")
-    joined(1, 2, 100, "driven", "--scheme", "compensated")
+    joined(2, 3, 1, "chaos", "--select", "random:9", "--dt", "0x1p-11")
+    joined(1, 2, 100, "driven", scheme="compensated")
     Path("table.csv").write_text(TABLE)
     for between in "held", "linear":
         joined(0.5, 1.4, 7, "chaos", "--inputs", "table.csv", "--between",
                between)
-
-
-def test_the_scheme_is_that_of_the_file():
-    """It is told where a run takes another one than the usual."""
-    words = ["run", "chaos", "--dt", "0x1p-11"]
-    usual = "compensated" if REAL == "float" else "moreau"
-    for scheme in "moreau", "located", "compensated":
-        want = call(*words, "--t-end", "1", "--scheme", scheme)[0]
-        call(*words, "--t-end", "0.5", "--scheme", scheme, "--save", "at",
-             "--out", "one")
-        got, said = call(*words, "--t-end", "1", "--from", "at")
-        same(f"--scheme {scheme}, which is that of at" in said,
-             scheme != usual)
-        same(got.splitlines()[2:], want.splitlines()[-1024:])
 
 
 def test_where_it_goes_on():

@@ -8,7 +8,7 @@ import subprocess
 from pathlib import Path
 
 import outputs
-from outputs import check_whole, column, fails_to_write, says, says_each, table
+from outputs import check_whole, column, says, says_each, table
 from tap import TWOFOLD, call, check, main, same, until
 
 ENDS = ["end_r", "end_v", "end_omega", "end_h", "end_g"]
@@ -132,15 +132,6 @@ def test_what_the_rows_are_of():
          "t s")
 
 
-def test_shards():
-    """Their files, one after the other, are that of the whole. A point alone
-    is followed by single steps."""
-    whole = call("sweep", *GRID)[0]
-    same("".join(call("sweep", *GRID, "--shard", f"{i}/3")[0]
-                 for i in (1, 2, 3)), whole)
-    same(call("sweep", *GRID, "--shard", "3/30")[0], whole.splitlines(True)[3])
-
-
 # Files that are gone on with.
 
 SLOW = ["sweep", "chaos", "--over", "kappa=0.25:0.3:150", "--over",
@@ -242,7 +233,7 @@ def test_refused_and_flagged_points():
 
 def test_lanes():
     """Points of one machine go together, in lanes of an ensemble, with the
-    rows of single steps; and so do those of a sweep that was stopped."""
+    rows of shards: of few points, and of one, which takes single steps."""
     Path("in.csv").write_text(
         "t,force,omega0\n0,0,-1\n0.5,0.4,-1.1\n1.3,-0.2,-1\n")
     statuses = set()
@@ -259,8 +250,9 @@ def test_lanes():
         check(re.search(r"\ncost .* s, [0-9.e+]+ points/s, in lanes", said),
               said)
         points = whole.count("\n") - 1
-        same("".join(call(*words, "--shard", f"{i + 1}/{points}")[0]
-                     for i in range(points)), whole)
+        for shards in 3, points:
+            same("".join(call(*words, "--shard", f"{i + 1}/{shards}")[0]
+                         for i in range(shards)), whole)
         statuses |= set(column(table(whole), "status"))
     same(statuses, {"done", "flagged", "refused", "stopped"})
     for words in ("kappa=0.2:0.3:2", "r=0.1:0.2:2 --scheme located",
@@ -286,11 +278,6 @@ def test_refusals():
 2 chaos --over kappa=0.1:1:2 --resume|--resume: only with --out FILE
 """, "sweep")
     same(list(Path().iterdir()), [])
-
-
-def test_outputs_that_fail():
-    fails_to_write(11, "sweep", "chaos", "--over", "kappa=0.2:0.4:3000",
-                   "--t-end", "0.01", "--over", "gamma=0.3:1.2:1000")
 
 
 main(globals(), jobs=2)
