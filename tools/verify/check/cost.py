@@ -45,7 +45,7 @@ def judge(column, now):
 def judge_real(real):
     """All calls in one real type. Returns: how many functions."""
     path = BUILD / f"cost.{real}"
-    path.write_text(bounds.cost(PLACE, real, EVALUATIONS, bounds.HERE))
+    path.write_text(bounds.Calls(PLACE, real, bounds.HERE).search(EVALUATIONS))
     now = bounds.most(path)
     names = set(now.index.unique("name"))
     for name in sorted(public_functions() - names):
