@@ -1,8 +1,7 @@
 """Undefined behaviour and numbers that are not finite, looked for by abstract
-interpretation (Frama-C Eva): tools/run eva [ENTRY...], each entry
-of tools/verify/eva/entries in both real types; all of them by default, but as a
-check, without FULL, not step_finite, which takes longer than the others
-together.
+interpretation (Frama-C Eva): tools/run eva [ENTRY...], each of ENTRIES in both
+real types; all of them by default, but as a check, without FULL, step_any in
+double and step_finite not at all, which take longer than the others together.
 
 Every alarm has to stand in tools/verify/eva/alarms with its reason, and what
 stands there has to be an alarm: else the run fails. Its paragraphs are lines
@@ -17,8 +16,8 @@ BUILD/eva/ keeps all output.
 """
 from __future__ import annotations
 
-import os
 import csv
+import os
 import re
 import shutil
 import subprocess
@@ -32,11 +31,26 @@ import driven
 HERE = Path("tools/verify/eva")
 OUT = Path(os.environ.get("BUILD") or "build", "eva")
 REALS = {"f64": "-UTF_REAL_FLOAT", "f32": "-DTF_REAL_FLOAT"}
-# Whole programs need no more than what they call.
-SOURCES = {
-    "STEP": "step,mode_end,rare_end,report,codim2_end,machine,rest_motion,"
-            "balanced,codim2,contact,quadrant,select,tyre,kernel",
-    "PREPARE": "machine,contact,select,kernel,compensated"}
+# Name, file, and options of the analyser. non-finite: every number that is not
+# finite is an alarm too. cases: cases.h comes before every file.
+ENTRIES = {words[0]: (words[1], set(words[2:])) for words in map(str.split, """
+seal_any          line     precision=2
+push_any          line     precision=2
+block_any         line     precision=2
+block_small       line     precision=2 slevel=500
+prepare_any       prepare  precision=2 slevel=400 min-loop-unroll=21
+prepare_in_range  prepare  precision=1 slevel=100 min-loop-unroll=21 non-finite
+step_any          steps    precision=2 auto-loop-unroll=16
+range_any         range    precision=1 slevel=200 min-loop-unroll=21 cases
+step_finite       finite   precision=1 slevel=200 auto-loop-unroll=21 cases
+""".strip().splitlines())}
+# In a check without FULL: the real types of those that take long.
+SHORT = {"step_any": ["f64"], "step_finite": []}
+# Of src/, what the functions of a file call.
+STEP = ("step mode_end rare_end report codim2_end machine rest_motion balanced "
+        "codim2 contact quadrant select tyre kernel")
+SOURCES = {"line": "frame", "range": "kernel", "steps": STEP, "finite": STEP,
+           "prepare": "machine contact select kernel compensated"}
 # Functions that say by their value whether they wrote a result: what is known
 # where they return is kept apart by that value.
 APART = ("first_offender validate_located within in_reach side_of "
@@ -49,63 +63,49 @@ TOGETHER = ("zero_in search_cell limit_direction_in "
             "tf_search_quadrant_REAL").split()
 
 
-class Entry(NamedTuple):
-    """A line of tools/verify/eva/entries."""
-    name: str
-    file: str
-    kind: str
-    sources: str
-    options: list[str]
-
-    def files(self) -> list[str]:
-        """Of src/, by the names of the entry."""
-        found = set()
-        for name in self.sources.split(","):
-            for stem in SOURCES.get(name, name).split(","):
-                files = [*map(str, Path().glob(f"src/*/{stem}.c"))]
-                if not files:
-                    sys.exit(f"eva: src/ has no {stem}.c")
-                found |= set(files)
-        return sorted(found)
-
-
-def entries() -> list[Entry]:
-    lines = (HERE / "entries").read_text("utf-8").splitlines()
-    words = [line.split() for line in lines
-             if line.strip() and not line.startswith("#")]
-    return [Entry(*line[:4], line[4:]) for line in words]
+def sources_of(file: str) -> list[str]:
+    found = {stem: [*map(str, Path().glob(f"src/*/{stem}.c"))]
+             for stem in SOURCES[file].split()}
+    for stem, files in found.items():
+        if not files:
+            sys.exit(f"eva: src/ has no {stem}.c")
+    return sorted(sum(found.values(), []))
 
 
 def by_value(names: list[str], value: str, real: str) -> str:
     return ",".join(f"{name}:{value}" for name in names).replace("REAL", real)
 
 
-def analyse(entry: Entry, real: str) -> bool:
+def analyse(entry: str, real: str) -> bool:
     """Leaves NAME-REAL.csv, its properties, and NAME-REAL.log. Whether it came
     to its end."""
+    file, words = ENTRIES[entry]
     flags = ["-std=c99", "-Iinclude", "-Isrc", f"-I{HERE}", "-include",
              f"{HERE}/model.h", REALS[real],
              *(f"-D__builtin_{name}=model_{name}"
                for name in ("sqrt", "sqrtf", "fabs", "fabsf"))]
-    if "cases" in entry.options:
+    if "cases" in words:
         flags += ["-include", f"{HERE}/cases.h"]
-    table = OUT / f"{entry.name}-{real}.csv"
+    options = [part for word in sorted(words) if "=" in word
+               for part in f"-eva-{word}".split("=")]
+    table = OUT / f"{entry}-{real}.csv"
     table.unlink(missing_ok=True)
     begin = time.time()
     with open(table.with_suffix(".log"), "wb") as log:
         done = subprocess.run(
             ["nice", "-n", "5", "frama-c", "-machdep", "gcc_x86_64",
-             f"-cpp-extra-args={' '.join(flags)}", f"{HERE}/{entry.file}",
-             *entry.files(), "-main", entry.name, "-eva",
-             *(option for option in entry.options if option != "cases"),
-             "-warn-special-float", entry.kind, "-eva-interprocedural-splits",
+             f"-cpp-extra-args={' '.join(flags)}", f"{HERE}/{file}.c",
+             *sources_of(file), "-main", entry, "-eva", *options,
+             "-warn-special-float",
+             "non-finite" if "non-finite" in words else "none",
+             "-eva-interprocedural-splits",
              "-eva-no-print", "-eva-builtin",
              "model_sqrt:Frama_C_sqrt,model_sqrtf:Frama_C_sqrtf",
              "-permissive", "-eva-split-return-function",
              by_value(APART, "full", real), "-eva-slevel-function",
              by_value(TOGETHER, "0", real), "-then", "-report-csv", table],
             stdin=subprocess.DEVNULL, stdout=log, stderr=log, check=False)
-    print(f"{entry.name}-{real} {time.time() - begin:.0f} s")
+    print(f"{entry}-{real} {time.time() - begin:.0f} s")
     return done.returncode == 0
 
 
@@ -189,25 +189,24 @@ def main() -> None:
         sys.exit(3)
     OUT.mkdir(parents=True, exist_ok=True)
     reasons = explained()
-    known = {entry.name for entry in entries()}
     is_short = "CHECK_NOTE" in os.environ and not os.environ.get("FULL")
-    wanted = set(sys.argv[1:]) or known.difference(["step_finite"] * is_short)
-    unknown = (wanted | {alarm.entry for alarm in reasons}) - known
+    wanted = sys.argv[1:] or list(ENTRIES)
+    unknown = {*wanted, *(alarm.entry for alarm in reasons)} - set(ENTRIES)
     if unknown:
         print(f"make eva: there is no entry {min(unknown)}", file=sys.stderr)
         sys.exit(2)
-    pairs = [(entry, real) for entry in entries() if entry.name in wanted
-             for real in REALS]
+    pairs = [(entry, real) for entry in wanted
+             for real in (is_short and SHORT or {}).get(entry, REALS)]
     good = driven.side_by_side(lambda run: analyse(*run), pairs)
     if not all(good):
         sys.exit(f"an analysis stopped: see {OUT}/*.log")
-    runs = {f"{entry.name}-{real}": said_of(
-        entry.name, OUT / f"{entry.name}-{real}.csv") for entry, real in pairs}
-    bad = list(wrong(reasons, runs, wanted))
+    runs = {f"{entry}-{real}": said_of(entry, OUT / f"{entry}-{real}.csv")
+            for entry, real in pairs}
+    bad = list(wrong(reasons, runs, {entry for entry, _ in pairs}))
     for text in bad:
         print(text)
     raised = {alarm for run in runs.values() for alarm in run.alarms}
-    print(f"{len(wanted)} entries, "
+    print(f"{len(pairs)} analyses, "
           f"{sum(run.proven for run in runs.values())} properties proven, "
           f"{len(reasons & raised)} alarms explained, {len(bad)} not")
     sys.exit(bool(bad))
