@@ -57,12 +57,13 @@ def symbols(path, which):
 
 def freestanding():
     """The core needs nothing of a host but a square root and memory functions
-    that every compiler may call, with every compiler and optimisation at
-    hand."""
+    that every compiler may call, as other checks compile it; with FULL=yes with
+    every optimisation."""
     need("nm", "binutils")
-    libraries = [library(compiler, opt, real)
-                 for compiler in ("gcc", "clang") if version(compiler)
-                 for opt in (["-O0", "-O2"] if FULL else []) + ["-Os"]
+    libraries = [library(compiler, opt, real) for compiler, opt in
+                 [("gcc", "-O3"), ("clang", "-O0")] + FULL * [
+                     (compiler, opt) for compiler in ("gcc", "clang")
+                     for opt in ("-O1", "-O2", "-Os")]
                  for real in DEFINES]
     for path in libraries:
         for symbol in sorted(symbols(path, "-u") -
@@ -97,12 +98,13 @@ def data():
 
 def bits():
     """Same bits: the golden trajectory hashes hold under compilers and
-    optimisations (three settings, of which check `clang` has compiled one; with
-    FULL=yes twelve), and `twofold run` writes the same bytes."""
+    optimisations, and `twofold run` writes the same bytes: in two settings, of
+    which check `clang` has compiled one, beside that of `make test` and gcc's
+    -O0 of check `coverage`; with FULL=yes in twelve."""
     need("gcc", "gcc")
     need("clang", "clang")
     native = "-O3 -march=native"
-    settings = [("gcc", "-O0"), ("gcc", native), ("clang", "-O0")]
+    settings = [("gcc", native), ("clang", "-O0")]
     if FULL:
         settings = [(compiler, opt) for compiler in ("gcc", "clang")
                     for opt in ("-O0", "-O1", "-O2", "-O3", "-Os", native)]
@@ -131,10 +133,20 @@ def bits():
             "settings, both real types")
 
 
+def sanitized(compiler, *arguments):
+    """make under the sanitizers; one of the checks that share a folder at a
+    time."""
+    place = BUILD / f"sanitize-{compiler}"
+    return told("flock", f"{place}.lock", MAKE, "--no-print-directory",
+                f"CC={compiler}", "OPT=-O1", f"BUILD={place}",
+                f"EXTRA={SANITIZERS} -fno-omit-frame-pointer", *arguments)
+
+
 def sanitize(compiler):
     """Tests under the address and undefined-behaviour sanitizers. With gcc
     those of units and the line in double, with clang laws, golden and regress
-    in float; with FULL=yes all tests in both."""
+    in float, but the corpus, of which check `fuzz` starts; with FULL=yes all
+    tests in both."""
     need(compiler, compiler)
     empty = BUILD / f"empty-{compiler}.c"
     empty.write_text("int main(void) { return 0; }\n")
@@ -151,13 +163,11 @@ def sanitize(compiler):
             "gcc": (("tests/unit", "tests/line"), "double"),
             "clang": (("tests/law", "tests/golden", "tests/regress"), "float"),
         }[compiler]
+        tests = set(tests_in(*rooms)) - {"tests/regress/test_corpus.c"}
         # None starts the command line, which would be compiled for nothing.
         few = [f"VARIANTS={real}", "TWOFOLD=",
-               f"TESTS={' '.join(tests_in(*rooms))}"]
-    said, code = told(
-        MAKE, "--no-print-directory", f"CC={compiler}", "OPT=-O1",
-        f"BUILD={BUILD}/sanitize-{compiler}",
-        f"EXTRA={SANITIZERS} -fno-omit-frame-pointer", *few, "test")
+               f"TESTS={' '.join(sorted(tests))}"]
+    said, code = sanitized(compiler, *few, "test")
     if code:
         wrong(f"tests fail under the sanitizers of {compiler}")
     checked(f"{said.splitlines()[-1]}; address and undefined behaviour"
@@ -237,14 +247,14 @@ def hostile():
     frames = os.environ.setdefault("HOSTILE_FRAMES",
                                    "1000000" if FULL else "100000")
     os.environ.setdefault("HOSTILE_SECONDS", "300")
-    place, test = BUILD / "hostile", "tests/line/test_hostile.py"
-    if not build("CC=gcc", f"BUILD={place}", "OPT=-O1", f"EXTRA={SANITIZERS}",
-                 f"TESTS={test}", "test"):
-        wrong(f"the firmware did not stand {frames} hostile frames")
+    place, test = BUILD / "sanitize-gcc", "tests/line/test_hostile.py"
+    if sanitized("gcc", f"{place}/double/twofold",
+                 *(f"line-{real}" for real in DEFINES))[1]:
+        wrong("the firmware does not build")
     said, code = asked("timeout", "-k", 5, 800, test, env={
         **os.environ, "SEED": "2", "TWOFOLD": f"{place}/double/twofold"})
     if code:
-        wrong("another seed")
+        wrong(f"the firmware did not stand {frames} hostile frames:\n{said}")
     checked("; ".join(re.findall("^# (.*)", said, re.M)))
 
 

@@ -1,17 +1,18 @@
 #!/usr/bin/python3 -B
 """Tests under valgrind's memcheck: what the sanitizers of gcc do not see is a
-decision by a value that was never set. These are
-the quick tests below in double, of the line, the session, the step and what is
-beside it; with FULL=yes (`make valgrind`) every program in both real types.
-Those that are not done in LIMIT seconds, as orbits of 1e6 steps and sweeps of
-random machines, are stopped and named.
+decision by a value that was never set. These are the quick tests below in
+double, of the line, the session, the step and what is beside it; with FULL=yes
+(`make valgrind`) every program in both real types. Those that are not done in
+LIMIT seconds, as orbits of 1e6 steps and sweeps of random machines, are stopped
+and named. The programs are those of check `gcc`.
 """
 import os
 import subprocess
 import sys
 from pathlib import Path
 
-from findings import BUILD, DEFINES, FULL, asked, build, checked, need, wrong
+from findings import (DEFINES, FULL, asked, checked, in_common, need, place_of,
+                      wrong)
 import driven
 
 # Program, or program:test.
@@ -29,7 +30,7 @@ FEW = """unit/link/test_protocol unit/link/test_link unit/link/test_text
   law/test_extremes:overflow_of_a_slope_keeps_every_number_finite
   regress/test_no_friction
   regress/test_degraded:degraded_step_reports_the_consistent_set""".split()
-ROOM = BUILD / "valgrind"
+ROOM = place_of("gcc", "-O3")
 LIMIT = os.environ.get("LIMIT") or "60"
 MEMCHECK = ["valgrind", "-q", "--error-exitcode=99"]
 
@@ -59,7 +60,7 @@ if FULL:
     tests = sorted(str(path.relative_to("tests").with_suffix(""))
                    for path in Path("tests").rglob("test_*.c"))
 runs = [(real, test) for real in reals for test in tests]
-if not build("CC=gcc", f"BUILD={ROOM}", "OPT=-O1 -g", *sorted({
+if not in_common("gcc", "-O3", *sorted({
         f"{ROOM}/{real}/tests/{test.partition(':')[0]}"
         for real, test in runs})):
     sys.exit(1)

@@ -52,6 +52,7 @@ for run; do
   place=$BUILD/fuzz/$run
   corpus=tests/corpus/$target
   mkdir -p "$place.found"
+  cp tests/regress/crash-"$target"-* "$place.found" 2>/dev/null
   if fuzz; then passed=$((passed + 1)); else failed=$((failed + 1)); fi
 done
 echo "$passed passed, $failed failed"

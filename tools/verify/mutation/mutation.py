@@ -187,10 +187,11 @@ def tests() -> list[tuple[str, Path]]:
             if source.parent.name != "golden"]
 
 
-def prepare() -> None:
-    """A built copy of the tree, and one for each job."""
-    if not rooms.empty():
-        return
+def prepare(sample: list[Change]) -> None:
+    """A copy of the tree with all tests that a sample needs, and one for each
+    job."""
+    while not rooms.empty():
+        rooms.get()
     print("mutation: building the tests ...", file=sys.stderr)
     shutil.rmtree(PLACE / "rooms", ignore_errors=True)
     first = (PLACE / "rooms/0").absolute()
@@ -198,7 +199,9 @@ def prepare() -> None:
         copy = shutil.copytree if Path(part).is_dir() else shutil.copy2
         (first / part).parent.mkdir(parents=True, exist_ok=True)
         copy(part, first / part)
-    must(make(first, *(program for _, program in tests())), "make fails")
+    wanted = {change.test for change in sample}
+    must(make(first, *(program for _, program in tests()
+                       if wanted & {"", program.name})), "make fails")
     for n in range(1, driven.processors() + 1):
         subprocess.run(["cp", "-a", first, first.with_name(str(n))], check=True)
         rooms.put(first.with_name(str(n)))
@@ -274,7 +277,7 @@ def too_many_survive(seed: str) -> bool:
     if size and not one and not is_kept:
         sample = sample[:size]
     must(sample, "there is no such change")
-    prepare()
+    prepare(sample)
     verdicts = driven.side_by_side(tried, sample)
     text = "".join(f"{change.file}: {verdict}: {change.text}\n"
                    for change, verdict in zip(sample, verdicts))
