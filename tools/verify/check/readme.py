@@ -1,10 +1,10 @@
 #!/usr/bin/python3 -B
 """Commands in documents run and print what stands there. README.md: its C
 program compiles without a warning against the library in both real types, runs
-and prints what is said; the lines of "use it from" run; each promise names a
-test that exists. What the documents link to is there. Each command of the
-documents in SHELLS, one after the other in one shell a document, prints what
-stands below it."""
+and prints what is said; the line that compiles it and those of "use it from"
+run; each promise names a test that exists. What the documents link to is there.
+Each command of the documents in SHELLS, one after the other in one shell a
+document, prints what stands below it."""
 import os
 import re
 import shutil
@@ -28,50 +28,28 @@ NEEDS = {"pkg-config": ("pkg-config", "pkg-config"),
          "BOARD=stm32f405": ("arm-none-eabi-gcc", "gcc-arm-none-eabi")}
 SHELLS = [Path("docs/TUTORIAL.md")]
 not_tried = []
-TESTS = "\n".join(path.read_text() for path in Path("tests").rglob("*.[ch]"))
 text = Path("README.md").read_text()
 
 
-def make(*arguments):
-    return in_common("gcc", "-O3", *arguments)
-
-
-def printed(program):
-    """What a program prints; None where it fails."""
-    said, code = asked(program)
-    return None if code else said
-
-
-def section(begin, end):
-    """Of the document, from a line that begins so up to another."""
-    return (re.search(rf"^{begin}.*?(?=^{end})", text, re.M | re.S) or [""])[0]
+def last_cells(column):
+    """The last column of the table whose first one is called so."""
+    table = re.search(rf"^\| {column} \|.*\n.*\n((?:\|.*\n)*)", text, re.M)
+    return [re.split(r"(?<!\\)\|", row)[-2] for row in
+            (table[1].splitlines() if table else [])]
 
 
 def judge_program():
-    """In both real types with warnings; then by the line that compiles it, as
-    the reader would type it. Returns what it prints."""
-    for real, define in DEFINES.items():
+    """In both real types with warnings. Returns what it prints in double."""
+    for real, define in reversed(DEFINES.items()):
         library = PLACE / real / "libtwofold.a"
-        if not make(library):
-            wrong(f"{library} does not compile")
-        program = BUILD / f"readme-{real}"
-        if not quietly("gcc", *STRICT, define, PROGRAM, library, "-o", program):
+        if not in_common("gcc", "-O3", library) or not quietly(
+                "gcc", *STRICT, define, PROGRAM, library, "-o", DEMO):
             wrong(f"the program of README.md does not compile in {real}")
-        elif not printed(program):
+        said, code = asked(DEMO)
+        if code or not said:
             wrong(f"the program of README.md prints nothing or fails in {real}")
-    line = (re.search(r"^    (gcc (?:.*\\\n)*.*)$", text, re.M) or ["", ""])[1]
-    if "-fno-math-errno" not in line:
-        wrong("README.md has no line with gcc, or no -fno-math-errno in it")
-    line = line.replace(" demo.c ", f" {PROGRAM} ").replace(
-        "-o demo", f"-o {BUILD}/readme-line")
-    if not quietly("sh", "-c", line):
-        wrong("the line of README.md does not compile its program")
-    said = printed(BUILD / "readme-line")
-    if printed(BUILD / "readme-double") != said:
-        wrong("the program prints otherwise when compiled by the line of "
-              "README.md")
     claim = re.search(r"^It prints `([^`]*)`", text, re.M)
-    if not claim or claim[1] not in (said or "").splitlines():
+    if not claim or claim[1] not in said.splitlines():
         wrong(f"the program does not print: {claim and claim[1]}")
     return said
 
@@ -86,22 +64,21 @@ def need_for_python():
 
 
 def judge_uses(said):
-    """The table of what it can be used from: its lines as the reader would type
-    them, in a build that checks share and a home of their own. Where one makes
-    `demo`, it prints what the program prints. Of tests of packages the last one
-    is run, for `make test-dist` has all; with FULL=yes each is."""
+    """The lines as the reader would type them, in a build that checks share and
+    a home of their own. Where one makes `demo`, it prints what the program
+    prints. Of tests of packages the last one is run, for `make test-dist` has
+    all; with FULL=yes each is."""
     home = BUILD.absolute() / "readme-home"
     venv = PLACE / "venv"
     for old in (home, venv, PLACE / "demo"):
         shutil.rmtree(old, ignore_errors=True)
-    if not make(PLACE / "double/twofold"):
+    if not in_common("gcc", "-O3", PLACE / "double/twofold"):
         wrong("the command line does not build")
-    table = section(r"\| use it from ", "$").replace(r"\|", "\0")
-    rows = table.splitlines()[2:]
-    uses = [found[1].replace("\0", "|") for found in (
-        re.match(r"\|[^|]*\| `([^`]*)`.*\|$", row) for row in rows) if found]
-    if not uses or len(uses) != len(rows):
-        wrong("README.md: each use is a row | from | `line` |")
+    uses = [re.search("`(.*)`", cell)[1].replace(r"\|", "|")
+            for cell in last_cells("use it from")]
+    lines = re.findall(r"^    (gcc .*-fno-math-errno.*)$", text, re.M)
+    if not uses or len(lines) != 1:
+        wrong("README.md has no uses, or no line with gcc -fno-math-errno")
     need_for_python()
     # As on a plain Debian: its python3, no settings of pip, an empty home.
     environment = {**os.environ, "HOME": str(home), "PIP_NO_CACHE_DIR": "1",
@@ -109,7 +86,7 @@ def judge_uses(said):
                    "PIP_CONFIG_FILE": os.devnull}
     for name in ("PKG_CONFIG_PATH", "PYTHONPATH"):
         environment.pop(name, None)  # the line says what it needs
-    for use in uses:
+    for use in lines + uses:
         line = re.sub(r"-o demo$", f"-o {DEMO}", use.replace(
             "build/", f"{PLACE}/").replace(" demo.c", f" {PROGRAM}"))
         if not FULL:
@@ -123,7 +100,7 @@ def judge_uses(said):
         elif not quietly("sh", "-c", MAKE + line, env=environment,
                          stdin=subprocess.DEVNULL):
             wrong(f"README.md: this line fails: {use}")
-        elif line.endswith(f"-o {DEMO}") and printed(DEMO) != said:
+        elif line.endswith(f"-o {DEMO}") and asked(DEMO) != (said, 0):
             wrong(f"the program prints otherwise when compiled by {use}")
     if not quietly(venv / "bin/python", "-c", "import twofold; "
                    "twofold.Machine().run(t_end=0.1)", env=environment):
@@ -132,17 +109,13 @@ def judge_uses(said):
 
 
 def judge_promises():
-    """The last column of the table: a test, or a file of tests, in every
-    row."""
-    rows = [line for line in section("## Promises", "## More").splitlines()
-            if line.startswith("|")][2:]
-    tests = [found[1] for found in (
-        re.match(r"\| [^|]* \| `([^`]*)` \|$", row) for row in rows) if found]
-    if not tests or len(tests) != len(rows):
-        wrong("README.md: each promise is a row | promise | `test` |")
+    """The last column of the table: a test, or a file of tests."""
+    there = "\n".join(path.read_text() for path in
+                      Path("tests").rglob("*.[ch]"))
+    tests = [cell.strip(" `") for cell in last_cells("promise")]
     for test in tests:
         if not Path(test).is_file() and not re.search(
-                rf"^(?:TEST|LAW)\({re.escape(test)}\)", TESTS, re.M):
+                rf"^(?:TEST|LAW)\({re.escape(test)}\)", there, re.M):
             wrong(f"README.md promises by a test that does not exist: {test}")
     return tests
 
@@ -179,7 +152,6 @@ def judge_shell(document):
     return len(steps)
 
 
-BUILD.mkdir(parents=True, exist_ok=True)
 need("gcc", "gcc")
 PROGRAM.write_text((re.search(r"^```c\n(.*?)^```", text, re.M | re.S) or
                     ["", ""])[1])
@@ -187,6 +159,8 @@ if not PROGRAM.read_text():
     wrong("README.md has no block ```c")
 used = judge_uses(judge_program())
 promised = judge_promises()
+if not promised:
+    wrong("README.md has no promises")
 judge_links()
 tried = sum(map(judge_shell, SHELLS))
 checked(f"{len(promised)} promises with a test, links; its program and "

@@ -1,5 +1,4 @@
-// Instructions of calls of the public functions whose cost depends on what they
-// get:
+// Instructions of calls of public functions whose cost depends on their input:
 //
 //   cost              reads lines "tf_NAME UNITS GENES", prints a count for each
 //   cost constants    the steps among them, as board.c takes them
