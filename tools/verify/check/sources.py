@@ -84,8 +84,8 @@ def cppcheck():
 def misra_says(addon, real):
     """The places and rules that are violated. All of src/ is one file here, as
     boards compile it, with its includes at the beginning: headers are read
-    once. The addon's two stages are started here, because cppcheck goes on without a
-    word where a stage of an addon ends early."""
+    once. The addon's two stages are started here, because cppcheck goes on
+    without a word where a stage of an addon ends early."""
     room = BUILD / "misra"
     room.mkdir(parents=True, exist_ok=True)
     includes, lines, places = {}, [], []
@@ -99,7 +99,8 @@ def misra_says(addon, real):
     (room / "all.c").write_text("\n".join([*includes, *lines, ""]))
     places = [*includes.values(), *places]
     folders = [f"-I{path}" for path in Path().glob("src/*")]
-    passes("the dump", *CPPCHECK, *folders, DEFINES[real], "--dump", room / "all.c")
+    passes("the dump", *CPPCHECK, *folders, DEFINES[real], "--dump",
+           room / "all.c")
 
     def stage(path):
         said, code = asked(sys.executable, addon, "--cli", path)

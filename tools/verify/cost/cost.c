@@ -1,7 +1,7 @@
 // Instructions of calls of public functions whose cost depends on their input:
 //
-//   cost              reads lines "tf_NAME UNITS GENES", prints a count for each
-//   cost constants    the steps among them, as board.c takes them
+//   cost            reads lines "tf_NAME UNITS GENES", prints a count for each
+//   cost constants  the steps among them, as board.c takes them
 //
 // GENES are "index:hex,..." of those that are not 0, or "-". A count is 0 where
 // they spell no valid machine, or no call of those units.
@@ -63,11 +63,6 @@ CALL(begin) {
   tf_report_t report;
   state.mode = (uint8_t)(GENE(0) % (TF_MODES + 1));
   return COUNT(tf_begin(K, &state, &s->input, &report));
-}
-CALL(begin_with_slip) {
-  tf_state_t state = s->state;
-  tf_report_t report;
-  return COUNT(tf_begin_with_slip(K, &state, &s->input, REAL(0), &report));
 }
 // Classes of a step, by what it does (docs/VERIFICATION.md, Cost and stack).
 enum { ONE_SIGN, EITHER_SIGN, NEAR_CODIM2, REST };
@@ -146,12 +141,6 @@ CALL(scene_input) {
   const tf_scene_t scene = scene_of(s);
   return COUNT(tf_scene_input(&scene, K, GENE(2) >> (GENE(3) % 32)));
 }
-CALL(scene_start) {
-  const tf_scene_t scene = scene_of(s);
-  tf_state_t state;
-  tf_report_t report;
-  return COUNT(tf_scene_start(&scene, K, GENE(2), &state, &report));
-}
 static tf_simulation_t simulation_of(const subject_t *s) {
   tf_simulation_t simulation;
   memset(&simulation, 0, sizeof simulation);
@@ -166,12 +155,6 @@ CALL(simulation_input) {
   simulation.state.tick = GENE(2) >> (GENE(3) % 32);
   return COUNT(tf_simulation_input(&simulation, &scene));
 }
-CALL(simulation_open) {
-  const tf_scene_t scene = scene_of(s);
-  tf_simulation_t simulation = simulation_of(s);
-  return COUNT(tf_simulation_open(&simulation, &scene, &s->params, GENE(2)));
-}
-
 CALL(two_folds) {
   tf_surface_point_t places[TF_TWO_FOLDS];
   tf_absence_t absence;
@@ -394,16 +377,13 @@ static const call_t calls[] = {
     ENTRY(step_located),
     ENTRY(ensemble_step),
     ENTRY(begin),
-    ENTRY(begin_with_slip),
     ENTRY(prepare),
     ENTRY(prepare_compensated),
     ENTRY(tyre_force),
     ENTRY(contact_leave),
     ENTRY(step_estimated),
     ENTRY(scene_input),
-    ENTRY(scene_start),
     ENTRY(simulation_input),
-    ENTRY(simulation_open),
     ENTRY(two_folds),
     ENTRY(normal_form),
     ENTRY(surface_at),

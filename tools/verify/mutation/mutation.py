@@ -1,8 +1,5 @@
-"""Small wrong changes of src/, one at a time, for the tests to notice:
-
-    tools/run mutation               the first SAMPLE changes in the order of
-                                     SEED (0: all; default 60 and 1)
-    tools/run mutation FILE NUMBER   one change: which test notices it
+"""Small wrong changes of src/, one at a time, for the tests to notice: the
+first SAMPLE ones in the order of SEED (0: all; default 60 and 1).
 
 Changed are comparisons, arithmetic and logical operators, signs, literals,
 truth values and strings, where the layout of clang-format shows which operator
@@ -18,8 +15,8 @@ change that no test notices survives. More survivors than a quarter fail the
 run: some changes make no difference. SEED=kept has the changes of `kept`, each
 for its own test, of which none may survive.
 
-Environment: SAMPLE, SEED, JOBS, MAKE, CC (gcc), BUILD. BUILD/mutation/REPORT
-has all changes and a sum. SEED='kept 303' tries one order after the other.
+Environment: SAMPLE, SEED, JOBS, MAKE, CC (gcc), BUILD. SEED='kept 303' tries
+one order after the other.
 """
 from __future__ import annotations
 
@@ -127,7 +124,6 @@ class Change(NamedTuple):
     `if (a {< -> <=} b)`."""
     order: int
     file: str
-    number: int  # of those of the file
     text: str
     source: str  # the file with the change
     test: str = ""  # of a kept one: that alone runs
@@ -138,13 +134,12 @@ def all_changes(seed: str) -> list[Change]:
     found = []
     for file in sorted(Path().glob("src/*/*.[ch]")):
         source = file.read_text("utf-8")
-        for number, (at, old, new) in enumerate(changes_in(source), 1):
+        for at, old, new in changes_in(source):
             begin, behind = source.rfind("\n", 0, at) + 1, at + len(old)
             text = (f"{source[begin:at].lstrip(' ')}{{{old} -> {new}}}"
                     f"{source[behind:].partition(chr(10))[0]}")
             found.append(Change(mixed(f"{seed} {file} {text}"), str(file),
-                                number, text,
-                                source[:at] + new + source[behind:]))
+                                text, source[:at] + new + source[behind:]))
     return sorted(found)
 
 
@@ -161,7 +156,7 @@ def kept_changes() -> list[Change]:
         file = next((file for file, source in sources.items()
                      if before + old + after in source), None)
         must(file, f"no line of src/ fits this of {KEPT}: {text}")
-        found.append(Change(0, file, 0, text, sources[file].replace(
+        found.append(Change(0, file, text, sources[file].replace(
             before + old + after, before + new + after, 1), test))
     return found
 
@@ -270,29 +265,19 @@ def total(verdicts: list[str]) -> str:
 def too_many_survive(seed: str) -> bool:
     """Whether more changes of the sample of an order survive than may."""
     size = int(os.environ.get("SAMPLE") or 60)
-    is_kept, one = seed == "kept", sys.argv[1:3]
+    is_kept = seed == "kept"
     everything = kept_changes() if is_kept else all_changes(seed)
-    sample = [change for change in everything if not one
-              or [change.file, str(change.number)] == one]
-    if size and not one and not is_kept:
-        sample = sample[:size]
-    must(sample, "there is no such change")
+    sample = everything if is_kept or not size else everything[:size]
     prepare(sample)
     verdicts = driven.side_by_side(tried, sample)
-    text = "".join(f"{change.file}: {verdict}: {change.text}\n"
-                   for change, verdict in zip(sample, verdicts))
-    text += (f"{total(verdicts)}\nseed {seed}, of {len(everything)} changes in "
-             "all\n")
-    with open(PLACE / "REPORT", "a", encoding="utf-8") as file:
-        file.write(text)
-    print(text, end="")
+    for change, verdict in zip(sample, verdicts):
+        print(f"{change.file}: {verdict}: {change.text}")
+    print(f"{total(verdicts)}\nseed {seed}, of {len(everything)} changes")
     missed = {"survived", *(("same", "invalid") if is_kept else ())}
-    most = 0 if is_kept or one else len(sample) // 4
+    most = 0 if is_kept else len(sample) // 4
     return sum(verdict in missed for verdict in verdicts) > most
 
 
 def main() -> None:
-    PLACE.mkdir(parents=True, exist_ok=True)
-    (PLACE / "REPORT").write_text("", "utf-8")
     seeds = (os.environ.get("SEED") or "1").split()
     sys.exit(any(list(map(too_many_survive, seeds))))  # all are tried
