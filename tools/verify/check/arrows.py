@@ -36,7 +36,7 @@ include/twofold      src/ include/twofold/real
 tools/               include/ src/
 tools/cli/text/      tools/motion src/ include/
 tools/cli/host/      tools/cli/text/
-tools/cli/live/      tools/cli/host/
+tools/cli/live/      tools/cli/host/ tools/cli/run/row
 tools/cli/setup/     tools/cli/host/
 tools/cli/analysis/  tools/cli/setup/
 tools/cli/diverge/   tools/cli/setup/
