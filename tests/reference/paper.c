@@ -79,12 +79,6 @@ void paper_h_x(const paper_t *p, const long double x[3], long double n[3]) {
   n[2] = p->d * sinl(p->gamma) - x[0] * cosl(p->gamma);
 }
 
-void paper_g_x(const paper_t *p, const long double x[3], long double n[3]) {
-  n[0] = (x[2] - p->omega0) * sinl(p->gamma);
-  n[1] = -cosl(p->gamma);
-  n[2] = p->d * cosl(p->gamma) + x[0] * sinl(p->gamma);
-}
-
 long double paper_v_at(const paper_t *p, long double r, long double w,
                        long double h) {
   const long double W = w - p->omega0;

@@ -46,11 +46,10 @@ long double paper_sing_v(const paper_t *p, long double r, long double w);
 long double paper_sing_kappa(const paper_t *p, long double r);
 long double paper_sing_k2(const paper_t *p, long double r, long double w);
 
-/* (h), (g): lateral slip speed and rolling speed [m/s]; gradients in x. */
+/* (h), (g): lateral slip speed and rolling speed [m/s]; gradient of h. */
 long double paper_h(const paper_t *p, const long double x[3]);
 long double paper_g(const paper_t *p, const long double x[3]);
 void paper_h_x(const paper_t *p, const long double x[3], long double n[3]);
-void paper_g_x(const paper_t *p, const long double x[3], long double n[3]);
 
 /* The v at which (r, w) has slip speed h; needs sin(gamma) != 0. */
 long double paper_v_at(const paper_t *p, long double r, long double w,
