@@ -38,7 +38,7 @@ static motion_t resting(int i) {
   tf_input_t u = {.r0 = p->r0, .omega0 = p->omega0};
   u.alpha = (tf_real_t)ramp.alpha;
   const double F = tap_uniform(-1, 1) * (double)p->mu;
-  load_for(p, &u, (tf_real_t)ramp.r, F,
+  load_for(p, &u, (tf_real_t)ramp.r, p->omega0, F,
            tap_uniform(-1, 1) * (double)(p->mu * p->kappa));
   ramp.force = (double)u.force;
   ramp.torque = (double)u.torque;

@@ -17,18 +17,6 @@ static tf_params_t any_params(void) {
   return p;
 }
 
-/* Inputs under which the force keeps (r, 0, w) in equilibrium: the spring's
- * rest position and the torque answer it. */
-static void balance(sim_t *s, tf_real_t F, tf_real_t M) {
-  s->u.r0 = s->x.r;
-  const ref_machine_t q = reference_of(&s->params, &s->u);
-  const ref_state_t at = ref_state(&q, q.r0, 0, wide(s->x.w));
-  const ref_rate_t rate = ref_rate(&q, at, (ref_force_t){wide(F), wide(M)});
-  const real inertia = q.m * (q.beta * q.beta + q.r0 * q.r0);
-  s->u.r0 = (tf_real_t)(q.r0 - q.m * rate.p / q.k2);
-  s->u.torque = (tf_real_t)(q.d * q.m * rate.p - inertia * rate.z);
-}
-
 /* In equilibrium on the circle r = d tan(gamma), where the wheel rolls without
  * slipping, under any force of stick. */
 static void roll(sim_t *s) {
@@ -40,7 +28,7 @@ static void roll(sim_t *s) {
         TF_OK);
   const bool back = tf_slip(&s->k, s->x.r, s->x.v, s->x.w, s->u.omega0).g < 0;
   s->x.mode = back ? TF_STICK_MINUS : TF_STICK_PLUS;
-  balance(s, F, back ? -M : M);
+  load_for(p, &s->u, s->x.r, s->x.w, wide(F), wide(back ? -M : M));
 }
 
 /* In equilibrium under the force of a slip. */
@@ -48,7 +36,7 @@ static void slide(sim_t *s) {
   const tf_slip_t at = tf_slip(&s->k, s->x.r, 0, s->x.w, s->u.omega0);
   const tf_force_t by =
       tf_tyre_force(&s->k.contact.tyre, at.h < 0 ? -1 : 1, at.h, at.g);
-  balance(s, by.F, by.M);
+  load_for(&s->params, &s->u, s->x.r, s->x.w, wide(by.F), wide(by.M));
   CHECK(sim_begin(s) == TF_OK);
 }
 

@@ -111,12 +111,13 @@ static inline ref_machine_t reference_of(const tf_params_t *p,
   return q;
 }
 
-/* The loads under which friction of F and M holds the wheel at h = g = 0. */
+/* The loads under which friction of F and M keeps r and w as they are. */
 static inline void load_for(const tf_params_t *p, tf_input_t *u, tf_real_t r,
-                            real F, real M) {
+                            tf_real_t w, real F, real M) {
   u->force = u->torque = 0;
   const ref_machine_t q = reference_of(p, u);
-  const ref_state_t at = {.r = wide(r), .piece = 1};
+  ref_state_t at = ref_state(&q, wide(r), 0, wide(w));
+  at.piece = 1;
   const ref_rate_t off = ref_rate(&q, at, (ref_force_t){F, M});
   const real inertia = q.m * (q.beta * q.beta + at.r * at.r);
   u->force = (tf_real_t)(-q.m * off.p);

@@ -43,7 +43,7 @@ static int draw_slow_escape(sim_t *s, int i, unsigned mode, real torque) {
   s->x.r = uniform(-0.6, 0.6);
   s->x.w = p.omega0;
   s->x.mode = (uint8_t)mode;
-  load_for(&p, &s->u, s->x.r, F, (real)side * wide(p.kappa) * F);
+  load_for(&p, &s->u, s->x.r, s->x.w, F, (real)side * wide(p.kappa) * F);
   s->u.torque += (tf_real_t)torque;
   return paper_delassus(&paper, wide(s->x.r), side) < 0;
 }

@@ -44,7 +44,7 @@ static rest_t any_rest(int n) {
   c.r = uniform(-0.5, 0.5);
   c.length = TF_R(0.25);
   const real F = wide(uniform(-1, 1) * c.params.mu);
-  load_for(&c.params, &c.u, c.r, F,
+  load_for(&c.params, &c.u, c.r, c.omega, F,
            wide(uniform(-1, 1) * c.params.mu * c.params.kappa));
   c.q = reference_of(&c.params, &c.u);
   return c;
