@@ -63,32 +63,6 @@ static bool takes_utf8(void) {
   return false;
 }
 
-// Takes the terminal over. A signal that asks for a stop gives it back at once.
-// Returns: whether there is one; otherwise a message says what is missing, and
-// not one byte goes to standard output.
-static bool take_terminal(void) {
-  const char *term = getenv("TERM");
-  const char *plain = getenv("NO_COLOR");
-  if (!cli_is_terminal(STDOUT_FILENO)) {
-    (void)cli_message(CLI_DONE,
-                      "--live needs a terminal: standard output is none");
-    return false;
-  }
-  if (term == NULL || term[0] == '\0' || strcmp(term, "dumb") == 0) {
-    (void)cli_message(CLI_DONE,
-                      "--live needs a terminal that is drawn on: TERM is '%s'",
-                      term != NULL ? term : "");
-    return false;
-  }
-  terminal.utf8 = takes_utf8();
-  terminal.colour = plain == NULL || plain[0] == '\0';
-  terminal.columns = terminal.rows = 0;
-  cli_catch_signals();
-  cli_screen_begin(GIVE_BACK);
-  put(TAKE, false);
-  return true;
-}
-
 // Looks how large it is, which needs no signal. Returns: what a drawing has to
 // begin with.
 static const char *measure_terminal(void) {
@@ -101,9 +75,9 @@ static const char *measure_terminal(void) {
 
 // The canvas: all that is drawn is put into its cells. Of a text, what lies
 // beyond the edge is left out; all else has its size from that of the terminal.
-// An ink has a colour, and a mark where the terminal is not
-// known to take UTF-8. A cell of braille has two columns of four dots, so a
-// terminal of 80 columns shows a plane of 160 dots.
+// An ink has a colour, and a mark where the terminal is not known to take
+// UTF-8. A cell of braille has two columns of four dots, so a terminal of 80
+// columns shows a plane of 160 dots.
 
 #define BRAILLE 0x2800u // without dots
 #define BLOCK 0x2585u   // lower half
@@ -261,12 +235,27 @@ static plane_t planes[] = {
     {.x = {.column = CLI_CSV_r}, .y = {.column = CLI_CSV_omega}, .digits = 3}};
 #define PLANES ((int)(sizeof planes / sizeof planes[0]))
 
+// Where a terminal is missing not one byte goes to standard output.
 cli_live_t *cli_live_open(double span) {
   static cli_live_t live;
-  live.span = span > 0 ? span : 1;
-  if (!take_terminal()) {
+  const char *term = getenv("TERM"), *plain = getenv("NO_COLOR");
+  if (!cli_is_terminal(STDOUT_FILENO)) {
+    (void)cli_message(CLI_DONE,
+                      "--live needs a terminal: standard output is none");
     return NULL;
   }
+  if (term == NULL || term[0] == '\0' || strcmp(term, "dumb") == 0) {
+    (void)cli_message(CLI_DONE,
+                      "--live needs a terminal that is drawn on: TERM is '%s'",
+                      term != NULL ? term : "");
+    return NULL;
+  }
+  terminal.utf8 = takes_utf8();
+  terminal.colour = plain == NULL || plain[0] == '\0';
+  live.span = span > 0 ? span : 1;
+  cli_catch_signals();
+  cli_screen_begin(GIVE_BACK);
+  put(TAKE, false);
   cli_message_divert(live.said, sizeof live.said);
   return &live;
 }
@@ -321,21 +310,6 @@ static void fit(const cli_live_t *live, axis_t *axis) {
   axis->high = high + margin;
 }
 
-// The modes within a column of the lanes, of so many columns.
-static unsigned modes_in(const cli_live_t *live, int column, int columns) {
-  const uint64_t first =
-      live->newest < BUCKETS ? 1 : live->newest - BUCKETS + 1;
-  const uint64_t from = first + (uint64_t)column * BUCKETS / (uint64_t)columns;
-  const uint64_t to =
-      first + (uint64_t)(column + 1) * BUCKETS / (uint64_t)columns;
-  unsigned modes = 0;
-  for (uint64_t i = from; i < to && i <= live->newest; i++) {
-    const bucket_t *bucket = bucket_at(live, live->newest - i);
-    modes |= bucket != NULL ? bucket->modes : 0;
-  }
-  return modes;
-}
-
 static void draw_plane(const cli_live_t *live, plane_t *plane) {
   axis_t *x = &plane->x, *y = &plane->y;
   fit(live, x);
@@ -357,22 +331,24 @@ static void draw_plane(const cli_live_t *live, plane_t *plane) {
   plot(plane, &live->last, NOW);
 }
 
-static void draw_lane(const cli_live_t *live, int row, unsigned lane) {
-  const int columns = terminal.columns - LABEL;
-  put_text(row, 0, "%s", lane < TF_MODES ? tf_mode_name(lane) : "ambiguous");
-  for (int i = 0; i < columns; i++) {
-    if ((modes_in(live, i, columns) >> lane & 1u) != 0) {
-      put_cell(row, LABEL + i, BLOCK, lane + 1);
+// A line for each mode, and below them the times at their ends.
+static void draw_lanes(const cli_live_t *live, int row) {
+  const uint64_t columns = (uint64_t)(terminal.columns - LABEL);
+  const uint64_t kept = live->newest < BUCKETS ? live->newest : BUCKETS;
+  const double end = fmax(live->span, live->last.column[CLI_CSV_t]);
+  for (unsigned lane = 0; lane < LANES; lane++) {
+    put_text(row + (int)lane, 0, "%s",
+             lane < TF_MODES ? tf_mode_name(lane) : "ambiguous");
+    for (uint64_t back = 0; back < kept; back++) {
+      const bucket_t *bucket = bucket_at(live, back);
+      if (bucket != NULL && (bucket->modes >> lane & 1u) != 0) {
+        const uint64_t column = ((kept - back) * columns - 1) / BUCKETS;
+        put_cell(row + (int)lane, LABEL + (int)column, BLOCK, lane + 1);
+      }
     }
   }
-}
-
-static void draw_scale(const cli_live_t *live, int row) {
-  const double end = fmax(live->span, live->last.column[CLI_CSV_t]);
-  char high[32];
-  const int length = snprintf(high, sizeof high, "%.4g s", end);
-  put_text(row, 0, "%-*s%.4g", LABEL, "t", end - live->span);
-  put_text(row, terminal.columns - length, "%s", high);
+  put_text(row + (int)LANES, 0, "%-*s%-12.4g%*.4g s", LABEL, "t",
+           end - live->span, (int)columns - 14, end);
 }
 
 // Draws all of it on the canvas. Returns: how many rows.
@@ -404,10 +380,7 @@ static int compose(cli_live_t *live, const char *title) {
     planes[i].columns = terminal.columns / PLANES - 1;
     draw_plane(live, &planes[i]);
   }
-  for (unsigned lane = 0; lane < LANES; lane++) {
-    draw_lane(live, row + (int)lane, lane);
-  }
-  draw_scale(live, row + (int)LANES);
+  draw_lanes(live, row);
   put_text(row + (int)LANES + 1, 0, "%s", said != NULL ? said + 1 : live->said);
   return row + (int)LANES + 1 + (live->said[0] != '\0');
 }
