@@ -21,6 +21,14 @@ LANES = ["slip+", "slip-", "stick+", "stick-", "pinned", "ambiguous"]
 MARKS = dict(zip(LANES, "+-PMo?"))
 
 
+def ended(words, code=0, **options):
+    """A terminal in which a command has run to its end."""
+    with Terminal(words, **options) as terminal:
+        check(terminal.end() == code, f"{words}: code")
+        check(terminal.is_given_back(), "the terminal is not given back")
+        return terminal
+
+
 def lanes_of(lines):
     """The lanes of a picture by their names, without these."""
     found = {}
@@ -37,21 +45,31 @@ def planes_of(lines):
             if line[:1] in "│|"]
 
 
-def test_shows_planes_and_lanes():
-    for columns, rows in (133, 50), (40, 15), (300, 100):
-        with Terminal(LONG, columns, rows) as terminal:
-            lines = terminal.drawn(5)
-            check(len(lines) <= rows, f"{len(lines)} lines of {rows}")
-            check(list(lanes_of(lines)) == LANES, terminal.text())
-            planes = planes_of(lines)
-            check(len(planes) == min(rows - 11, 128), f"{len(planes)} rows")
-            check(all(any("\u2800" <= cell <= "\u28ff" or cell == "●"
-                          for row in planes for cell in row[side])
-                      for side in (0, 1)), terminal.text())
-            check(sum(row[side].count("●") for row in planes
-                      for side in (0, 1)) == 2, "where it is now, in each")
-            terminal.signal()
-            check(terminal.end() == 4, "code of an interrupted run")
+def test_shows_planes_and_lanes_at_every_size():
+    with Terminal(LONG) as terminal:
+        for columns, rows in ((80, 24), (133, 50), (40, 15), (300, 100),
+                              (50, 20), (30, 8), (80, 24)):
+            small = columns < 40 or rows < 15
+
+            def fits(lines, columns=columns, rows=rows, small=small):
+                return (len(lines) <= rows and
+                        max(map(len, lines), default=999) <= columns and
+                        len(planes_of(lines)) == (
+                            0 if small else min(rows - 11, 128)) and
+                        list(lanes_of(lines)) == ([] if small else LANES) and
+                        ("(the planes need" in "".join(lines)) == small)
+            terminal.screen.strict = False  # some of the old size may come
+            terminal.resize(columns, rows)
+            terminal.until(lambda: fits(terminal.screen.drawing), "it fits")
+            terminal.screen.strict = True
+            lines = terminal.drawn(2)
+            check(fits(lines), terminal.text())
+            for side in () if small else (0, 1):
+                cells = "".join(row[side] for row in planes_of(lines))
+                check(re.search("[\u2800-\u28ff]", cells), terminal.text())
+                check(cells.count("●") == 1, "where it is now")
+        terminal.signal()
+        check(terminal.end() == 4, "code of an interrupted run")
 
 
 def visited(*words):
@@ -65,14 +83,11 @@ def test_lanes_are_the_modes_of_the_rows():
     for words in (["chaos", "--t-end", "10"], ["coulomb", "--t-end", "3"],
                   ["chaos", "--t-end", "0.003"],
                   ["chaos", "--set", "omega=-1", "--set", "h=0"]):
-        with Terminal([TWOFOLD, "run", *words, "--live", "--out",
-                       "rows"]) as terminal:
-            check(terminal.end() == 0, "code")
-            check(terminal.is_given_back(), "the terminal is not given back")
-            lanes = lanes_of(terminal.screen.lines())
-            shown = {name for name, cells in lanes.items() if cells.strip()}
-            check(shown == visited(*words), f"{words}: {shown}")
-            check("steps      " in terminal.text(), "the summary follows")
+        terminal = ended([TWOFOLD, "run", *words, "--live", "--out", "rows"])
+        lanes = lanes_of(terminal.screen.lines())
+        shown = {name for name, cells in lanes.items() if cells.strip()}
+        check(shown == visited(*words), f"{words}: {shown}")
+        check("steps      " in terminal.text(), "the summary follows")
         check(Path("rows").read_bytes() ==
               output(TWOFOLD, "run", *words), "other rows")
 
@@ -93,24 +108,6 @@ def test_gives_back_before_a_second_signal():
         check(code in (-signal.SIGINT, 4), f"code {code}")
         check(terminal.is_given_back(), "not given back")
     os.close(reader)
-
-
-def test_follows_the_size():
-    with Terminal(LONG, 80, 24) as terminal:
-        terminal.drawn(2)
-        for columns, rows in (120, 40), (50, 20), (30, 8), (80, 24):
-            small = columns < 40 or rows < 15
-
-            def fits(lines, columns=columns, rows=rows, small=small):
-                return (len(lines) <= rows and
-                        max(map(len, lines), default=99) <= columns and
-                        bool(lanes_of(lines)) != small and
-                        ("(the planes need" in "".join(lines)) == small)
-            terminal.screen.strict = False  # some of the old size may come
-            terminal.resize(columns, rows)
-            terminal.until(lambda: fits(terminal.screen.drawing), "it fits")
-            terminal.screen.strict = True
-            check(fits(terminal.drawn(2)), terminal.text())
 
 
 def test_gives_back():
@@ -141,9 +138,7 @@ def test_rows_at_a_glance():
     rows = [line.split(",") for line in rows]
     for count in (2001, 8, 1):
         words = [TWOFOLD, "run", "chaos", "--t-end", (count - 1) / 1e4]
-        with Terminal(words) as terminal:
-            check(terminal.end() == 0, "code")
-            lines = terminal.screen.lines()
+        lines = ended(words).screen.lines()
         header, *shown = lines[:lines.index("")]
         check(header.split()[-1] == "choices", header)
         check(f"{count} rows" in shown.pop(), "how many there are")
@@ -151,9 +146,8 @@ def test_rows_at_a_glance():
                 for row in rows[:count]]
         want = want if count < 11 else [*want[:5], ["..."], *want[-5:]]
         check([line.split() for line in shown] == want, "\n".join(shown))
-    with Terminal([*words, "--out", "-", "--every", "1"]) as terminal:
-        check(terminal.end() == 0, "code")
-        check("t,r,v,omega" in terminal.text(), "--out - has all digits")
+    check("t,r,v,omega" in ended([*words, "--out", "-", "--every", "1"]).text(),
+          "--out - has all digits")
 
 
 def test_ascii_and_colours():
@@ -164,13 +158,12 @@ def test_ascii_and_colours():
             (True, {"LC_CTYPE": "POSIX", "LANG": "C.UTF-8"}),
             (False, {"LANG": "de_DE.utf8", "NO_COLOR": "1"}),
             (False, {"LC_CTYPE": "C.UTF-8", "LANG": ""})):
-        with Terminal(SHORT, **names) as terminal:
-            check(terminal.end() == 0, "code")
-            check(terminal.all.isascii() == ascii_only, f"{names}: ASCII")
-            check((b"\x1b[33m" in terminal.all) != ("NO_COLOR" in names),
-                  f"{names}: colours")
-            check("t,r,v" not in terminal.text(), "no rows in the picture")
-            lines = terminal.screen.lines()
+        terminal = ended(SHORT, **names)
+        check(terminal.all.isascii() == ascii_only, f"{names}: ASCII")
+        check((b"\x1b[33m" in terminal.all) != ("NO_COLOR" in names),
+              f"{names}: colours")
+        check("t,r,v" not in terminal.text(), "no rows in the picture")
+        lines = terminal.screen.lines()
         if ascii_only:
             for name, cells in lanes_of(lines).items():
                 check(set(cells.strip()) <= {MARKS[name], " "}, cells)
@@ -191,10 +184,9 @@ def test_quiet_without_a_terminal():
         check(not out and "\x1b" not in told and
               told.count("--live needs a terminal") == 1, out + told)
     for term in "dumb", "":
-        with Terminal([*SHORT, "--every", "50000"], TERM=term) as terminal:
-            check(terminal.end() == 0 and b"\x1b" not in terminal.all,
-                  f"TERM={term}")
-            check("--live needs a terminal" in terminal.text(), "it says so")
+        terminal = ended([*SHORT, "--every", "50000"], TERM=term)
+        check(b"\x1b" not in terminal.all, f"TERM={term}")
+        check("--live needs a terminal" in terminal.text(), "it says so")
 
 
 def feed(pipe, data, terminal):
