@@ -32,13 +32,9 @@ static const real_t near_fold = 1e-9L;
 /// Of a time: less than that many are not stepped, for a substep would be lost.
 static const real_t roundings = 256 * REF_EPSILON;
 
-static bool slips(const ref_orbit_t *orbit) {
-  return orbit->mode <= REF_SLIP_MINUS;
-}
-
 ref_force_t ref_force(const ref_orbit_t *orbit, ref_state_t x) {
   const ref_machine_t *q = orbit->machine;
-  if (slips(orbit)) {
+  if (ref_slips(orbit)) {
     return ref_slip_force(q, ref_slip(q, x), orbit->piece);
   }
   if (orbit->mode == REF_PINNED) {
@@ -84,7 +80,7 @@ ref_state_t ref_slope(ref_orbit_t *orbit, ref_state_t x) {
   if (orbit->mode == REF_PINNED) {
     return (ref_state_t){.t = 1};
   }
-  if (!slips(orbit)) {
+  if (!ref_slips(orbit)) {
     return stick_slope(orbit, x);
   }
   const ref_slip_t slip = ref_slip(q, x);
@@ -104,7 +100,7 @@ static real_t error(const ref_orbit_t *orbit, ref_state_t a, ref_state_t end) {
   real_t rho = ref_larger(rho0, rho1);
   if (!ref_by_angle(q)) {
     rho += ref_speed_scale(q, end);
-  } else if (slips(orbit) && rho0 > 0) {
+  } else if (ref_slips(orbit) && rho0 > 0) {
     rho = ref_smaller(rho0, rho1);
   }
   const real_t reach = ref_abs(end.r) + q->beta;
@@ -192,7 +188,7 @@ static watched_t watched(const ref_orbit_t *orbit, ref_state_t x,
                          real_t until) {
   watched_t out = {.count = 0};
   watch(&out, REF_AT_TIME, until - x.t);
-  if (slips(orbit)) {
+  if (ref_slips(orbit)) {
     watch_slip(orbit, x, &out);
   } else if (orbit->mode != REF_PINNED) {
     watch_stick(orbit, x, &out);
@@ -254,7 +250,7 @@ static ref_slip_t slip_slope(const ref_orbit_t *orbit, ref_state_t x) {
 static bool hides_an_event(ref_orbit_t *orbit, real_t until, real_t H,
                            ref_state_t end) {
   const watched_t at_end = watched(orbit, end, until);
-  if (!slips(orbit)) {
+  if (!ref_slips(orbit)) {
     ref_state_t half;
     trial(orbit, H / 2, &half);
     const watched_t mid = watched(orbit, half, until);
@@ -282,13 +278,13 @@ static real_t longest(ref_orbit_t *orbit, real_t until) {
   const real_t arm = ref_abs(orbit->x.r * q->cosine);
   const real_t kappa = q->law == REF_JUMP ? q->kappa : 0;
   orbit->pace_A = q->sine * q->sine / q->m + arm * (arm + kappa) / J;
-  if (slips(orbit)) {
+  if (ref_slips(orbit)) {
     const ref_rate_t f = ref_rate(q, orbit->x, ref_force(orbit, orbit->x));
     orbit->pace_slip = ref_hypot(f.h, f.g);
   }
   const real_t pace = ref_slope(orbit, orbit->x).t;
   const real_t left = (until - orbit->x.t) / pace;
-  const real_t part = slips(orbit) && ref_by_angle(q) ? (real_t)0.5L : 4;
+  const real_t part = ref_slips(orbit) && ref_by_angle(q) ? (real_t)0.5L : 4;
   return ref_smaller(ref_smaller((real_t)0.05L / pace, part),
                      pace == 1 ? left : left * (real_t)1.1L);
 }
@@ -330,9 +326,7 @@ ref_at_t ref_advance(ref_orbit_t *orbit, real_t until) {
     H = ref_locate(value_after, &at, low, H, &end);
     event = start.at[i];
   }
-  orbit->x = orbit->mode == REF_STICK_PLUS || orbit->mode == REF_STICK_MINUS
-                 ? ref_on_surface(orbit->machine, end)
-                 : end;
+  orbit->x = ref_in_stick(orbit) ? ref_on_surface(orbit->machine, end) : end;
   if (event == REF_AT_TIME) {
     orbit->x.t = until;
   }

@@ -21,6 +21,12 @@ typedef enum {
 
 /// Rest, by inputs that move: how far the force is within |M| = kappa |F|.
 ref_real_t ref_bow_margin(const ref_machine_t *machine, ref_state_t x);
+static inline bool ref_slips(const ref_orbit_t *orbit) {
+  return orbit->mode <= REF_SLIP_MINUS;
+}
+static inline bool ref_in_stick(const ref_orbit_t *orbit) {
+  return orbit->mode == REF_STICK_PLUS || orbit->mode == REF_STICK_MINUS;
+}
 /// Takes one step, at most to the time `until`.
 ref_at_t ref_advance(ref_orbit_t *orbit, ref_real_t until);
 /// How (r, p, z, t) change in stretched time.

@@ -19,14 +19,6 @@ const char *ref_stop_name(ref_stop_t stop) {
   return names[stop];
 }
 
-static bool slips(const ref_orbit_t *orbit) {
-  return orbit->mode <= REF_SLIP_MINUS;
-}
-
-static bool sticks(const ref_orbit_t *orbit) {
-  return orbit->mode == REF_STICK_PLUS || orbit->mode == REF_STICK_MINUS;
-}
-
 static void announce(ref_orbit_t *orbit, ref_event_t event) {
   ++orbit->events;
   orbit->codim2_count += event == REF_CODIM2;
@@ -41,7 +33,7 @@ static void enter(ref_orbit_t *orbit, ref_mode_t mode) {
   orbit->mode = mode;
   orbit->step = (real_t)1e-5L;
   orbit->piece = ref_piece_at(q, slip, mode == REF_SLIP_MINUS ? -1 : 1);
-  if (sticks(orbit)) {
+  if (ref_in_stick(orbit)) {
     orbit->piece.roll = mode == REF_STICK_PLUS ? 1 : -1;
     orbit->piece.side = ref_sign(ref_edge(q, orbit->x, orbit->piece.roll).A);
   } else if (mode == REF_PINNED) {
@@ -182,7 +174,7 @@ static void leave_stick(ref_orbit_t *orbit, ref_at_t at) {
 // g = 0: in slip another piece of the law, in stick h = g = 0, where the law
 // COULOMB has nothing to decide.
 static void meet_g(ref_orbit_t *orbit) {
-  if (slips(orbit)) {
+  if (ref_slips(orbit)) {
     orbit->piece.roll = -orbit->piece.roll;
   } else if (orbit->machine->law == REF_COULOMB) {
     enter(orbit,
@@ -225,7 +217,7 @@ static void change_zone(ref_orbit_t *orbit) {
 }
 
 static void react(ref_orbit_t *orbit, ref_at_t at) {
-  if (slips(orbit) && fall(orbit)) {
+  if (ref_slips(orbit) && fall(orbit)) {
     return;
   }
   switch (at) {
@@ -308,12 +300,12 @@ static void pass_break(ref_orbit_t *orbit) {
     orbit->step = (real_t)1e-5L;
   } else if (before == REF_PINNED) {
     reach_codim2(orbit, 0);
-  } else if (sticks(orbit)) {
+  } else if (ref_in_stick(orbit)) {
     settle(orbit, orbit->mode);
   }
   if (before != orbit->mode && before != REF_PINNED &&
       orbit->mode != REF_PINNED) {
-    announce(orbit, slips(orbit)
+    announce(orbit, ref_slips(orbit)
                         ? before <= REF_SLIP_MINUS ? REF_CROSSES : REF_LEAVES
                         : REF_ENTERS);
   }

@@ -1,9 +1,9 @@
 /// @file
 /// The rows of the table: how the machines of a class are drawn, and which of
 /// them belong to it.
-#include "rows.h"
-
 #include <math.h>
+
+#include "judge.h"
 
 static double around(draw_t *draw, double size) {
   return (float)(size * draw_uniform(draw, -1, 1));

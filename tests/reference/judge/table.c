@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "rows.h"
+#include "judge.h"
 
 enum { KNOTS = 4000, DRAWS = 200, SHOWN = 6 };
 

@@ -203,11 +203,3 @@ TEST(random_draws_are_even) {
     judge_draws(&q, others, TF_NO_MODE);
   }
 }
-
-TEST(sets_are_counted) {
-  for (unsigned set = 0; set < 1u << TF_MODES; set++) {
-    unsigned size = 0;
-    for (unsigned mode = 0; mode < TF_MODES; mode++) size += has(set, mode);
-    CHECK(size_of(set) == size);
-  }
-}
