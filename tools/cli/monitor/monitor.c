@@ -32,7 +32,6 @@ typedef struct {
   cli_live_t *live; ///< the picture, or NULL
   bool begun;       ///< what stands before the rows is written
   bool at_end;      ///< of a file or a pipe
-  char where[160];  ///< frames of another run are
   uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
   uint8_t block[BLOCK];
 } monitor_t;
@@ -57,22 +56,24 @@ static void write_title(const monitor_t *monitor, char title[TITLE_ROOM]) {
 }
 
 // What stands before the rows, once. What they are of is known with the schema,
-// which comes before the first one. Returns: whether it could be written.
-static bool begin_rows(monitor_t *monitor) {
-  const cli_stream_t *as = monitor->as;
+// which comes before the first one.
+static void begin_rows(monitor_t *monitor) {
+  const char *header = monitor->as->header;
   char lines[CLI_RECEIVED_ROOM];
   if (monitor->begun) {
-    return true;
+    return;
   }
   monitor->begun = true;
-  return (!monitor->args->provenance ||
-          cli_output_lines(
-              &monitor->output, lines,
-              cli_received_provenance(&monitor->receiver, lines))) &&
-         cli_output_lines(&monitor->output, as->header, strlen(as->header));
+  if (monitor->args->provenance) {
+    (void)cli_output_lines(&monitor->output, lines,
+                           cli_received_provenance(&monitor->receiver, lines));
+  }
+  (void)cli_output_lines(&monitor->output, header, strlen(header));
 }
 
-static bool take_block(monitor_t *monitor, size_t length) {
+// Where the output fails, nothing more is written, and the caller finds its
+// error.
+static void take_block(monitor_t *monitor, size_t length) {
   const uint8_t *at = monitor->block;
   size_t taken = 0;
   tf_frame_t frame;
@@ -82,9 +83,8 @@ static bool take_block(monitor_t *monitor, size_t length) {
   cli_receiver_t *receiver = &monitor->receiver;
   receiver->bytes += length;
   receiver->is_device = monitor->source.is_device;
-  if (monitor->args->format == CLI_FORMAT_FRAMES && !monitor->at_end &&
-      !cli_output_lines(&monitor->output, at, length)) {
-    return false;
+  if (monitor->args->format == CLI_FORMAT_FRAMES && !monitor->at_end) {
+    (void)cli_output_lines(&monitor->output, at, length);
   }
   while (tf_decoder_block(&receiver->decoder, at, length, &taken, &frame)) {
     at += taken;
@@ -97,27 +97,20 @@ static bool take_block(monitor_t *monitor, size_t length) {
       continue;
     }
     cli_live_note(monitor->live, &row);
-    if (as != NULL && as->row != NULL &&
-        !(begin_rows(monitor) &&
-          cli_output_lines(&monitor->output, line, as->row(&row, line)))) {
-      return false;
+    if (as != NULL && as->row != NULL) {
+      begin_rows(monitor);
+      (void)cli_output_lines(&monitor->output, line, as->row(&row, line));
     }
   }
-  return true;
 }
 
 // At the end of a file or a pipe: what stands in the decoder is a frame without
 // its last byte, or a piece of one, which is counted.
-static bool take_end(monitor_t *monitor) {
+static void take_end(monitor_t *monitor) {
   monitor->at_end = true;
   monitor->block[0] = 0;
   monitor->receiver.bytes--;
-  return take_block(monitor, 1);
-}
-
-static int output_failed(const monitor_t *monitor) {
-  return cli_message(CLI_STOPPED, "%s: %s", monitor->output.name,
-                     cli_output_reason(&monitor->output));
+  take_block(monitor, 1);
 }
 
 // Returns: CLI_DONE once it is back or a signal has asked for a stop.
@@ -145,7 +138,7 @@ static int wait_for_device(monitor_t *monitor) {
 static int follow_stream(monitor_t *monitor) {
   const cli_args_t *args = monitor->args;
   cli_board_commands_t *commands = &monitor->commands;
-  while (!cli_stop_asked()) {
+  while (!cli_stop_asked() && !monitor->at_end) {
     size_t count = 0;
     CLI_TRY(cli_board_commands_send(commands, &monitor->receiver,
                                     &monitor->source));
@@ -156,8 +149,10 @@ static int follow_stream(monitor_t *monitor) {
     const cli_source_found_t found =
         cli_source_read(&monitor->source, monitor->block, BLOCK, WAIT, &count);
     const double now = cli_now();
-    if (found == CLI_SOURCE_BYTES && !take_block(monitor, count)) {
-      return output_failed(monitor);
+    if (found == CLI_SOURCE_BYTES) {
+      take_block(monitor, count);
+    } else if (found == CLI_SOURCE_END && !args->follow) {
+      take_end(monitor);
     }
     if (cli_live_due(monitor->live, now)) {
       char title[TITLE_ROOM];
@@ -167,14 +162,13 @@ static int follow_stream(monitor_t *monitor) {
     // Rows of a slow board are flushed before the next wait.
     if (monitor->as != NULL && (found != CLI_SOURCE_BYTES ||
                                 now - monitor->output.flushed >= FLUSH_EVERY)) {
-      if (!cli_output_flush(&monitor->output)) {
-        return output_failed(monitor);
-      }
+      (void)cli_output_flush(&monitor->output);
     }
-    if (found == CLI_SOURCE_END && !args->follow) {
-      return take_end(monitor) ? CLI_DONE : output_failed(monitor);
+    if (monitor->output.error != 0) {
+      return cli_message(CLI_STOPPED, "%s: %s", monitor->output.name,
+                         cli_output_reason(&monitor->output));
     }
-    if (found == CLI_SOURCE_END) {
+    if (found == CLI_SOURCE_END && args->follow) {
       cli_sleep(WAIT); // a file may still grow
     } else if (found == CLI_SOURCE_GONE) {
       CLI_TRY(wait_for_device(monitor));
@@ -199,7 +193,7 @@ static int open_both(monitor_t *monitor) {
     monitor->output.last = '\0';
   }
   if (monitor->as != NULL && !args->provenance) {
-    (void)begin_rows(monitor);
+    begin_rows(monitor);
   }
   return args->record != NULL ? cli_session_open(&monitor->record, args->record)
                               : CLI_DONE;
@@ -208,7 +202,8 @@ static int open_both(monitor_t *monitor) {
 // What is wrong with the stream as a whole, NULL: nothing. Where all frames are
 // right, they may still be of more than one run, or of a part of one. With
 // --follow a board may be started again.
-static const char *fault_of(monitor_t *monitor) {
+static const char *fault_of(const monitor_t *monitor) {
+  static char where[160];
   const cli_receiver_t *receiver = &monitor->receiver;
   if (cli_receiver_missing(receiver) > 0) {
     return "frames were lost or broken, as is counted";
@@ -218,19 +213,19 @@ static const char *fault_of(monitor_t *monitor) {
            "of more than one run";
   }
   if (receiver->other_runs > 0 && !monitor->args->follow) {
-    (void)snprintf(monitor->where, sizeof monitor->where,
+    (void)snprintf(where, sizeof where,
                    "between steps %" PRIu64 " and %" PRIu64
                    " frames are of another run: these are rows of more than "
                    "one run",
                    receiver->between[0], receiver->between[1]);
-    return monitor->where;
+    return where;
   }
   return monitor->at_end && receiver->ends && !receiver->ended
              ? "ends before its run: the heartbeat that ends it has not come"
              : NULL;
 }
 
-static int judge_stream(monitor_t *monitor, int code) {
+static int judge_stream(const monitor_t *monitor, int code) {
   const cli_receiver_t *receiver = &monitor->receiver;
   const tf_tally_t flagged = cli_receiver_flagged(receiver);
   const char *fault = fault_of(monitor);
@@ -283,7 +278,7 @@ static int perform(monitor_t *monitor) {
   const int whole = is_whole ? code : CLI_DAMAGED;
   int closed = whole;
   if (monitor->as != NULL) {
-    (void)begin_rows(monitor); // a stream without a row has a header, too
+    begin_rows(monitor); // a stream without a row has a header, too
     closed = cli_output_end(&monitor->output, closed);
   }
   closed = cli_session_close(&monitor->record, closed);

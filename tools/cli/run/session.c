@@ -47,6 +47,7 @@ static void put_row(cli_session_file_t *file, const cli_session_row_t *row,
   char line[LINE_ROOM];
   put_line(file, line, print_row(row, text, line));
   file->rows++;
+  file->state.length = 0;
 }
 
 int cli_session_open(cli_session_file_t *file, const char *path) {
@@ -69,7 +70,6 @@ void cli_session_frame(cli_session_file_t *file, const tf_frame_t *frame) {
   memcpy(row.data, frame->payload, frame->length);
   if (frame->type == (begins ? TF_DOWN_SCHEMA : TF_DOWN_EXPIRED)) {
     put_row(file, &row, begins ? CLI_RECORD_SCHEMA : "inputs expired");
-    file->state.length = 0;
   } else if (frame->type == TF_DOWN_STATE && !begins) {
     file->state = row;
   }
@@ -79,7 +79,6 @@ void cli_session_command(cli_session_file_t *file, const cli_session_row_t *row,
                          const char *text) {
   if (file->is_open) {
     put_row(file, row, text);
-    file->state.length = 0;
   }
 }
 
