@@ -8,9 +8,8 @@
 #include "cli/host/source.h"
 #include "cli/text/text.h"
 
-/// Of the exit codes of message.h: the closed loop has not the bits of the pure
-/// host run. CLI_DONE: it has. CLI_REFUSED: this program cannot drive the board.
-/// CLI_STOPPED: the line failed, or was silent for too long.
+/// Exit codes are those of the command line, CLI_DONE where the closed loop has
+/// the bits of the pure host run, and this one where it has not.
 enum { HIL_DIFFERS = 1 };
 
 /// Prints "hil: " and a message on standard error. Returns: the code.

@@ -43,8 +43,8 @@ static bool add_number(cli_board_command_t *command, const char *text,
   return cli_read_real(text, &value, why);
 }
 
-// Each of these reads what stands behind the name of a command. Returns: what is
-// wrong with it, or NULL.
+// Each of these reads what stands behind the name of a command.
+// Returns: what is wrong with it, or NULL.
 
 static const char *read_set(cli_board_command_t *command, const char *rest) {
   char name[CLI_NAME_ROOM];

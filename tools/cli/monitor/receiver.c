@@ -3,7 +3,7 @@
 
 #include "receiver.h"
 
-#include <math.h>
+#include <float.h>
 #include <string.h>
 
 // Where the step stands in a schema, after what does not depend on the type.
@@ -136,7 +136,7 @@ static void take_state(cli_receiver_t *receiver, const tf_frame_t *frame) {
 static void note_row(cli_receiver_t *receiver, const cli_csv_t *row) {
   bool finite = true;
   for (size_t i = 0; i < CLI_CSV_COLUMNS; i++) {
-    finite = finite && isfinite(row->column[i]);
+    finite = finite && row->column[i] >= -DBL_MAX && row->column[i] <= DBL_MAX;
   }
   if (!finite && receiver->not_finite++ == 0) {
     receiver->first_tick = receiver->tick;
