@@ -39,7 +39,7 @@ def lines(head, values):
 def within(count, *given):
     """Likewise, with so many rows within a step."""
     out, said = call(*command(*given))
-    text = f" {count} times of rows lie within a step" if count else "lie within"
+    text = f" {count} times of rows lie within a step" if count else "within a"
     same(text in said, count > 0)
     return out
 

@@ -33,7 +33,7 @@ int cli_analysis_check(cli_args_t *args) {
 static void print_notes(const analysis_t *a, bool finds_kappa) {
   static const char *const unused[] = {
       "kappa", "k2", "dt", "theta", "tolerance", "r", "v", "omega", "h", "phi"};
-  cli_setup_notes(&a->setup, "", "");
+  cli_setup_notes(&a->setup);
   for (size_t i = finds_kappa ? 0 : 2; i < sizeof unused / sizeof unused[0];
        i++) {
     const cli_setting_t *setting =

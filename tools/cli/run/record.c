@@ -80,7 +80,7 @@ bool cli_run_save(cli_run_t *run, const char *path) {
                              cli_inputs_hash(&run->drive.table),
                              run->replay.simulation,
                              0};
-  const size_t length = cli_state_print(&stand, &setup, run->scheme, text);
+  const size_t length = cli_state_print(&stand, &setup, text);
   if (run->output.error != 0) {
     (void)cli_message(CLI_STOPPED,
                       "--save %s: not written: the rows up to this state did "

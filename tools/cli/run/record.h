@@ -22,16 +22,14 @@ typedef struct {
   const char *failed; ///< why the replay is not the simulation, or NULL
 } cli_replay_t;
 
-/// Reads a record. replay: in/out, empty. path: in, kept. scheme: in/out,
-/// NULL: the board's.
-int cli_replay_read(cli_replay_t *replay, const char *path,
-                    const cli_scheme_t **scheme);
+/// Reads a record. replay: in/out, empty. path: in, kept. setup: in/out, takes
+/// the board's scheme where none is chosen.
+int cli_replay_read(cli_replay_t *replay, const char *path, cli_setup_t *setup);
 
 /// Begins it at the start of a setup, which takes the seed of the board, and
 /// has to be of its machine, scheme and number type.
 /// steps: out, how many the record has.
-int cli_replay_begin(cli_replay_t *replay, cli_setup_t *setup,
-                     const cli_scheme_t *scheme, uint64_t *steps);
+int cli_replay_begin(cli_replay_t *replay, cli_setup_t *setup, uint64_t *steps);
 
 /// Applies what is due before the next step of a system, and finds the inputs
 /// of that step.
@@ -58,20 +56,18 @@ typedef struct {
 
 /// Writes it as text. setup: in, whose machine and scene it belongs to.
 size_t cli_state_print(const cli_stand_t *stand, const cli_setup_t *setup,
-                       const cli_scheme_t *scheme, char out[CLI_STATE_BYTES]);
+                       char out[CLI_STATE_BYTES]);
 
 /// Reads it from text. The machine, the profile of the scene, the scheme and
 /// the number type have to be those with which it was written, bit for bit.
 /// text: in/out, size bytes and a zero behind them; it is cut into lines.
-/// setup: in, its parameters, which need not be prepared.
-/// scheme: in/out, NULL: that of the text.
+/// setup: in/out, its parameters, which need not be prepared; it takes the
+/// scheme of the text where none is chosen.
 int cli_state_parse(cli_stand_t *stand, const char *path, char *text,
-                    size_t size, const cli_setup_t *setup,
-                    const cli_scheme_t **scheme);
+                    size_t size, cli_setup_t *setup);
 
 /// Reads it from a file, likewise.
-int cli_state_read(cli_stand_t *stand, const char *path,
-                   const cli_setup_t *setup, const cli_scheme_t **scheme);
+int cli_state_read(cli_stand_t *stand, const char *path, cli_setup_t *setup);
 
 #define CLI_LATENESS_BINS 10000u ///< [us]; the last one counts what is later
 
@@ -93,7 +89,6 @@ typedef enum {
 
 typedef struct {
   const cli_setup_t *setup;
-  const cli_scheme_t *scheme;
   cli_stand_t from; ///< where it starts, under --from
   cli_drive_t drive;
   cli_replay_t replay; ///< its simulation has inputs that hold by a command

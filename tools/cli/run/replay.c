@@ -18,11 +18,11 @@
 #define SCHEMA_DEADMAN 21
 
 int cli_replay_read(cli_replay_t *replay, const char *path,
-                    const cli_scheme_t **scheme) {
+                    cli_setup_t *setup) {
   CLI_TRY(cli_session_read(&replay->session, path));
   const uint8_t there = replay->session.schema.data[SCHEMA_SCHEME];
-  if (*scheme == NULL && there < MOTION_SCHEMES) {
-    *scheme = &cli_schemes[there];
+  if (setup->scheme == MOTION_SCHEMES && there < MOTION_SCHEMES) {
+    setup->scheme = (motion_scheme_t)there;
   }
   return CLI_DONE;
 }
@@ -63,8 +63,7 @@ static int count_steps(const cli_replay_t *replay, uint64_t *steps) {
   return CLI_DONE;
 }
 
-static int compare(const cli_replay_t *replay, const cli_setup_t *setup,
-                   const cli_scheme_t *scheme) {
+static int compare(const cli_replay_t *replay, const cli_setup_t *setup) {
   const uint8_t *schema = replay->session.schema.data;
   const uint32_t hash = (uint32_t)tf_wire_get(schema + SCHEMA_HASH, 4);
   const uint32_t here = tf_params_hash(&setup->params);
@@ -76,14 +75,14 @@ static int compare(const cli_replay_t *replay, const cli_setup_t *setup,
                        schema[0] == 4 ? "float" : "double",
                        TF_REAL_BYTES == 4 ? "float" : "double");
   }
-  if (schema[SCHEMA_SCHEME] != scheme->code) {
+  if (schema[SCHEMA_SCHEME] != setup->scheme) {
     return cli_message(CLI_REFUSED,
                        "--replay %s: the scheme of the board is %s, not %s",
                        replay->session.name,
                        schema[SCHEMA_SCHEME] < MOTION_SCHEMES
-                           ? cli_schemes[schema[SCHEMA_SCHEME]].name
+                           ? motion_scheme_name(schema[SCHEMA_SCHEME])
                            : "unknown",
-                       scheme->name);
+                       motion_scheme_name(setup->scheme));
   }
   if (hash != here) {
     return cli_message(CLI_REFUSED,
@@ -96,9 +95,9 @@ static int compare(const cli_replay_t *replay, const cli_setup_t *setup,
 }
 
 int cli_replay_begin(cli_replay_t *replay, cli_setup_t *setup,
-                     const cli_scheme_t *scheme, uint64_t *steps) {
+                     uint64_t *steps) {
   const uint8_t *schema = replay->session.schema.data;
-  CLI_TRY(compare(replay, setup, scheme));
+  CLI_TRY(compare(replay, setup));
   CLI_TRY(count_steps(replay, steps));
   setup->seed = (uint32_t)tf_wire_get(schema + SCHEMA_SEED, 4);
   setup->state.seed = setup->seed;

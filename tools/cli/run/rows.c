@@ -72,7 +72,7 @@ static tf_schema_t schema_of(const cli_run_t *run, const cli_setup_t *setup) {
                        .scene = setup->scene->name,
                        .build = "twofold " TF_VERSION ", host",
                        .seed = setup->seed,
-                       .scheme = (uint8_t)run->scheme->code,
+                       .scheme = (uint8_t)run->setup->scheme,
                        .ends = true,
                        .run = run->frames.run};
 }
@@ -143,7 +143,8 @@ size_t cli_run_provenance(const cli_run_t *run, const char *units,
   char how[CLI_ROW_ROOM];
   const cli_inputs_t *table = &run->drive.table;
   cli_buffer_t text = {how, 0, sizeof how, false};
-  cli_add_form(&text, "scheme %s, dt %g s", run->scheme->name,
+  cli_add_form(&text, "scheme %s, dt %g s",
+               motion_scheme_name(run->setup->scheme),
                (double)run->setup->machine.dt);
   if (table->count > 0) {
     cli_add_form(&text, ", %s inputs ", table->linear ? "linear" : "held");

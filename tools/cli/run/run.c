@@ -49,10 +49,10 @@ static bool next_input(cli_run_t *run, tf_input_t *input) {
 static bool take_step(cli_run_t *run) {
   tf_input_t input;
   if (!run->replays && run->replay.simulation.source == TF_INPUT_SCENE) {
-    run->status = cli_drive_take(&run->drive, run->scheme, run->setup,
-                                 &run->system, &input);
+    run->status = cli_drive_take(&run->drive, run->setup, &run->system, &input);
   } else if (next_input(run, &input)) {
-    run->status = cli_step(&run->drive, run->scheme, &run->system, &input);
+    run->status =
+        cli_step(&run->drive, run->setup->scheme, &run->system, &input);
   } else {
     return false;
   }
@@ -243,7 +243,7 @@ static int perform(cli_run_t *run, const cli_args_t *args) {
 static int prepare_replay(cli_run_t *run, cli_setup_t *setup) {
   const cli_setup_t asked = *setup;
   run->replays = true;
-  CLI_TRY(cli_replay_begin(&run->replay, setup, run->scheme, &run->steps));
+  CLI_TRY(cli_replay_begin(&run->replay, setup, &run->steps));
   run->steps++;
   return cli_run_check_start(run->args, &asked, "--replay", run->args->replay,
                              setup->seed);
@@ -253,20 +253,19 @@ static int prepare(cli_run_t *run, cli_setup_t *setup) {
   const cli_args_t *args = run->args;
   CLI_TRY(cli_setup_read(setup, args->scene, &args->settings, args->select));
   if (args->scheme != CLI_NOT_GIVEN) {
-    run->scheme = &cli_schemes[args->scheme];
+    setup->scheme = (motion_scheme_t)args->scheme;
   }
   if (args->from != NULL) {
-    CLI_TRY(cli_state_read(&run->from, args->from, setup, &run->scheme));
+    CLI_TRY(cli_state_read(&run->from, args->from, setup));
   } else if (args->replay != NULL) {
-    CLI_TRY(cli_replay_read(&run->replay, args->replay, &run->scheme));
+    CLI_TRY(cli_replay_read(&run->replay, args->replay, setup));
   }
-  run->scheme = cli_scheme_for(args, setup->params.dt, run->scheme);
-  CLI_TRY(cli_check_law(run->scheme, setup->params.law));
-  if (args->accuracy > 0 && run->scheme->code != 0) {
+  CLI_TRY(cli_setup_scheme(setup, args));
+  if (args->accuracy > 0 && setup->scheme != MOTION_MOREAU) {
     return cli_message(CLI_REFUSED,
                        "--accuracy: not with --scheme %s: only the steps of "
                        "moreau are taken in halves",
-                       run->scheme->name);
+                       motion_scheme_name(setup->scheme));
   }
   CLI_TRY(cli_setup_machine(setup));
   CLI_TRY(cli_drive_read(&run->drive, args->scene, &args->drive));
@@ -277,7 +276,7 @@ static int prepare(cli_run_t *run, cli_setup_t *setup) {
   if (args->replay != NULL) {
     CLI_TRY(prepare_replay(run, setup));
   }
-  cli_system_begin(&run->system, run->scheme, setup);
+  cli_system_begin(&run->system, setup);
   run->report = run->system.report;
   run->drive.accuracy = (tf_real_t)args->accuracy;
   if (args->from != NULL) {
@@ -285,7 +284,7 @@ static int prepare(cli_run_t *run, cli_setup_t *setup) {
   }
   cli_events_begin(&run->events, args->listed,
                    run->first == 0 ? &run->report : NULL);
-  cli_setup_notes(setup, run->scheme->unused, run->scheme->why);
+  cli_setup_notes(setup);
   return CLI_DONE;
 }
 

@@ -93,11 +93,11 @@ static void put_whole(cli_stand_t *stand, size_t i, uint64_t value) {
 }
 
 size_t cli_state_print(const cli_stand_t *stand, const cli_setup_t *setup,
-                       const cli_scheme_t *scheme, char out[CLI_STATE_BYTES]) {
+                       char out[CLI_STATE_BYTES]) {
   cli_buffer_t text = {out, 0, CLI_STATE_BYTES, false};
   const bool holds = stand->held.source != TF_INPUT_SCENE;
   cli_add_form(&text, "twofold-state %s\nnumber %s\nscheme %s\ninputs ",
-               VERSION, CLI_NUMBER_TYPE, scheme->name);
+               VERSION, CLI_NUMBER_TYPE, motion_scheme_name(setup->scheme));
   cli_add_hash(&text, stand->inputs);
   cli_add(&text, "\n");
   if (holds) {
@@ -162,12 +162,13 @@ static int same(const reader_t *reader, const char *what, const char *there,
 }
 
 // The scheme has to be the one asked for, where one is.
-static int read_scheme(reader_t *reader, const cli_scheme_t **scheme) {
+static int read_scheme(reader_t *reader, cli_setup_t *setup) {
   const char *there = next_value(reader, "scheme");
-  for (size_t i = 0; i < MOTION_SCHEMES; i++) {
-    if (strcmp(there, cli_schemes[i].name) == 0) {
-      const char *here = *scheme != NULL ? (*scheme)->name : there;
-      *scheme = &cli_schemes[i];
+  for (unsigned i = 0; i < MOTION_SCHEMES; i++) {
+    if (strcmp(there, motion_scheme_name(i)) == 0) {
+      const bool open = setup->scheme == MOTION_SCHEMES;
+      const char *here = open ? there : motion_scheme_name(setup->scheme);
+      setup->scheme = (motion_scheme_t)i;
       return same(reader, "scheme", there, here);
     }
   }
@@ -272,8 +273,7 @@ static bool is_whole(char *text, size_t size, uint32_t *crc) {
 }
 
 int cli_state_parse(cli_stand_t *stand, const char *path, char *text,
-                    size_t size, const cli_setup_t *setup,
-                    const cli_scheme_t **scheme) {
+                    size_t size, cli_setup_t *setup) {
   reader_t reader = {path, text};
   *stand = (cli_stand_t){.state = {.r = 0}};
   if (strncmp(text, "twofold-state ", 14) != 0 || strchr(text, '\n') == NULL) {
@@ -288,17 +288,16 @@ int cli_state_parse(cli_stand_t *stand, const char *path, char *text,
                next_value(&reader, "twofold-state"), VERSION));
   CLI_TRY(
       same(&reader, "number", next_value(&reader, "number"), CLI_NUMBER_TYPE));
-  CLI_TRY(read_scheme(&reader, scheme));
+  CLI_TRY(read_scheme(&reader, setup));
   CLI_TRY(read_values(&reader, stand));
   return compare_scene(&reader, setup);
 }
 
-int cli_state_read(cli_stand_t *stand, const char *path,
-                   const cli_setup_t *setup, const cli_scheme_t **scheme) {
+int cli_state_read(cli_stand_t *stand, const char *path, cli_setup_t *setup) {
   char *text = NULL;
   size_t size = 0;
   CLI_TRY(cli_read_text("--from ", path, CLI_STATE_BYTES, &text, &size));
-  const int code = cli_state_parse(stand, path, text, size, setup, scheme);
+  const int code = cli_state_parse(stand, path, text, size, setup);
   free(text);
   return code;
 }

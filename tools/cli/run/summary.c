@@ -18,7 +18,7 @@ static void print_request(const cli_run_t *run) {
   const cli_setup_t setup = cli_run_setup(run);
   cli_say("scene      %s, law %s\n", setup.scene->name,
           tf_tyre_law_name(setup.params.law));
-  cli_say("scheme     %s, rule %s", run->scheme->name,
+  cli_say("scheme     %s, rule %s", motion_scheme_name(run->setup->scheme),
           tf_rule_name(setup.params.rule));
   if (setup.params.rule == TF_RULE_RANDOM) {
     cli_say(":%" PRIu32 ", exit rate %g /s", setup.seed,
@@ -279,7 +279,7 @@ static void put_request(const cli_run_t *run) {
   cli_put_word("law", tf_tyre_law_name(setup->params.law));
   cli_put_word("rule", tf_rule_name(setup->params.rule));
   cli_put_count("seed", setup->seed);
-  cli_put_word("scheme", run->scheme->name);
+  cli_put_word("scheme", motion_scheme_name(run->setup->scheme));
   cli_put_real("dt", setup->machine.dt);
   cli_put_count("first", run->first);
   cli_put_count("steps", run->done);

@@ -105,29 +105,17 @@ int cli_sweep_check(cli_args_t *args);
 int cli_read_over(void *args, const cli_given_t *given);
 int cli_read_outcome(void *args, const cli_given_t *given);
 
-// The time stepping schemes of `run`.
-
-typedef struct {
-  const char *name;     ///< as on the command line
-  motion_scheme_t code; ///< as in the schema frame
-  const char *unused;   ///< name of a parameter that it does not use ...
-  const char *why;      ///< ... and the end of the message "... has no effect"
-} cli_scheme_t;
+// The motion of a setup.
 
 /// Largest number of steps of a run, and between two rows: a double holds every
 /// integer up to it.
 #define CLI_MAX_STEPS 1000000000000000u
 
-/// By their code; the first is the default.
-extern const cli_scheme_t cli_schemes[MOTION_SCHEMES];
-
-/// The scheme that is asked for. Where none is, that of the state or the record
-/// that a run goes on from (there; NULL: none); else moreau, and in float at
-/// short steps compensated. What is not moreau, or not usual, a note says.
-const cli_scheme_t *cli_scheme_for(const cli_args_t *args, tf_real_t dt,
-                                   const cli_scheme_t *there);
-
-int cli_check_law(const cli_scheme_t *scheme, tf_tyre_law_t law);
+/// Chooses the scheme of a setup, which has to take its law: the one that is
+/// asked for; that of the state or the record that a run goes on from, which is
+/// there before; else moreau, and in float at short steps compensated. What is
+/// not moreau, or not usual, a note says.
+int cli_setup_scheme(cli_setup_t *setup, const cli_args_t *args);
 
 /// When a run ends, by --t-end or the scene; and the number of its steps.
 tf_real_t cli_end_of(const cli_args_t *args);
@@ -135,17 +123,15 @@ int cli_count_steps(const cli_args_t *args, tf_real_t dt, uint64_t *steps);
 
 /// One step, which is taken as two halves, too, where drive->accuracy is not 0.
 /// Returns: as motion_step.
-tf_status_t cli_step(cli_drive_t *drive, const cli_scheme_t *scheme,
+tf_status_t cli_step(cli_drive_t *drive, motion_scheme_t scheme,
                      motion_t *motion, const tf_input_t *input);
 
 /// Takes a step of a setup's machine under what drives it. Those of scheme
 /// located are split at the rows of a linear table: the report then has the
 /// largest set of the parts, and the first status that is not TF_OK.
 /// input: out, that of the step, or of its last part.
-tf_status_t cli_drive_take(cli_drive_t *drive, const cli_scheme_t *scheme,
-                           const cli_setup_t *setup, motion_t *motion,
-                           tf_input_t *input);
+tf_status_t cli_drive_take(cli_drive_t *drive, const cli_setup_t *setup,
+                           motion_t *motion, tf_input_t *input);
 
 /// Begins a motion at the start of a setup.
-void cli_system_begin(motion_t *motion, const cli_scheme_t *scheme,
-                      const cli_setup_t *setup);
+void cli_system_begin(motion_t *motion, const cli_setup_t *setup);

@@ -8,48 +8,36 @@
 #include "setup.h"
 #include "twofold/step.h"
 
-const cli_scheme_t cli_schemes[MOTION_SCHEMES] = {
-    {"moreau", MOTION_MOREAU, "tolerance",
-     "under --scheme moreau: it belongs to --scheme located"},
-    {"located", MOTION_LOCATED, "theta",
-     "under --scheme located but where a step falls back on moreau"},
-    {"compensated", MOTION_COMPENSATED, "tolerance",
-     "under --scheme compensated: it belongs to --scheme located"},
-};
-
 // Float loses a motion in the rounding of its state at shorter steps [s].
 #define SHORT_STEP TF_R(1e-3)
 
-const cli_scheme_t *cli_scheme_for(const cli_args_t *args, tf_real_t dt,
-                                   const cli_scheme_t *there) {
-  if (args->scheme != CLI_NOT_GIVEN) {
-    return &cli_schemes[args->scheme];
-  }
+int cli_setup_scheme(cli_setup_t *setup, const cli_args_t *args) {
+  const tf_real_t dt = setup->params.dt;
   const bool rounds = sizeof dt == sizeof(float) && dt < SHORT_STEP;
-  if (there != NULL) {
-    if (there != &cli_schemes[rounds ? 2 : 0]) {
-      (void)cli_message(CLI_DONE, "note: --scheme %s, which is that of %s",
-                        there->name,
-                        args->from != NULL ? args->from : args->replay);
+  const motion_scheme_t usual = rounds ? MOTION_COMPENSATED : MOTION_MOREAU;
+  if (args->scheme != CLI_NOT_GIVEN) {
+    setup->scheme = (motion_scheme_t)args->scheme;
+  } else if (setup->scheme == MOTION_SCHEMES) {
+    setup->scheme = usual;
+    if (rounds) {
+      (void)cli_message(CLI_DONE,
+                        "note: float at dt = %g s: --scheme compensated; "
+                        "moreau would lose slow motions in the rounding of the "
+                        "state",
+                        (double)dt);
     }
-    return there;
+  } else if (setup->scheme != usual) {
+    (void)cli_message(CLI_DONE, "note: --scheme %s, which is that of %s",
+                      motion_scheme_name(setup->scheme),
+                      args->from != NULL ? args->from : args->replay);
   }
-  if (rounds) {
-    (void)cli_message(CLI_DONE,
-                      "note: float at dt = %g s: --scheme compensated; moreau "
-                      "would lose slow motions in the rounding of the state",
-                      (double)dt);
-  }
-  return &cli_schemes[rounds ? 2 : 0];
-}
-
-int cli_check_law(const cli_scheme_t *scheme, tf_tyre_law_t law) {
-  return motion_takes_law(scheme->code, law)
+  return motion_takes_law(setup->scheme, setup->params.law)
              ? CLI_DONE
              : cli_message(CLI_REFUSED,
                            "--scheme %s: law must be " MOTION_LOCATED_LAWS
                            ", not %s; --scheme moreau takes every law",
-                           scheme->name, tf_tyre_law_name(law));
+                           motion_scheme_name(setup->scheme),
+                           tf_tyre_law_name(setup->params.law));
 }
 
 tf_real_t cli_end_of(const cli_args_t *args) {
@@ -73,19 +61,18 @@ int cli_count_steps(const cli_args_t *args, tf_real_t dt, uint64_t *steps) {
 }
 
 // The setup has prepared and begun the same machine, so neither can fail.
-void cli_system_begin(motion_t *motion, const cli_scheme_t *scheme,
-                      const cli_setup_t *setup) {
+void cli_system_begin(motion_t *motion, const cli_setup_t *setup) {
   motion_start_t start = setup->start;
   start.state.seed = setup->seed;
   *motion = (motion_t){.state = {.r = 0}};
-  (void)motion_prepare(motion, scheme->code, &setup->params, NULL);
-  (void)motion_begin(motion, scheme->code, &start, &setup->input);
+  (void)motion_prepare(motion, setup->scheme, &setup->params, NULL);
+  (void)motion_begin(motion, setup->scheme, &start, &setup->input);
 }
 
-tf_status_t cli_step(cli_drive_t *drive, const cli_scheme_t *scheme,
+tf_status_t cli_step(cli_drive_t *drive, motion_scheme_t scheme,
                      motion_t *motion, const tf_input_t *input) {
   if (!(drive->accuracy > 0)) {
-    return motion_step(motion, scheme->code, input);
+    return motion_step(motion, scheme, input);
   }
   tf_real_t error;
   const tf_status_t status =
@@ -101,17 +88,16 @@ tf_status_t cli_step(cli_drive_t *drive, const cli_scheme_t *scheme,
 // many ticks away has the same draw.
 #define PART_OF_TICK UINT64_C(0x6A09E667F3BCC909)
 
-tf_status_t cli_drive_take(cli_drive_t *drive, const cli_scheme_t *scheme,
-                           const cli_setup_t *setup, motion_t *motion,
-                           tf_input_t *input) {
+tf_status_t cli_drive_take(cli_drive_t *drive, const cli_setup_t *setup,
+                           motion_t *motion, tf_input_t *input) {
+  const motion_scheme_t scheme = setup->scheme;
   const tf_state_t before = motion->state;
   tf_report_t *report = &motion->report;
   cli_span_t rest = cli_span_of(before.tick, setup->machine.dt);
   tf_report_t met = {.status = TF_OK};
   for (uint64_t part = 0, last = 0; !last && met.status >= 0; part++) {
     cli_span_t span = rest;
-    span.to =
-        scheme->code == MOTION_LOCATED ? cli_drive_next(drive, &rest) : rest.to;
+    span.to = scheme == MOTION_LOCATED ? cli_drive_next(drive, &rest) : rest.to;
     last = !(span.to < rest.to);
     span.dt = last ? rest.dt : span.to - span.from;
     *input = cli_drive_over(drive, &setup->machine, &span);
@@ -120,7 +106,7 @@ tf_status_t cli_drive_take(cli_drive_t *drive, const cli_scheme_t *scheme,
     }
     tf_params_t params = setup->params;
     params.dt = span.dt;
-    (void)motion_prepare(motion, scheme->code, &params, NULL);
+    (void)motion_prepare(motion, scheme, &params, NULL);
     motion->state.tick = before.tick + part * PART_OF_TICK;
     if (cli_step(drive, scheme, motion, input) >= 0 && met.status > TF_OK) {
       report->status = met.status;

@@ -105,6 +105,7 @@ int cli_setup_read(cli_setup_t *setup, const tf_scene_t *scene,
                    const cli_settings_t *settings, const char *select) {
   memset(setup, 0, sizeof *setup);
   setup->scene = scene;
+  setup->scheme = MOTION_SCHEMES;
   setup->params = scene->params;
   setup->start = motion_start(scene, 0);
   for (size_t i = 0; i < settings->count; i++) {
@@ -204,8 +205,8 @@ int cli_setup_start(cli_setup_t *setup) {
   return status == TF_OK ? CLI_DONE : refuse_start(setup, status);
 }
 
-void cli_setup_notes(const cli_setup_t *setup, const char *unused,
-                     const char *why) {
+void cli_setup_notes(const cli_setup_t *setup) {
+  const bool located = setup->scheme == MOTION_LOCATED;
   for (size_t i = 0; i < TF_PARAMETERS; i++) {
     const cli_setting_t *setting = setup->set[i];
     const char *name = cli_number(i)->name;
@@ -222,8 +223,12 @@ void cli_setup_notes(const cli_setup_t *setup, const char *unused,
     } else if (setup->params.rule != TF_RULE_RANDOM &&
                strcmp(name, "rate") == 0) {
       cli_add(&reason, ": it belongs to --select random");
-    } else if (strcmp(name, unused) == 0) {
-      cli_add_form(&reason, " %s", why);
+    } else if (setup->scheme < MOTION_SCHEMES &&
+               strcmp(name, located ? "theta" : "tolerance") == 0) {
+      cli_add_form(&reason, " under --scheme %s%s",
+                   motion_scheme_name(setup->scheme),
+                   located ? " but where a step falls back on moreau"
+                           : ": it belongs to --scheme located");
     }
     if (reason.used > 0) {
       (void)cli_message(CLI_DONE, "note: %s %s has no effect%s",

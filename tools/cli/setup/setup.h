@@ -62,6 +62,7 @@ typedef struct {
   motion_start_t start;
   const cli_setting_t *set[CLI_NUMBERS]; ///< NULL where not given
   uint32_t seed;                         ///< of rule random
+  motion_scheme_t scheme;                ///< MOTION_SCHEMES: not chosen
   tf_machine_t machine;
   tf_input_t input;   ///< at t = 0
   tf_state_t state;   ///< at t = 0, begun
@@ -82,10 +83,8 @@ int cli_setup_machine(cli_setup_t *setup);
 int cli_setup_check_starts(const cli_setup_t *setup);
 int cli_setup_start(cli_setup_t *setup);
 
-/// Notes which settings have no effect in this scene. unused, why: in, a
-/// parameter that the scheme does not use, and the end of the message about it.
-void cli_setup_notes(const cli_setup_t *setup, const char *unused,
-                     const char *why);
+/// Notes which settings have no effect in this scene and scheme.
+void cli_setup_notes(const cli_setup_t *setup);
 
 /// CRC-32 of all of a scene that a motion depends on, with what the command
 /// line has changed: parameters, law, rule, start, profile.

@@ -196,10 +196,11 @@ static int prepare(point_t *point, cli_sweep_t *sweep, uint64_t *steps) {
   CLI_TRY(
       cli_setup_read(&point->setup, args->scene, &point->settings,
                      point->select[0] != '\0' ? point->select : args->select));
-  if (sweep->scheme == NULL) {
-    sweep->scheme = cli_scheme_for(args, point->setup.params.dt, NULL);
+  point->setup.scheme = sweep->scheme;
+  if (sweep->scheme == MOTION_SCHEMES) {
+    CLI_TRY(cli_setup_scheme(&point->setup, args));
+    sweep->scheme = point->setup.scheme;
   }
-  CLI_TRY(cli_check_law(sweep->scheme, point->setup.params.law));
   CLI_TRY(cli_setup_machine(&point->setup));
   point->drive = sweep->drive;
   point->setup.input = cli_drive_begin(&point->drive, &point->setup.machine, 0);
@@ -226,13 +227,13 @@ static int check_end(cli_sweep_t *sweep, bool last) {
   }
   CLI_TRY(prepare(&point, sweep, &steps));
   CLI_TRY(cli_setup_check_starts(&point.setup));
-  if (sweep->scheme->code != MOTION_MOREAU ||
+  if (sweep->scheme != MOTION_MOREAU ||
       point.setup.params.law != TF_TYRE_JUMP) {
     sweep->together = 1;
   }
   if (!last) {
     sweep->hash = cli_scene_hash(&point.setup);
-    cli_setup_notes(&point.setup, sweep->scheme->unused, sweep->scheme->why);
+    cli_setup_notes(&point.setup);
     cli_drive_notes(&sweep->drive, &point.setup);
   }
   return CLI_DONE;
@@ -244,7 +245,7 @@ int cli_point_check(cli_sweep_t *sweep) {
 }
 
 static void begin(point_t *point) {
-  cli_system_begin(&point->motion, point->sweep->scheme, &point->setup);
+  cli_system_begin(&point->motion, &point->setup);
   point->input = point->setup.input;
   point->report = point->motion.report;
   point->modes = TF_MODE_BIT(point->report.mode);
@@ -272,8 +273,7 @@ static void note(point_t *point, uint64_t i, const tf_input_t *input,
 static void step_alone(point_t *point, uint64_t i) {
   tf_input_t input;
   const tf_status_t status =
-      cli_drive_take(&point->drive, point->sweep->scheme, &point->setup,
-                     &point->motion, &input);
+      cli_drive_take(&point->drive, &point->setup, &point->motion, &input);
   tf_report_t report = point->motion.report;
   report.status = status;
   note(point, i, &input, &report);

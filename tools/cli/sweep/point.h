@@ -17,8 +17,8 @@ extern const cli_measure_info_t cli_measures[CLI_MEASURES];
 /// What all points share.
 typedef struct {
   const cli_args_t *args;
-  const cli_scheme_t *scheme; ///< NULL: that of the first point
-  uint32_t hash;     ///< of what a motion depends on and no option names
+  motion_scheme_t scheme; ///< MOTION_SCHEMES: that of the first point
+  uint32_t hash;          ///< of what a motion depends on and no option names
   size_t together;   ///< how many points are followed together, one in each
                      ///< lane of an ensemble: 1 where an axis changes the
                      ///< machine, or its law or scheme has no lanes

@@ -87,7 +87,7 @@ static void summarise(const work_t *work, double seconds) {
 static void summarise_json(const work_t *work, double seconds, int code) {
   cli_put_begin("sweep");
   cli_put_word("scene", work->sweep.args->scene->name);
-  cli_put_word("scheme", work->sweep.scheme->name);
+  cli_put_word("scheme", motion_scheme_name(work->sweep.scheme));
   cli_put_count("points", work->points);
   cli_put_count("kept", work->kept);
   for (int i = 0; i < CLI_POINT_ENDS; i++) {
@@ -107,7 +107,7 @@ static void add_about(const cli_sweep_t *sweep, const char *newline,
                args->scene->name);
   cli_add_hash(text, sweep->hash);
   cli_add_form(text, "%ssweep %s --scheme %s --t-end %g", newline,
-               args->scene->name, sweep->scheme->name,
+               args->scene->name, motion_scheme_name(sweep->scheme),
                (double)cli_end_of(args));
   if (args->select != NULL) {
     cli_add_form(text, " --select %s", args->select);
@@ -230,7 +230,8 @@ static int perform(work_t *work) {
 
 int cli_sweep(const cli_args_t *args) {
   static cli_sheets_t sheets;
-  work_t work = {.sweep = {.args = args}, .sheets = &sheets};
+  work_t work = {.sweep = {.args = args, .scheme = MOTION_SCHEMES},
+                 .sheets = &sheets};
   int code = cli_drive_read(&work.sweep.drive, args->scene, &args->drive);
   code = code == CLI_DONE ? cli_point_check(&work.sweep) : code;
   code = code == CLI_DONE ? perform(&work) : code;

@@ -14,7 +14,6 @@
 
 typedef struct {
   cli_setup_t setup;
-  const cli_scheme_t *scheme;
   char text[CLI_STATE_BYTES + 1];
   size_t size;
 } file_t;
@@ -25,11 +24,12 @@ static const char *make_file(file_t *file, fuzz_bytes_t *in) {
   cli_stand_t stand = {.state = {.r = 0}};
   motion_t system;
   const tf_scene_t *scene = tf_scenes[fuzz_byte(in) % TF_SCENES];
-  file->scheme = &cli_schemes[fuzz_byte(in) % MOTION_SCHEMES];
+  const unsigned scheme = fuzz_byte(in) % MOTION_SCHEMES;
   FUZZ_HOLD(cli_setup_read(&file->setup, scene, &none, NULL) == CLI_DONE);
+  file->setup.scheme = (motion_scheme_t)scheme;
   FUZZ_HOLD(cli_setup_machine(&file->setup) == CLI_DONE);
   FUZZ_HOLD(cli_setup_start(&file->setup) == CLI_DONE);
-  cli_system_begin(&system, file->scheme, &file->setup);
+  cli_system_begin(&system, &file->setup);
   const unsigned byte = fuzz_byte(in);
   stand.held = (tf_simulation_t){.source = (tf_input_source_t)(byte / 16 % 3),
                                  .deadman = byte,
@@ -38,12 +38,12 @@ static const char *make_file(file_t *file, fuzz_bytes_t *in) {
   stand.report = system.report;
   for (unsigned n = byte % 16u; n > 0; n--) {
     const tf_input_t *input = &file->setup.input;
-    if (motion_step(&system, file->scheme->code, input) < 0) break;
+    if (motion_step(&system, file->setup.scheme, input) < 0) break;
     stand.report = system.report;
   }
   stand.state = system.state;
   stand.compensation = system.low;
-  file->size = cli_state_print(&stand, &file->setup, file->scheme, file->text);
+  file->size = cli_state_print(&stand, &file->setup, file->text);
   FUZZ_HOLD(file->size < CLI_STATE_BYTES);
   return NULL;
 }
@@ -78,17 +78,17 @@ static bool change_file(file_t *file, fuzz_bytes_t *in) {
 static const char *judge(const cli_stand_t *stand, const file_t *file) {
   static char again[CLI_STATE_BYTES + 1];
   cli_stand_t copy;
-  const cli_scheme_t *scheme = NULL;
+  cli_setup_t setup = file->setup;
   const tf_state_t *x = &stand->state, *y = &copy.state;
   FUZZ_HOLD(fuzz_in_reach(x) && fuzz_finite(x->phi) && x->mode < TF_MODES);
   FUZZ_HOLD(fuzz_finite(stand->report.force.F));
   FUZZ_HOLD(fuzz_finite(stand->report.residual));
   FUZZ_HOLD(stand->report.mode < TF_MODES && stand->report.status >= 0);
-  const size_t size = cli_state_print(stand, &file->setup, file->scheme, again);
+  const size_t size = cli_state_print(stand, &file->setup, again);
   again[size] = '\0';
-  FUZZ_HOLD(cli_state_parse(&copy, "again", again, size, &file->setup,
-                            &scheme) == CLI_DONE);
-  FUZZ_HOLD(scheme == file->scheme);
+  setup.scheme = MOTION_SCHEMES;
+  FUZZ_HOLD(cli_state_parse(&copy, "again", again, size, &setup) == CLI_DONE);
+  FUZZ_HOLD(setup.scheme == file->setup.scheme);
   FUZZ_HOLD(fuzz_same(x->r, y->r) && fuzz_same(x->v, y->v));
   FUZZ_HOLD(fuzz_same(x->w, y->w) && fuzz_same(x->phi, y->phi));
   FUZZ_HOLD(x->tick == y->tick && x->seed == y->seed && x->mode == y->mode);
@@ -106,10 +106,11 @@ const char *fuzz_state(const uint8_t *data, size_t size) {
   fuzz_bytes_t in = {data, data + size};
   FUZZ_HOLD_ALL(make_file(&file, &in));
   const bool same = change_file(&file, &in);
-  const cli_scheme_t *scheme = fuzz_byte(&in) % 2u ? file.scheme : NULL;
-  const int code = cli_state_parse(&stand, "fuzz.state", file.text, file.size,
-                                   &file.setup, &scheme);
+  cli_setup_t setup = file.setup;
+  if (fuzz_byte(&in) % 2u == 0) setup.scheme = MOTION_SCHEMES;
+  const int code =
+      cli_state_parse(&stand, "fuzz.state", file.text, file.size, &setup);
   FUZZ_HOLD(code == CLI_DONE || code == CLI_USAGE || code == CLI_REFUSED);
-  FUZZ_HOLD(!same || (code == CLI_DONE && scheme == file.scheme));
+  FUZZ_HOLD(!same || (code == CLI_DONE && setup.scheme == file.setup.scheme));
   return code == CLI_DONE ? judge(&stand, &file) : NULL;
 }
