@@ -187,7 +187,7 @@ static int perform(const cli_command_t *command, int argc, char *const argv[]) {
   }
   if (asks_for_json(argc, argv) && !cli_put_ended()) {
     cli_put_begin(command->name);
-    cli_put_text("message", cli_last_message());
+    cli_put_word("message", cli_last_message());
     cli_put_exit(code);
   }
   return code;

@@ -71,8 +71,8 @@ static void put_sender(const cli_receiver_t *receiver) {
     cli_put_double("sender", (double)NAN);
     return;
   }
-  cli_put_text("sender", receiver->build);
-  cli_put_text("scene", receiver->scene);
+  cli_put_word("sender", receiver->build);
+  cli_put_word("scene", receiver->scene);
   cli_put_word("number", receiver->is_float ? "float" : "double");
   cli_put_hash("parameters", receiver->hash);
   cli_put_double("dt", receiver->dt);
@@ -134,7 +134,7 @@ void cli_receiver_put(const cli_receiver_t *receiver, int code) {
   cli_put_word("version", TF_VERSION);
   cli_put_word("commit", cli_commit);
   cli_put_word("command", "monitor");
-  cli_put_text("source", receiver->source);
+  cli_put_word("source", receiver->source);
   put_sender(receiver);
   put_line(receiver);
   put_board(receiver);

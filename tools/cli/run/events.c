@@ -128,7 +128,6 @@ void cli_events_observe(cli_events_t *events, const tf_report_t *before,
   if (event == NULL) {
     return;
   }
-  events->covered += events->merged + 1;
   event->merged = events->merged;
   events->merged = 0;
   event->windings = events->windings;

@@ -35,7 +35,6 @@ typedef struct {
   uint64_t steps;    ///< with at least one event
   bool away;         ///< the two-fold was passed, without a return since
   uint64_t windings; ///< changes of slip since then
-  uint64_t covered;  ///< steps that the list accounts for
   uint64_t merged;   ///< changes of slip since the last event of the list
   uint64_t counts[CLI_EVENT_KINDS];
   cli_event_t *list; ///< from the heap, NULL while empty

@@ -141,7 +141,7 @@ static void print_merged(uint64_t merged) {
 }
 
 static void print_list(const cli_events_t *events) {
-  uint64_t covered = events->covered;
+  uint64_t left = events->steps; // without those that the list accounts for
   if (events->used > 0) {
     cli_say("  %-11s%11s%15s%12s%12s  %s\n", "t [s]", "r [m]", "omega [rad/s]",
             "g [m/s]", "lambda [N]", "event");
@@ -151,6 +151,7 @@ static void print_list(const cli_events_t *events) {
     char text[EVENT_ROOM];
     char lambda[16] = "-";
     print_merged(event->merged);
+    left -= event->merged + 1;
     describe(event, text);
     if (!isnan(event->lambda)) {
       (void)snprintf(lambda, sizeof lambda, "%.5g", event->lambda);
@@ -160,11 +161,10 @@ static void print_list(const cli_events_t *events) {
   }
   if (events->used < events->limit) {
     print_merged(events->merged);
-    covered += events->merged;
+    left -= events->merged;
   }
-  if (events->steps > covered) {
-    cli_say("  ... %" PRIu64 " more events (--events all)\n",
-            events->steps - covered);
+  if (left > 0) {
+    cli_say("  ... %" PRIu64 " more events (--events all)\n", left);
   }
 }
 
@@ -294,7 +294,7 @@ static void put_replay(const cli_run_t *run) {
   }
   (void)cli_run_changes(run, changes);
   cli_say("\"replay\": {");
-  cli_put_text("name", run->replay.session.name);
+  cli_put_word("name", run->replay.session.name);
   cli_put_count("commands", run->replay.commands);
   cli_put_count("states", run->replay.states);
   cli_put_hash("began_with", tf_params_hash(&run->setup->params));
@@ -325,7 +325,7 @@ static void put_table(const char *key, const cli_inputs_t *table) {
     return;
   }
   cli_say("\"%s\": {", key);
-  cli_put_text("name", table->name);
+  cli_put_word("name", table->name);
   cli_put_word("between", table->linear ? "linear" : "held");
   cli_put_count("rows", table->count);
   cli_put_count("first", table->first);

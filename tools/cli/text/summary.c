@@ -52,10 +52,6 @@ void cli_put_hash(const char *key, uint32_t value) {
   cli_say("\"%s\": \"%08" PRIx32 "\", ", key, value);
 }
 
-void cli_put_word(const char *key, const char *word) {
-  cli_say("\"%s\": \"%s\", ", key, word);
-}
-
 static bool ended;
 
 void cli_put_exit(int code) {
@@ -92,7 +88,7 @@ static size_t utf8_length(const char *text) {
   return code >= least[length] && code <= 0x10FFFF && !surrogate ? length : 0;
 }
 
-void cli_put_text(const char *key, const char *text) {
+void cli_put_word(const char *key, const char *text) {
   cli_say("\"%s\": \"", key);
   while (*text != '\0') {
     const unsigned char byte = (unsigned char)*text;

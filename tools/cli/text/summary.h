@@ -26,8 +26,9 @@ void cli_put_count(const char *key, uint64_t value);
 /// 32 bits as eight hexadecimal digits in quotes.
 void cli_put_hash(const char *key, uint32_t value);
 
-/// A word of this program, without a character that JSON escapes.
-void cli_put_word(const char *key, const char *word);
+/// A text, which may be one from outside: the path of a file, what a board says
+/// of itself.
+void cli_put_word(const char *key, const char *text);
 
 /// The member by which every summary ends, the brace and a newline.
 /// code: in, the exit code.
@@ -37,9 +38,6 @@ void cli_put_exit(int code);
 void cli_put_end(double seconds, int code);
 
 bool cli_put_ended(void);
-
-/// Text from outside: the path of a file, what a board says of itself.
-void cli_put_text(const char *key, const char *text);
 
 /// How many steps it counts that were taken with a reservation.
 uint64_t cli_tally_reserved(const tf_tally_t *tally);
