@@ -178,8 +178,10 @@ const cli_option_t cli_options[] = {
      "the cost, and calls it coarse where they differ by more than E, as a "
      "share of the velocities"},
     {"--realtime", NULL, CLI_RUN, FLAG(real_time),
-     "every step waits for its time on the wall clock; the summary counts the "
-     "late ones"},
+     "takes step n at n dt after the start, on the wall clock. A step whose "
+     "row "
+     "is not written when the next one is due counts as late; the steps after "
+     "it do not wait until the delay is made up"},
     {"--priority", NULL, CLI_RUN, FLAG(priority),
      "with --realtime: runs before all other programs (SCHED_FIFO), with its "
      "memory locked; needs the permission",
@@ -228,15 +230,20 @@ const cli_option_t cli_options[] = {
     {"--out", "FILE", MOTIONS | CLI_SCENE | ANALYSES | CLI_MONITOR, WRITES(out),
      "instead of standard output; monitor: with --format"},
     {"--save", "FILE", CLI_RUN, WRITES(save),
-     "the state at the end of the run, whatever ends it"},
+     "the state at the end of the run, whatever ends it, unless its rows could "
+     "not be written"},
     {"--from", "FILE", CLI_RUN, READS(from),
-     "continues from there, bit for bit: t-end is that of the whole, and the "
-     "first row is the last one of the run before"},
+     "continues from there, bit for bit, with the same machine, scheme and "
+     "number type; --t-end, which is that of the whole, --inputs and the name "
+     "and start of the scene may differ. The first row is the last one of the "
+     "run before"},
     {"--replay", "FILE", CLI_RUN, READS(replay),
      "repeats, to the bit, what a board did under the commands that 'twofold "
-     "monitor --record FILE' sent it. Needs --dt 1/RATE of the firmware and "
-     "the board's number type. --save keeps the settings that the commands "
-     "left, and the summary names the options with which --from continues"},
+     "monitor --record FILE' sent it, and compares the last state. Needs --dt "
+     "1/RATE of the firmware and the board's number type. Where set:dt changed "
+     "the step, the column t differs from that of the board. --save keeps the "
+     "settings that the commands left, and the summary names the options with "
+     "which --from continues"},
     {"--record", "FILE", CLI_MONITOR, WRITES(record),
      "the commands that took effect, each with its step, for 'twofold run "
      "SCENE --replay FILE'"},
