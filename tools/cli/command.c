@@ -89,8 +89,7 @@ const cli_command_t cli_commands[] = {
      .bit = CLI_RUN, .check = cli_run_check, .perform = cli_run},
     {"monitor", "FILE|DEVICE|- [OPTION]...",
      "decode frames from a board, a file or a pipe", .bit = CLI_MONITOR,
-     .take = cli_take_source, .check = cli_monitor_check,
-     .perform = cli_monitor},
+     .of_source = true, .check = cli_monitor_check, .perform = cli_monitor},
     {"singularities", "SCENE [OPTION]...", "all two-folds, as JSON",
      .bit = CLI_SINGULARITIES, .perform = cli_singularities},
     {"regions", "SCENE --r A:B:N --omega A:B:N [OPTION]...",
@@ -168,7 +167,7 @@ static int read_args(const cli_command_t *command, cli_args_t *args, int argc,
   args->listed = 20;
   args->shard = (cli_shard_t){1, 1};
   CLI_TRY(cli_read_words(command, args, argc, argv));
-  if (command->take == NULL && args->scene == NULL) {
+  if (!command->of_source && args->scene == NULL) {
     return cli_message(CLI_USAGE,
                        "%s: which scene? ('twofold scenes' lists them)",
                        command->name);

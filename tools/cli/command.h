@@ -48,7 +48,7 @@ typedef struct {
   unsigned commands; ///< bits: the commands that take it
   cli_kind_t kind;   ///< of the value ...
   size_t member;     ///< ... and where it goes, an offset in the arguments
-  int (*read)(void *args, const cli_given_t *given); ///< of CLI_OTHER
+  int (*read)(cli_args_t *args, const cli_given_t *given); ///< of CLI_OTHER
   double low, high, usual; ///< usual: the value where it is not given
   const char *what;        ///< for the help
   const char *unit;        ///< of the range, NULL: none
@@ -62,15 +62,14 @@ typedef struct {
 extern const cli_option_t cli_options[];
 extern const size_t cli_option_count;
 
-/// A command; its page is in help.txt. Either it takes options (bit, take, check, perform), or it reads
+/// A command; its page is in help.txt. Either it takes options (bit, of_source, check, perform), or it reads
 /// its words itself (raw).
 typedef struct {
   const char *name;
   const char *words; ///< behind the name, as the help shows them
   const char *what;  ///< a line of the overview
   unsigned bit;      ///< in the table of the options
-  /// Takes a positional argument. NULL: it is the scene.
-  int (*take)(void *args, const char *word);
+  bool of_source;    ///< its positional argument is a source, else a scene
   /// Options that need or exclude each other. NULL: all go together.
   int (*check)(cli_args_t *args);
   int (*perform)(const cli_args_t *args);

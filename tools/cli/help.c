@@ -285,7 +285,7 @@ static void offer_words(const cli_command_t *command) {
     offer("bash", "");
     offer("zsh", "");
     offer("fish", "");
-  } else if (command->bit != 0 && command->take == NULL) {
+  } else if (command->bit != 0 && !command->of_source) {
     for (size_t i = 0; i < TF_SCENES; i++) {
       offer(tf_scenes[i]->name, tf_scenes[i]->shows);
     }

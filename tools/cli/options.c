@@ -153,7 +153,7 @@ static int read_choice(const cli_option_t *option, const cli_given_t *given,
 }
 
 static int read_value(const cli_option_t *option, const cli_given_t *given,
-                      void *args) {
+                      cli_args_t *args) {
   void *to = (char *)args + option->member;
   unsigned place = 0;
   switch (option->kind) {
@@ -226,10 +226,17 @@ static int read_option(line_t *line, int argc, char *const argv[], int *at) {
 
 // Takes a positional argument. A scene of a file has a . or a / in its name.
 static int take(line_t *line, const char *word) {
-  const bool of_scene = line->command->take == NULL;
-  CLI_TRY(of_scene ? cli_take_scene(&line->args->scene, word)
-                   : line->command->take(line->args, word));
-  const bool is_file = !of_scene || strpbrk(word, "./") != NULL;
+  cli_args_t *args = line->args;
+  const bool of_source = line->command->of_source;
+  if (!of_source) {
+    CLI_TRY(cli_take_scene(&args->scene, word));
+  } else if (args->source != NULL) {
+    return cli_message(CLI_USAGE, "%s: one source at a time (%s was given)",
+                       word, args->source);
+  } else {
+    args->source = word;
+  }
+  const bool is_file = of_source || strpbrk(word, "./") != NULL;
   line->words[line->count++] =
       (word_t){{"", word}, is_file ? CLI_READS : CLI_WORD};
   return CLI_DONE;

@@ -3,6 +3,7 @@
 // option is a row here; a new member of cli_args_t keeps its value. An option
 // that means something else in another command has a row for each.
 
+#include <stdio.h>
 #include <string.h>
 
 #include "command.h"
@@ -92,25 +93,37 @@ static const cli_choice_t commands[] = {
     {"set:", ""},    {"select:", ""},  {"input:", ""}, {"deadman:", ""},
     {"every:", ""},  {NULL, NULL}};
 
-static int read_set(void *to, const cli_given_t *given) {
-  cli_args_t *args = to;
+static int read_set(cli_args_t *args, const cli_given_t *given) {
   return cli_settings_add(&args->settings, given->name, given->value);
 }
 
 // An option that is the name of a setting.
-static int read_named(void *to, const cli_given_t *given) {
-  cli_args_t *args = to;
+static int read_named(cli_args_t *args, const cli_given_t *given) {
   return cli_settings_add_named(&args->settings, given->name, given->value,
                                 given->name + 2, given->value);
 }
 
-static int read_shard(void *to, const cli_given_t *given) {
-  cli_args_t *args = to;
-  return cli_read_shard(given, &args->shard);
+static int read_shard(cli_args_t *args, const cli_given_t *given) {
+  cli_shard_t *shard = &args->shard;
+  char first[CLI_REAL_ROOM];
+  const size_t length = strcspn(given->value, "/");
+  const char *second = given->value + length;
+  (void)snprintf(first, sizeof first, "%.*s", (int)length, given->value);
+  if (*second != '/' ||
+      !cli_read_whole(first, 0, CLI_MAX_STEPS, &shard->index) ||
+      !cli_read_whole(second + 1, 0, CLI_MAX_STEPS, &shard->of)) {
+    return cli_message(CLI_USAGE, "%s %s: expected I/N, two whole numbers",
+                       given->name, given->value);
+  }
+  if (shard->index < 1 || shard->index > shard->of) {
+    return cli_message(CLI_REFUSED,
+                       "%s %s: I must lie in [1, N], N be at least 1",
+                       given->name, given->value);
+  }
+  return CLI_DONE;
 }
 
-static int read_events(void *to, const cli_given_t *given) {
-  cli_args_t *args = to;
+static int read_events(cli_args_t *args, const cli_given_t *given) {
   if (strcmp(given->value, "all") == 0) {
     args->listed = UINT64_MAX;
     return CLI_DONE;

@@ -154,8 +154,7 @@ static int read_command(cli_board_command_t *command, const char *text) {
                      text, closest.hint);
 }
 
-int cli_read_send(void *to, const cli_given_t *given) {
-  cli_args_t *args = to;
+int cli_read_send(cli_args_t *args, const cli_given_t *given) {
   cli_board_command_t command;
   if (args->sends == CLI_SENDS) {
     return refuse(given->value, "too many commands for one line");

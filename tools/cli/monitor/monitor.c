@@ -295,16 +295,6 @@ static int perform(monitor_t *monitor) {
   return code;
 }
 
-int cli_take_source(void *to, const char *word) {
-  cli_args_t *args = to;
-  if (args->source != NULL) {
-    return cli_message(CLI_USAGE, "%s: one source at a time (%s was given)",
-                       word, args->source);
-  }
-  args->source = word;
-  return CLI_DONE;
-}
-
 int cli_monitor_check(cli_args_t *args) {
   if (args->source == NULL) {
     return cli_message(CLI_USAGE,

@@ -96,14 +96,13 @@ int cli_run(const cli_args_t *args);
 int cli_run_check(cli_args_t *args);
 int cli_monitor(const cli_args_t *args);
 int cli_monitor_check(cli_args_t *args);
-int cli_take_source(void *args, const char *word);
-int cli_read_send(void *args, const cli_given_t *given);
+int cli_read_send(cli_args_t *args, const cli_given_t *given);
 int cli_diverge(const cli_args_t *args);
 int cli_diverge_check(cli_args_t *args);
 int cli_sweep(const cli_args_t *args);
 int cli_sweep_check(cli_args_t *args);
-int cli_read_over(void *args, const cli_given_t *given);
-int cli_read_outcome(void *args, const cli_given_t *given);
+int cli_read_over(cli_args_t *args, const cli_given_t *given);
+int cli_read_outcome(cli_args_t *args, const cli_given_t *given);
 
 // The motion of a setup.
 

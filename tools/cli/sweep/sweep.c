@@ -267,8 +267,7 @@ static int check_seed(const cli_args_t *args, const cli_range_t *range) {
   return CLI_DONE;
 }
 
-int cli_read_over(void *to, const cli_given_t *option) {
-  cli_args_t *args = to;
+int cli_read_over(cli_args_t *args, const cli_given_t *option) {
   const char *text = option->value, *equals = strchr(text, '=');
   cli_axis_t *axis = &args->axis[args->axes];
   if (equals == NULL || equals == text) {
@@ -318,13 +317,13 @@ static int add_measure(cli_args_t *args, const char *name, const char *text) {
   return CLI_DONE;
 }
 
-int cli_read_outcome(void *to, const cli_given_t *option) {
+int cli_read_outcome(cli_args_t *args, const cli_given_t *option) {
   const char *at = option->value;
   do {
     char name[32];
     const size_t length = strcspn(at, ",");
     (void)snprintf(name, sizeof name, "%.*s", (int)length, at);
-    CLI_TRY(add_measure(to, name, option->value));
+    CLI_TRY(add_measure(args, name, option->value));
     at += length;
   } while (*at++ == ',');
   return CLI_DONE;

@@ -141,9 +141,6 @@ typedef struct {
   uint64_t index, of;
 } cli_shard_t;
 
-/// Reads I/N, I in [1, N].
-int cli_read_shard(const cli_given_t *given, cli_shard_t *shard);
-
 /// The first of the shard's own among `count` pieces of work, and the first
 /// after them. Shards differ by one piece at most, and follow each other.
 void cli_shard_range(const cli_shard_t *shard, uint64_t count, uint64_t *first,
