@@ -1,7 +1,7 @@
 /// @file
 /// `reference table`: of each class of machines, how many runs of the library
 /// end far from the reference with every step OK. The reference follows the
-/// inputs that the steps were told, from event to event; where it is not sure
+/// inputs of the steps, from event to event; where it is not sure
 /// of its own end it says so, and the machine is not counted.
 #include <math.h>
 #include <stdio.h>
@@ -121,10 +121,10 @@ typedef struct {
 
 // Draws machine `index` of a row until one belongs to it and the reference is
 // sure of it.
-static bool draw_case(const row_t *row, const options_t *options, long index,
+static bool draw_case(const row_t *row, uint64_t seed, long index,
                       row_count_t *count, case_t *c) {
   const uint64_t key = (uint64_t)(row - rows + 1) << 48;
-  draw_t draw = draw_begin(options->seed, key + (uint64_t)index);
+  draw_t draw = draw_begin(seed, key + (uint64_t)index);
   for (int i = 0; i < DRAWS; ++i) {
     c->row = row;
     c->machine = row_machine(&draw, row, index % 2 != 0);
@@ -156,9 +156,9 @@ static bool draw_case(const row_t *row, const options_t *options, long index,
   return false;
 }
 
-// The end by the inputs that the steps of machine.dt are told; false where the
-// reference does not come to it, or not to one, or is not sure of it.
-static bool told_end(const case_t *c, ref_state_t *end) {
+// The end under the inputs of steps of machine.dt; false where the reference
+// does not come to it, has several, or is not sure of it.
+static bool driven_end(const case_t *c, ref_state_t *end) {
   static ref_knot_t table[KNOTS];
   const lib_machine_t *machine = &c->machine;
   lib_machine_t started = *machine;
@@ -173,8 +173,7 @@ static bool told_end(const case_t *c, ref_state_t *end) {
   q.knots = knots;
   q.table = table;
   q.swing = 0;
-  // Where the first step is told another omega0 than the start had, h is not 0
-  // any more.
+  // Where the first step begins at another omega0 than the start, h is not 0.
   ref_machine_t begun = c->q;
   begun.knots = 0;
   begun.omega0 = moving_input(machine, 0, 0).omega0;
@@ -231,33 +230,22 @@ static void show(const case_t *c, const model_t *model, double dt, int outcome,
       error, at->r, at->v, at->w, end->r, ref_v(q, *end), ref_w(q, *end));
 }
 
-static void steps_of(const row_t *row, const options_t *options,
-                     double dt[ROW_STEPS]) {
-  memcpy(dt, row->dt, sizeof row->dt);
-  const char *text = options->dts;
-  for (int i = 0; text && i < ROW_STEPS; ++i) {
-    char *rest;
-    dt[i] = strtod(text, &rest);
-    text = *rest == ',' ? rest + 1 : rest;
-  }
-}
-
 // The reference's end for steps of machine.dt.
 typedef struct {
   double dt;
   bool known;
   ref_state_t end;
-} told_case_t;
+} driven_t;
 
-static const told_case_t *told_of(const case_t *c, told_case_t *told) {
-  while (told->dt != 0 && told->dt != c->machine.dt) {
-    ++told;
+static const driven_t *driven_by(const case_t *c, driven_t *driven) {
+  while (driven->dt != 0 && driven->dt != c->machine.dt) {
+    ++driven;
   }
-  if (told->dt == 0) {
-    told->dt = c->machine.dt;
-    told->known = told_end(c, &told->end);
+  if (driven->dt == 0) {
+    driven->dt = c->machine.dt;
+    driven->known = driven_end(c, &driven->end);
   }
-  return told;
+  return driven;
 }
 
 static double dt_of(const row_t *row, const model_t *model, double step) {
@@ -276,12 +264,11 @@ static bool judges(const case_t *c, const model_t *model, double step) {
 }
 
 // One machine through all runs of its row.
-static void judge_case(case_t *c, const options_t *options, long index,
-                       row_count_t *count) {
+static void judge_case(case_t *c, const double *steps, const options_t *options,
+                       long index, row_count_t *count) {
   const row_t *row = c->row;
-  double steps[ROW_STEPS], before[ROW_MODELS] = {0};
-  told_case_t told[2 * ROW_STEPS + 1] = {{.dt = 0}};
-  steps_of(row, options, steps);
+  double before[ROW_MODELS] = {0};
+  driven_t driven[2 * ROW_STEPS + 1] = {{.dt = 0}};
   for (int i = 0; i < ROW_STEPS * ROW_MODELS; ++i) {
     const int k = i / ROW_MODELS, m = i % ROW_MODELS;
     const model_t *model = &row_models[m];
@@ -289,7 +276,7 @@ static void judge_case(case_t *c, const options_t *options, long index,
       continue;
     }
     c->machine.dt = dt_of(row, model, steps[k]);
-    const told_case_t *ref = told_of(c, told);
+    const driven_t *ref = driven_by(c, driven);
     if (!ref->known) {
       continue;
     }
@@ -314,12 +301,12 @@ static void judge_case(case_t *c, const options_t *options, long index,
   }
 }
 
-static void judge_row(const row_t *row, const options_t *options,
-                      row_count_t *count) {
+static void judge_row(const row_t *row, const double *steps,
+                      const options_t *options, row_count_t *count) {
   for (long i = 0; i < options->machines; ++i) {
     const long index = options->first + i;
     case_t c;
-    if (!draw_case(row, options, index, count, &c)) {
+    if (!draw_case(row, options->seed, index, count, &c)) {
       continue;
     }
     if (options->machines == 1) {
@@ -330,15 +317,13 @@ static void judge_row(const row_t *row, const options_t *options,
           c.machine.swing, c.machine.swing_rate, c.machine.rest, beside,
           c.moved, c.met.through);
     }
-    judge_case(&c, options, index, count);
+    judge_case(&c, steps, options, index, count);
   }
 }
 
-static void print_row(const row_t *row, const options_t *options,
-                      const row_count_t *count) {
+static void print_row(const row_t *row, const double *steps,
+                      const options_t *options, const row_count_t *count) {
   const long *n = count->n;
-  double steps[ROW_STEPS];
-  steps_of(row, options, steps);
   printf("%s. %s: %ld judged of %ld drawn; not judged: %ld several futures, ",
          row->name, row->about, n[JUDGED], n[DRAWN], n[SEVERAL]);
   printf("%ld near a border, %ld without an end\n", n[BORDER], n[STOPPED]);
@@ -376,9 +361,17 @@ static int run(const options_t *options) {
     if (strcmp(options->row, "all") == 0 ||
         strcmp(options->row, rows[i].name) == 0) {
       row_count_t count = {.n = {0}};
+      double steps[ROW_STEPS];
+      memcpy(steps, rows[i].dt, sizeof steps);
+      const char *text = options->dts;
+      for (int k = 0; text && k < ROW_STEPS; ++k) {
+        char *rest;
+        steps[k] = strtod(text, &rest);
+        text = *rest == ',' ? rest + 1 : rest;
+      }
       known = true;
-      judge_row(&rows[i], options, &count);
-      print_row(&rows[i], options, &count);
+      judge_row(&rows[i], steps, options, &count);
+      print_row(&rows[i], steps, options, &count);
     }
   }
   if (!known) {
