@@ -10,12 +10,12 @@
 #include "../setup/args.h"
 #include "../text/text.h"
 
-// One of the commands, ready to compute and write.
-typedef struct {
+// The command that runs, ready to compute and write.
+static struct {
   const cli_args_t *args;
   cli_setup_t setup; // machine and input at t = 0
   cli_output_t output;
-} analysis_t;
+} job;
 
 int cli_analysis_check(cli_args_t *args) {
   const bool grid = strcmp(args->command, "design") != 0;
@@ -30,17 +30,17 @@ int cli_analysis_check(cli_args_t *args) {
 }
 
 // The first two are found, the others are of a run.
-static void print_notes(const analysis_t *a, bool finds_kappa) {
+static void print_notes(bool finds_kappa) {
   static const char *const unused[] = {
       "kappa", "k2", "dt", "theta", "tolerance", "r", "v", "omega", "h", "phi"};
-  cli_setup_notes(&a->setup);
+  cli_setup_notes(&job.setup);
   for (size_t i = finds_kappa ? 0 : 2; i < sizeof unused / sizeof unused[0];
        i++) {
     const cli_setting_t *setting =
-        cli_settings_find(&a->args->settings, unused[i]);
+        cli_settings_find(&job.args->settings, unused[i]);
     if (setting != NULL) {
       (void)cli_message(CLI_DONE, "note: %s %s has no effect: %s %s",
-                        setting->option, setting->text, a->args->command,
+                        setting->option, setting->text, job.args->command,
                         i < 2 ? "finds it" : "does not run");
     }
   }
@@ -48,48 +48,47 @@ static void print_notes(const analysis_t *a, bool finds_kappa) {
 
 // Prepares the machine. finds_kappa: the command computes kappa, so a scene
 // without kappa is not refused.
-static int prepare(analysis_t *a, const cli_args_t *args, bool finds_kappa) {
-  memset(a, 0, sizeof *a);
-  a->args = args;
-  CLI_TRY(cli_setup_read(&a->setup, args->scene, &args->settings, NULL));
-  if (finds_kappa && !(a->setup.params.kappa > 0) &&
+static int prepare(const cli_args_t *args, bool finds_kappa) {
+  job.args = args;
+  CLI_TRY(cli_setup_read(&job.setup, args->scene, &args->settings, NULL));
+  if (finds_kappa && !(job.setup.params.kappa > 0) &&
       cli_settings_find(&args->settings, "kappa") == NULL) {
-    a->setup.params.kappa = 1; // any value in its range
+    job.setup.params.kappa = 1; // any value in its range
   }
-  CLI_TRY(cli_setup_machine(&a->setup));
-  print_notes(a, finds_kappa);
+  CLI_TRY(cli_setup_machine(&job.setup));
+  print_notes(finds_kappa);
   return CLI_DONE;
 }
 
 // Where a value came from: "--set NAME=VALUE" or "scene NAME".
-static cli_given_t origin_of(const analysis_t *a, const char *name) {
-  const cli_setting_t *setting = cli_settings_find(&a->args->settings, name);
+static cli_given_t origin_of(const char *name) {
+  const cli_setting_t *setting = cli_settings_find(&job.args->settings, name);
   return setting != NULL ? (cli_given_t){setting->option, setting->text}
-                         : (cli_given_t){"scene", a->args->scene->name};
+                         : (cli_given_t){"scene", job.args->scene->name};
 }
 
-static int needs_jump(const analysis_t *a, bool needs_moment) {
-  const tf_tyre_law_t law = a->setup.params.law;
-  const cli_given_t origin = origin_of(a, "law");
+static int needs_jump(bool needs_moment) {
+  const tf_tyre_law_t law = job.setup.params.law;
+  const cli_given_t origin = origin_of("law");
   if (needs_moment ? law == TF_TYRE_JUMP : tf_tyre_is_set_valued(law)) {
     return CLI_DONE;
   }
   return cli_message(CLI_REFUSED, "%s %s: %s needs law %s, not %s: %s",
-                     origin.name, origin.value, a->args->command,
+                     origin.name, origin.value, job.args->command,
                      needs_moment ? "jump" : "jump or coulomb",
                      tf_tyre_law_name(law),
                      tf_tyre_is_set_valued(law) ? "stick has no moment under it"
                                                 : "it does not jump at h = 0");
 }
 
-static int check_design(const analysis_t *a) {
-  const tf_machine_t *k = &a->setup.machine;
-  const cli_given_t mu = origin_of(a, "mu");
-  const cli_given_t gamma = origin_of(a, "gamma");
-  CLI_TRY(needs_jump(a, true));
+static int check_design(void) {
+  const tf_machine_t *k = &job.setup.machine;
+  const cli_given_t mu = origin_of("mu");
+  const cli_given_t gamma = origin_of("gamma");
+  CLI_TRY(needs_jump(true));
   if (!(k->contact.tyre.mu > 0)) {
     return cli_message(CLI_REFUSED, "%s %s: %s needs mu > 0", mu.name, mu.value,
-                       a->args->command);
+                       job.args->command);
   }
   if (fabs((double)k->sin_gamma) >= (double)TF_MIN_SINE &&
       fabs((double)k->cos_gamma) >= (double)TF_MIN_SINE) {
@@ -99,18 +98,17 @@ static int check_design(const analysis_t *a) {
       CLI_REFUSED,
       "%s %s: %s needs |sin(gamma)| and |cos(gamma)| in [1e-06, 1], they are "
       "%g and %g",
-      gamma.name, gamma.value, a->args->command, (double)k->sin_gamma,
+      gamma.name, gamma.value, job.args->command, (double)k->sin_gamma,
       (double)k->cos_gamma);
 }
 
-static void begin_json(const analysis_t *a, const char *units,
-                       cli_buffer_t *text) {
+static void begin_json(const char *units, cli_buffer_t *text) {
   cli_add_form(text,
                "{\n  \"version\": \"%s\", \"commit\": \"%s\", "
                "\"number\": \"%s\",\n"
                "  \"scene\": \"%s\", \"parameters\": \"",
-               TF_VERSION, cli_commit, CLI_NUMBER_TYPE, a->args->scene->name);
-  cli_add_hash(text, tf_params_hash(&a->setup.params));
+               TF_VERSION, cli_commit, CLI_NUMBER_TYPE, job.args->scene->name);
+  cli_add_hash(text, tf_params_hash(&job.setup.params));
   cli_add_form(text, "\",\n  \"units\": {%s},\n", units);
 }
 
@@ -175,14 +173,14 @@ static void add_two_fold(cli_buffer_t *text, const tf_two_fold_t *at) {
   cli_add(text, "}\n    }");
 }
 
-static int describe_all(const analysis_t *a, cli_buffer_t *text) {
+static int describe_all(cli_buffer_t *text) {
   tf_surface_point_t points[TF_TWO_FOLDS];
   tf_absence_t absence = TF_ABSENCE_NONE;
   int count = 0;
-  const cli_setup_t *setup = &a->setup;
+  const cli_setup_t *setup = &job.setup;
   tf_status_t status =
       tf_two_folds(&setup->machine, &setup->input, points, &count, &absence);
-  begin_json(a, FOLD_UNITS, text);
+  begin_json(FOLD_UNITS, text);
   const bool absent = absence != TF_ABSENCE_NONE;
   const char *quote = absent ? "\"" : "";
   cli_add_form(text,
@@ -202,55 +200,54 @@ static int describe_all(const analysis_t *a, cli_buffer_t *text) {
   return status == TF_OK
              ? CLI_DONE
              : cli_message(CLI_STOPPED, "scene %s: singularities: %s",
-                           a->args->scene->name, tf_status_name(status));
+                           job.args->scene->name, tf_status_name(status));
 }
 
 static int write_json(const cli_args_t *args, bool finds_kappa,
-                      int (*describe)(const analysis_t *a,
-                                      cli_buffer_t *text)) {
-  analysis_t a;
+                      int (*describe)(cli_buffer_t *text)) {
   char room[ROOM];
   cli_buffer_t text = {room, 0, sizeof room, false};
-  CLI_TRY(prepare(&a, args, finds_kappa));
-  CLI_TRY(describe(&a, &text));
+  CLI_TRY(prepare(args, finds_kappa));
+  CLI_TRY(describe(&text));
   return text.truncated
              ? cli_message(CLI_STOPPED, "%s: out of room", args->command)
-             : cli_output_write(&a.output, "--out", args->out, room, text.used);
+             : cli_output_write(&job.output, "--out", args->out, room,
+                                text.used);
 }
 
 int cli_singularities(const cli_args_t *args) {
   return write_json(args, false, describe_all);
 }
 
-static int out_of_range(const analysis_t *a, const char *name,
-                        tf_real_t value) {
+static int out_of_range(const char *name, tf_real_t value) {
   return cli_message(CLI_REFUSED, "--r %s --omega %s: %s would be %g, it %s",
-                     a->args->r.text, a->args->omega.text, name, (double)value,
+                     job.args->r.text, job.args->omega.text, name,
+                     (double)value,
                      cli_must(cli_number(cli_number_index(name))));
 }
 
-static int refuse(const analysis_t *a, const tf_design_t *design) {
+static int refuse(const tf_design_t *design) {
   switch ((tf_design_obstacle_t)design->obstacle) {
     case TF_DESIGN_R:
       return cli_message(CLI_REFUSED,
                          "--r %s: r must not be 0, nor so large or small that "
                          "the normal form overflows",
-                         a->args->r.text);
+                         job.args->r.text);
     case TF_DESIGN_OMEGA:
       return cli_message(CLI_REFUSED,
                          "--omega %s: omega must differ from omega0 = %g "
                          "rad/s, where h = 0 has g = 0",
-                         a->args->omega.text, (double)a->setup.input.omega0);
+                         job.args->omega.text, (double)job.setup.input.omega0);
     case TF_DESIGN_SPRING:
       return cli_message(CLI_REFUSED,
                          "--r %s: k2 does not act on h at r = r0 = %g m, nor "
                          "where d r cos(gamma) + (beta^2 + r^2) sin(gamma) is "
                          "0",
-                         a->args->r.text, (double)a->setup.input.r0);
+                         job.args->r.text, (double)job.setup.input.r0);
     case TF_DESIGN_KAPPA:
-      return out_of_range(a, "kappa", design->kappa);
+      return out_of_range("kappa", design->kappa);
     case TF_DESIGN_K2:
-      return out_of_range(a, "k2", design->k2);
+      return out_of_range("k2", design->k2);
     case TF_DESIGN_LAW:
     case TF_DESIGN_GAMMA: // were refused before
     case TF_DESIGN_FOUND:
@@ -259,15 +256,15 @@ static int refuse(const analysis_t *a, const tf_design_t *design) {
   return CLI_REFUSED;
 }
 
-static int describe_design(const analysis_t *a, cli_buffer_t *text) {
+static int describe_design(cli_buffer_t *text) {
   tf_design_t design;
-  CLI_TRY(check_design(a));
-  if (tf_design_two_fold(&a->setup.machine, &a->setup.input,
-                         (tf_real_t)a->args->r.from,
-                         (tf_real_t)a->args->omega.from, &design) != TF_OK) {
-    return refuse(a, &design);
+  CLI_TRY(check_design());
+  if (tf_design_two_fold(&job.setup.machine, &job.setup.input,
+                         (tf_real_t)job.args->r.from,
+                         (tf_real_t)job.args->omega.from, &design) != TF_OK) {
+    return refuse(&design);
   }
-  begin_json(a, DESIGN_UNITS, text);
+  begin_json(DESIGN_UNITS, text);
   const double kappa = (double)design.kappa, k2 = (double)design.k2;
   cli_add_form(text,
                "  \"kappa\": %g,\n  \"k2\": %g,\n"
@@ -290,12 +287,11 @@ int cli_design(const cli_args_t *args) {
 #define ROW_ROOM 768
 
 // Adds one row with its newline; a code other than CLI_DONE ends the grid.
-typedef int (*row_t)(const analysis_t *a, tf_real_t r, tf_real_t omega,
-                     cli_buffer_t *text);
+typedef int (*row_t)(tf_real_t r, tf_real_t omega, cli_buffer_t *text);
 
 // omega is the inner loop.
-static int write_rows(analysis_t *a, row_t row, cli_progress_t *progress) {
-  const cli_range_t *r = &a->args->r, *omega = &a->args->omega;
+static int write_rows(row_t row, cli_progress_t *progress) {
+  const cli_range_t *r = &job.args->r, *omega = &job.args->omega;
   const uint64_t points = r->count * omega->count;
   char bytes[ROW_ROOM];
   for (uint64_t i = 0; i < points; i++) {
@@ -303,14 +299,14 @@ static int write_rows(analysis_t *a, row_t row, cli_progress_t *progress) {
     if (cli_stop_asked()) {
       return cli_message(CLI_STOPPED, "interrupted at point %" PRIu64, i);
     }
-    CLI_TRY(row(a, (tf_real_t)cli_range_at(r, i / omega->count),
+    CLI_TRY(row((tf_real_t)cli_range_at(r, i / omega->count),
                 (tf_real_t)cli_range_at(omega, i % omega->count), &text));
-    if (!cli_output_lines(&a->output, bytes, text.used)) {
+    if (!cli_output_lines(&job.output, bytes, text.used)) {
       return CLI_STOPPED; // the message is that of cli_output_end
     }
     const double now = cli_now();
-    if (now - a->output.flushed >= FLUSH_EVERY) {
-      (void)cli_output_flush(&a->output);
+    if (now - job.output.flushed >= FLUSH_EVERY) {
+      (void)cli_output_flush(&job.output);
     }
     cli_progress_say(progress, now, (double)(i + 1) / (double)points,
                      "%" PRIu64 " of %" PRIu64 " points", i + 1, points);
@@ -319,26 +315,24 @@ static int write_rows(analysis_t *a, row_t row, cli_progress_t *progress) {
 }
 
 // units: of the columns, for --provenance.
-static int write_grid(analysis_t *a, const char *header, const char *units,
-                      row_t row) {
+static int write_grid(const char *header, const char *units, row_t row) {
   char lines[CLI_PROVENANCE_ROOM];
-  CLI_TRY(cli_output_begin(&a->output, "--out", a->args->out, false));
-  if (a->args->provenance) {
+  CLI_TRY(cli_output_begin(&job.output, "--out", job.args->out, false));
+  if (job.args->provenance) {
     const size_t length =
-        cli_provenance(&a->setup, "inputs at t = 0, no motion", units, lines);
-    (void)cli_output_lines(&a->output, lines, length);
+        cli_provenance(&job.setup, "inputs at t = 0, no motion", units, lines);
+    (void)cli_output_lines(&job.output, lines, length);
   }
-  (void)cli_output_lines(&a->output, header, strlen(header));
+  (void)cli_output_lines(&job.output, header, strlen(header));
   cli_progress_t progress =
-      cli_progress_start(cli_now(), a->output.to.descriptor);
-  const int code = write_rows(a, row, &progress);
+      cli_progress_start(cli_now(), job.output.to.descriptor);
+  const int code = write_rows(row, &progress);
   cli_progress_clear(&progress);
-  return cli_output_end(&a->output, code);
+  return cli_output_end(&job.output, code);
 }
 
-static int regions_row(const analysis_t *a, tf_real_t r, tf_real_t omega,
-                       cli_buffer_t *text) {
-  const cli_setup_t *setup = &a->setup;
+static int regions_row(tf_real_t r, tf_real_t omega, cli_buffer_t *text) {
+  const cli_setup_t *setup = &job.setup;
   tf_surface_t at;
   tf_real_t v = 0;
   tf_status_t status = tf_speed_for_slip(&setup->machine, r, omega,
@@ -366,9 +360,9 @@ static int regions_row(const analysis_t *a, tf_real_t r, tf_real_t omega,
 
 // Where sin(gamma) = 0 the surface is w = omega0 (and r = 0). Then v does not
 // follow from h = 0, and (r, omega) does not determine a point of the surface.
-static int check_gamma(const analysis_t *a) {
-  const cli_given_t origin = origin_of(a, "gamma");
-  const double sine = (double)a->setup.machine.sin_gamma;
+static int check_gamma(void) {
+  const cli_given_t origin = origin_of("gamma");
+  const double sine = (double)job.setup.machine.sin_gamma;
   if (fabs(sine) >= (double)TF_MIN_SINE) {
     return CLI_DONE;
   }
@@ -380,11 +374,10 @@ static int check_gamma(const analysis_t *a) {
 }
 
 int cli_regions(const cli_args_t *args) {
-  analysis_t a;
-  CLI_TRY(prepare(&a, args, false));
-  CLI_TRY(needs_jump(&a, false));
-  CLI_TRY(check_gamma(&a));
-  return write_grid(&a, "r,omega,region,lambda,delassus\n",
+  CLI_TRY(prepare(args, false));
+  CLI_TRY(needs_jump(false));
+  CLI_TRY(check_gamma());
+  return write_grid("r,omega,region,lambda,delassus\n",
                     "r m, omega rad/s, lambda N, delassus 1/kg", regions_row);
 }
 
@@ -395,10 +388,9 @@ static const char atlas_header[] =
 #define VALUES 10
 #define CONDITIONS 7
 
-static int atlas_row(const analysis_t *a, tf_real_t r, tf_real_t omega,
-                     cli_buffer_t *text) {
+static int atlas_row(tf_real_t r, tf_real_t omega, cli_buffer_t *text) {
   tf_design_t design;
-  (void)tf_design_two_fold(&a->setup.machine, &a->setup.input, r, omega,
+  (void)tf_design_two_fold(&job.setup.machine, &job.setup.input, r, omega,
                            &design);
   const bool exists = design.obstacle == TF_DESIGN_FOUND ||
                       design.obstacle == TF_DESIGN_KAPPA ||
@@ -434,21 +426,19 @@ static int atlas_row(const analysis_t *a, tf_real_t r, tf_real_t omega,
 }
 
 int cli_atlas(const cli_args_t *args) {
-  analysis_t a;
-  CLI_TRY(prepare(&a, args, true));
-  CLI_TRY(check_design(&a));
-  return write_grid(&a, atlas_header,
+  CLI_TRY(prepare(args, true));
+  CLI_TRY(check_design());
+  return write_grid(atlas_header,
                     "r m, omega rad/s, v m/s, g m/s, kappa m, k2 N/m, K in "
                     "rescaled time, others 1",
                     atlas_row);
 }
 
 // The angles are those of a slip of 1 m/s, which law smooth alone asks for.
-static int tyre_row(const analysis_t *a, tf_real_t angle, tf_real_t other,
-                    cli_buffer_t *text) {
+static int tyre_row(tf_real_t angle, tf_real_t other, cli_buffer_t *text) {
   const double degree = acos(-1.0) / 180, phi = (double)angle;
   const tf_force_t f = tf_tyre_force(
-      &a->setup.machine.contact.tyre, angle < 0 ? TF_R(-1.0) : TF_R(1.0),
+      &job.setup.machine.contact.tyre, angle < 0 ? TF_R(-1.0) : TF_R(1.0),
       (tf_real_t)sin(degree * phi), (tf_real_t)sin(degree * (90 - fabs(phi))));
   (void)other;
   cli_add_form(text, "%g,%g,%g\n", phi, (double)f.F, (double)f.M);
@@ -457,9 +447,8 @@ static int tyre_row(const analysis_t *a, tf_real_t angle, tf_real_t other,
 
 int cli_tyre(const cli_args_t *args) {
   cli_args_t angles = *args;
-  analysis_t a;
   angles.r = args->r.text != NULL ? args->r : (cli_range_t){"", 0, 90, 91};
   angles.omega.count = 1;
-  CLI_TRY(prepare(&a, &angles, false));
-  return write_grid(&a, "angle,F,M\n", "angle degrees, F N, M N m", tyre_row);
+  CLI_TRY(prepare(&angles, false));
+  return write_grid("angle,F,M\n", "angle degrees, F N, M N m", tyre_row);
 }
