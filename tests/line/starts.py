@@ -87,27 +87,22 @@ def played(line, stop):
     return line.session, stop
 
 
-def started(command, folder, recorded):
-    """As `played`, of a board that is started for it."""
-    near, far = socket.socketpair()
-    with subprocess.Popen(
-            command, stdin=far, stdout=far, stderr=subprocess.DEVNULL,
-            cwd=folder, env={**os.environ, "TWOFOLD_BOOT": "count",
-                             "TWOFOLD_PORT": "-"}) as process:
-        far.close()
-        try:
-            with Line(near.detach()) as line:
-                return played(line, recorded)
-        finally:
-            process.kill()
-
-
 def starts(command):
     """No session comes twice, and what was recorded acts once."""
+    sessions, stop = set(), None
     with tempfile.TemporaryDirectory() as folder:
-        first, stop = started(command, folder, None)
-        sessions = {first, *(started(command, folder, stop)[0]
-                             for _ in range(STARTS - 1))}
+        for _ in range(STARTS):
+            near, far = socket.socketpair()
+            with far, Line(near.detach()) as line, subprocess.Popen(
+                    command, stdin=far, stdout=far, cwd=folder,
+                    stderr=subprocess.DEVNULL,
+                    env={**os.environ, "TWOFOLD_BOOT": "count",
+                         "TWOFOLD_PORT": "-"}) as process:
+                try:
+                    session, stop = played(line, stop)
+                finally:
+                    process.kill()
+            sessions.add(session)
     same(len(sessions), STARTS)
 
 

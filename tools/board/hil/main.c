@@ -96,20 +96,17 @@ static int read_options(options_t *options, int argc, char **argv) {
 
 static size_t make_row(const hil_sample_t *sample, char row[ROW_ROOM]) {
   const int digits = TF_REAL_BYTES == 4 ? 9 : 17;
+  char input[ROW_ROOM / 2] = ",,";
   tf_state_t x;
   tf_read_state(sample->state, sample->tick, &x);
-  size_t used =
-      (size_t)snprintf(row, ROW_ROOM, "%" PRIu64 ",%.*g,%.*g,%.*g,%s",
-                       sample->tick, digits, (double)x.r, digits, (double)x.v,
-                       digits, (double)x.w, tf_mode_name(x.mode));
-  if (sample->sent && sample->answered)
-    used += (size_t)snprintf(row + used, ROW_ROOM - used,
-                             ",%.*g,%.*g,%" PRIu64 "\n", digits,
-                             (double)sample->input.omega0, digits,
-                             (double)sample->input.torque, sample->effect);
-  else
-    used += (size_t)snprintf(row + used, ROW_ROOM - used, ",,,\n");
-  return used;
+  if (sample->answered)
+    (void)snprintf(input, sizeof input, "%.*g,%.*g,%" PRIu64, digits,
+                   (double)sample->input.omega0, digits,
+                   (double)sample->input.torque, sample->effect);
+  return (size_t)snprintf(row, ROW_ROOM, "%" PRIu64 ",%.*g,%.*g,%.*g,%s,%s\n",
+                          sample->tick, digits, (double)x.r, digits,
+                          (double)x.v, digits, (double)x.w,
+                          tf_mode_name(x.mode), input);
 }
 
 // A row for every state that was read, in a file that gets its name when it is

@@ -75,7 +75,7 @@ static void apply(twin_t *twin) {
   const hil_board_t *board = twin->board;
   for (; twin->effect < twin->next; twin->effect++) {
     const hil_sample_t *sample = &board->samples[twin->effect];
-    if (!sample->sent || !sample->answered || sample->code != 0) continue;
+    if (!sample->answered || sample->code != 0) continue;
     if (sample->effect > twin->simulation.state.tick) return;
     tf_simulation_set_input(&twin->simulation, &sample->own);
   }
