@@ -43,14 +43,15 @@ static int refuse_scene(const cli_setup_t *setup) {
 static int prepare_start(cli_job_t *job) {
   cli_setup_t *setup = &job->setup;
   CLI_TRY(cli_setup_start(setup));
-  if (setup->report.choices < 2) {
+  if (setup->motion.report.choices < 2) {
     return cli_message(
         CLI_REFUSED,
         "the start r = %g m, v = %g m/s, omega = %g rad/s has %s future "
         "(%s), nothing diverges there",
-        (double)setup->state.r, (double)setup->state.v, (double)setup->state.w,
-        setup->report.choices == 1 ? "one" : "no",
-        tf_mode_name(setup->state.mode));
+        (double)setup->motion.state.r, (double)setup->motion.state.v,
+        (double)setup->motion.state.w,
+        setup->motion.report.choices == 1 ? "one" : "no",
+        tf_mode_name(setup->motion.state.mode));
   }
   return CLI_DONE;
 }

@@ -163,7 +163,7 @@ static void visit_all(search_t *search) {
   const cli_job_t *job = search->job;
   cli_motion_begin(&search->motion, job, 0);
   const node_t first = {.state = search->motion.state,
-                        .set = job->setup.report.set,
+                        .set = job->setup.motion.report.set,
                         .two_fold = job->at_two_fold};
   (void)node_at(search, &first);
   search->progress =

@@ -160,7 +160,7 @@ void cli_motion_begin(cli_motion_t *motion, const cli_job_t *job,
   *motion = (cli_motion_t){.job = job,
                            .sample = (uint32_t)sample,
                            .near = (double)(tf_real_t)job->near,
-                           .state = job->setup.state,
+                           .state = job->setup.motion.state,
                            .passes = random && job->at_two_fold,
                            .wait = -1};
   if (!random) {

@@ -100,7 +100,6 @@ int cli_replay_begin(cli_replay_t *replay, cli_setup_t *setup,
   CLI_TRY(compare(replay, setup));
   CLI_TRY(count_steps(replay, steps));
   setup->seed = (uint32_t)tf_wire_get(schema + SCHEMA_SEED, 4);
-  setup->state.seed = setup->seed;
   tf_link_open(&replay->link, setup->scene, &setup->params);
   (void)tf_simulation_open(&replay->simulation, setup->scene, &setup->params,
                            setup->seed);

@@ -244,6 +244,7 @@ static int prepare_replay(cli_run_t *run, cli_setup_t *setup) {
   const cli_setup_t asked = *setup;
   run->replays = true;
   CLI_TRY(cli_replay_begin(&run->replay, setup, &run->steps));
+  CLI_TRY(cli_setup_start(setup)); // with the seed of the board
   run->steps++;
   return cli_run_check_start(run->args, &asked, "--replay", run->args->replay,
                              setup->seed);
@@ -276,7 +277,7 @@ static int prepare(cli_run_t *run, cli_setup_t *setup) {
   if (args->replay != NULL) {
     CLI_TRY(prepare_replay(run, setup));
   }
-  cli_system_begin(&run->system, setup);
+  run->system = setup->motion;
   run->report = run->system.report;
   run->drive.accuracy = (tf_real_t)args->accuracy;
   if (args->from != NULL) {

@@ -131,6 +131,3 @@ tf_status_t cli_step(cli_drive_t *drive, motion_scheme_t scheme,
 /// input: out, that of the step, or of its last part.
 tf_status_t cli_drive_take(cli_drive_t *drive, const cli_setup_t *setup,
                            motion_t *motion, tf_input_t *input);
-
-/// Begins a motion at the start of a setup.
-void cli_system_begin(motion_t *motion, const cli_setup_t *setup);

@@ -60,15 +60,6 @@ int cli_count_steps(const cli_args_t *args, tf_real_t dt, uint64_t *steps) {
   return CLI_DONE;
 }
 
-// The setup has prepared and begun the same machine, so neither can fail.
-void cli_system_begin(motion_t *motion, const cli_setup_t *setup) {
-  motion_start_t start = setup->start;
-  start.state.seed = setup->seed;
-  *motion = (motion_t){.state = {.r = 0}};
-  (void)motion_prepare(motion, setup->scheme, &setup->params, NULL);
-  (void)motion_begin(motion, setup->scheme, &start, &setup->input);
-}
-
 tf_status_t cli_step(cli_drive_t *drive, motion_scheme_t scheme,
                      motion_t *motion, const tf_input_t *input) {
   if (!(drive->accuracy > 0)) {

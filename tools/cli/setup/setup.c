@@ -194,14 +194,12 @@ static int refuse_start(const cli_setup_t *setup, tf_status_t status) {
 }
 
 int cli_setup_start(cli_setup_t *setup) {
-  motion_start_t *start = &setup->start;
-  motion_t motion = {.machine.machine = setup->machine};
   CLI_TRY(cli_setup_check_starts(setup));
-  start->state.seed = setup->seed;
+  setup->start.state.seed = setup->seed;
+  setup->motion = (motion_t){.state = {.r = 0}};
+  (void)motion_prepare(&setup->motion, setup->scheme, &setup->params, NULL);
   const tf_status_t status =
-      motion_begin(&motion, MOTION_MOREAU, start, &setup->input);
-  setup->state = motion.state;
-  setup->report = motion.report;
+      motion_begin(&setup->motion, setup->scheme, &setup->start, &setup->input);
   return status == TF_OK ? CLI_DONE : refuse_start(setup, status);
 }
 

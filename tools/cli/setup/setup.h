@@ -64,9 +64,8 @@ typedef struct {
   uint32_t seed;                         ///< of rule random
   motion_scheme_t scheme;                ///< MOTION_SCHEMES: not chosen
   tf_machine_t machine;
-  tf_input_t input;   ///< at t = 0
-  tf_state_t state;   ///< at t = 0, begun
-  tf_report_t report; ///< of tf_begin
+  tf_input_t input; ///< at t = 0
+  motion_t motion;  ///< at t = 0, begun
 } cli_setup_t;
 
 /// Applies the scene, then every setting in its order, then the rule.

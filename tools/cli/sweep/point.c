@@ -245,7 +245,7 @@ int cli_point_check(cli_sweep_t *sweep) {
 }
 
 static void begin(point_t *point) {
-  cli_system_begin(&point->motion, &point->setup);
+  point->motion = point->setup.motion;
   point->input = point->setup.input;
   point->report = point->motion.report;
   point->modes = TF_MODE_BIT(point->report.mode);

@@ -22,14 +22,13 @@ typedef struct {
 static const char *make_file(file_t *file, fuzz_bytes_t *in) {
   static const cli_settings_t none = {.count = 0};
   cli_stand_t stand = {.state = {.r = 0}};
-  motion_t system;
   const tf_scene_t *scene = tf_scenes[fuzz_byte(in) % TF_SCENES];
   const unsigned scheme = fuzz_byte(in) % MOTION_SCHEMES;
   FUZZ_HOLD(cli_setup_read(&file->setup, scene, &none, NULL) == CLI_DONE);
   file->setup.scheme = (motion_scheme_t)scheme;
   FUZZ_HOLD(cli_setup_machine(&file->setup) == CLI_DONE);
   FUZZ_HOLD(cli_setup_start(&file->setup) == CLI_DONE);
-  cli_system_begin(&system, &file->setup);
+  motion_t system = file->setup.motion;
   const unsigned byte = fuzz_byte(in);
   stand.held = (tf_simulation_t){.source = (tf_input_source_t)(byte / 16 % 3),
                                  .deadman = byte,
