@@ -74,6 +74,8 @@ typedef struct {
   int side;          ///< of the exit, +1 or -1
   double phase;      ///< at the section [windings]; < 0: not there in slip
   double section_t;  ///< passage of the section in slip [s]; < 0: not yet
+  double up_last;    ///< last change from slip- to slip+ [s], < 0: none
+  bool upper;        ///< on the upper sliding region at present
   bool landed;       ///< on the upper sliding region
   double land_t;     ///< first time [s]
   double land_r;     ///< [m]
@@ -87,11 +89,9 @@ typedef struct {
   const cli_job_t *job;
   cli_instant_t before, last;
   cli_cycle_t cycle;
-  bool upper;      ///< on the upper sliding region at present
   double on_since; ///< start of the present stay on the surface
   double on_r;     ///< where it began [m]
   int slip_side;   ///< of the last slip
-  double up_last;  ///< last change from slip- to slip+ [s], < 0: none
 } cli_tracker_t;
 
 /// Starts at the first instant of a sample.

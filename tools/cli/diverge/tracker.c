@@ -32,11 +32,10 @@ void cli_track_start(cli_tracker_t *tracker, const cli_job_t *job,
 }
 
 void cli_track_next(cli_tracker_t *tracker) {
-  const cli_cycle_t fresh = {
-      .arrived = tracker->cycle.ended, .phase = -1, .section_t = -1};
-  tracker->cycle = fresh;
-  tracker->upper = false;
-  tracker->up_last = -1;
+  tracker->cycle = (cli_cycle_t){.arrived = tracker->cycle.ended,
+                                 .phase = -1,
+                                 .section_t = -1,
+                                 .up_last = -1};
 }
 
 // When r passes a value between two instants: bisection of the cubic that has r
@@ -54,11 +53,7 @@ static double passage(const cli_tracker_t *tracker, const cli_instant_t *a,
     const double x = (low + high) / 2, y = 1 - x;
     const double at =
         a->at.r + rise * x * x * (3 - 2 * x) + x * y * (va * y - vb * x);
-    if ((at > r) == down) {
-      low = x;
-    } else {
-      high = x;
-    }
+    *((at > r) == down ? &low : &high) = x;
   }
   return a->t + dt * (low + high) / 2;
 }
@@ -69,11 +64,9 @@ static bool has_arrived(cli_tracker_t *tracker, const cli_instant_t *at) {
   const cli_wide_t *k = &tracker->job->wide;
   if (!isfinite(tracker->job->two_fold.r) || !last->on || !at->on ||
       !two_fold_side(tracker, last->g) || !two_fold_side(tracker, at->g) ||
-      at->t - tracker->on_since < tracker->job->dwell) {
-    return false;
-  }
-  if (!(cli_delassus(k, last->at.r, side) > 0 &&
-        cli_delassus(k, at->at.r, side) <= 0)) {
+      at->t - tracker->on_since < tracker->job->dwell ||
+      cli_delassus(k, last->at.r, side) <= 0 ||
+      cli_delassus(k, at->at.r, side) > 0) {
     return false;
   }
   tracker->cycle.ended = passage(tracker, last, at, tracker->job->two_fold.r);
@@ -98,10 +91,8 @@ static void watch_exit(cli_tracker_t *tracker, const cli_instant_t *at) {
 
 // When h changed its sign between two instants, by linear interpolation.
 static double crossing(const cli_instant_t *a, const cli_instant_t *b) {
-  if ((a->h < 0) == (b->h < 0) || a->h == b->h) {
-    return a->t;
-  }
-  return a->t - (b->t - a->t) * a->h / (b->h - a->h);
+  return (a->h < 0) == (b->h < 0) ? a->t
+                                  : a->t - (b->t - a->t) * a->h / (b->h - a->h);
 }
 
 static void watch_windings(cli_tracker_t *tracker, const cli_instant_t *at) {
@@ -115,11 +106,8 @@ static void watch_windings(cli_tracker_t *tracker, const cli_instant_t *at) {
   if ((last->at.r > section) != (at->at.r > section) && cycle->section_t < 0) {
     cycle->section_t = passage(tracker, last, at, section);
   }
-  if (at->on) {
-    return;
-  }
   const int side = at->h < 0 ? -1 : 1;
-  if (side == tracker->slip_side) {
+  if (at->on || side == tracker->slip_side) {
     return;
   }
   cycle->windings++;
@@ -128,12 +116,11 @@ static void watch_windings(cli_tracker_t *tracker, const cli_instant_t *at) {
     return;
   }
   const double up = crossing(last, at);
-  if (cycle->phase < 0 && tracker->up_last >= 0 &&
-      tracker->up_last <= cycle->section_t && cycle->section_t <= up) {
-    cycle->phase =
-        (cycle->section_t - tracker->up_last) / (up - tracker->up_last);
+  if (cycle->phase < 0 && cycle->up_last >= 0 &&
+      cycle->up_last <= cycle->section_t && cycle->section_t <= up) {
+    cycle->phase = (cycle->section_t - cycle->up_last) / (up - cycle->up_last);
   }
-  tracker->up_last = up;
+  cycle->up_last = up;
 }
 
 // When and where h became 0 between two instants, the first of which is in
@@ -158,15 +145,12 @@ static void watch_landing(cli_tracker_t *tracker, const cli_instant_t *at) {
   if (at->on && !tracker->last.on) {
     reach_surface(tracker, at);
   }
-  if (!at->on) {
-    tracker->upper = false;
-    return;
-  }
-  if (tracker->upper || at->g == 0 || two_fold_side(tracker, at->g) ||
+  cycle->upper = cycle->upper && at->on;
+  if (!at->on || cycle->upper || at->g == 0 || two_fold_side(tracker, at->g) ||
       at->rests || at->t - tracker->on_since < tracker->job->dwell) {
     return;
   }
-  tracker->upper = true;
+  cycle->upper = true;
   cycle->landings++;
   if (!cycle->landed) {
     cycle->landed = true;
@@ -177,8 +161,7 @@ static void watch_landing(cli_tracker_t *tracker, const cli_instant_t *at) {
 
 bool cli_track(cli_tracker_t *tracker, const cli_instant_t *at) {
   cli_cycle_t *cycle = &tracker->cycle;
-  bool ended = has_arrived(tracker, at);
-  if (!ended) {
+  if (!has_arrived(tracker, at)) {
     watch_exit(tracker, at);
     watch_windings(tracker, at);
     watch_landing(tracker, at);
@@ -187,10 +170,9 @@ bool cli_track(cli_tracker_t *tracker, const cli_instant_t *at) {
       cycle->outcome = at->rests                           ? CLI_CYCLE_REST
                        : cycle->landings >= SMALL_LANDINGS ? CLI_CYCLE_SMALL
                                                            : CLI_CYCLE_TIMEOUT;
-      ended = true;
     }
   }
   tracker->before = tracker->last;
   tracker->last = *at;
-  return ended;
+  return cycle->outcome != CLI_CYCLE_OPEN;
 }
