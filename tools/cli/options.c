@@ -44,25 +44,26 @@ static void set_usual(const cli_command_t *command, cli_args_t *args) {
   }
 }
 
-// The option that a word begins.
-static int find_option(const cli_command_t *command, const char *word,
-                       const cli_option_t **option) {
+// The option that a word begins. NULL: there is none, after a message.
+static const cli_option_t *find_option(const cli_command_t *command,
+                                       const char *word) {
   const size_t length = strcspn(word, "=");
   cli_closest_t closest = cli_closest_to(word);
   for (size_t i = 0; i < cli_option_count; i++) {
-    *option = &cli_options[i];
-    if (!cli_takes(command, *option)) {
+    const cli_option_t *option = &cli_options[i];
+    if (!cli_takes(command, option)) {
       continue;
     }
-    const char *name = (*option)->name;
-    if (strlen(name) == length && strncmp(name, word, length) == 0) {
-      return CLI_DONE;
+    if (strlen(option->name) == length &&
+        strncmp(option->name, word, length) == 0) {
+      return option;
     }
-    cli_closest_offer(&closest, name);
+    cli_closest_offer(&closest, option->name);
   }
-  return cli_message(CLI_USAGE,
-                     "unknown option %s%s ('twofold help %s' lists them)", word,
-                     closest.hint, command->name);
+  (void)cli_message(CLI_USAGE,
+                    "unknown option %s%s ('twofold help %s' lists them)", word,
+                    closest.hint, command->name);
+  return NULL;
 }
 
 static int read_whole(const cli_option_t *option, const cli_given_t *given,
@@ -198,8 +199,10 @@ static bool was_given(const line_t *line, const char *name) {
 static int read_option(line_t *line, int argc, char *const argv[], int *at) {
   const char *word = argv[*at];
   const size_t length = strcspn(word, "=");
-  const cli_option_t *option = NULL;
-  CLI_TRY(find_option(line->command, word, &option));
+  const cli_option_t *option = find_option(line->command, word);
+  if (option == NULL) {
+    return CLI_USAGE;
+  }
   const bool valued = word[length] == '=';
   cli_given_t given = {option->name, ""};
   if (option->value == NULL) {

@@ -18,9 +18,9 @@
 
 // What a value is and where it goes: a member of the arguments, which has to be
 // of the type of its kind. Each of these ends before the text for the help.
-#define TO(type, name)                   \
-  .member = offsetof(cli_args_t, name) + \
-            0 * sizeof(*(1 ? (type *)0 : &((cli_args_t *)0)->name))
+#define TO(type, name)                    \
+  .member = (offsetof(cli_args_t, name) + \
+             0 * sizeof(*(1 ? (type *)0 : &((cli_args_t *)0)->name)))
 #define IN(least, most, is) .low = (least), .high = (most), .usual = (is)
 #define FLAG(name) .kind = CLI_FLAG, TO(bool, name), IN(0, 0, 0)
 #define READS(name) .kind = CLI_READS, TO(const char *, name), IN(0, 0, 0)
