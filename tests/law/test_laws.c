@@ -20,14 +20,15 @@ static void check_stick(scheme_t scheme, const char *name) {
   const tf_report_t *o = &s.report;
   const double epsilon = (double)TF_REAL_EPSILON;
   const int steps = samples(scheme == MOREAU ? 1000000 : 400000);
-  int sticks = 0, told = 0;
+  int sticks = 0, not_ok = 0;
   for (int n = 1; n <= steps; n++) {
     const double before = slip_rounding(&s);
     const unsigned was = s.x.mode;
     s.u = tf_scene_input(scene, &s.k, (uint64_t)n);
     const tf_status_t status = sim_step(&s, scheme);
     CHECK(status >= TF_OK && status != TF_DEGRADED);
-    told += !ok_to_resolution(status); /* a slip that turns beside h = g = 0 */
+    not_ok +=
+        !ok_to_resolution(status); /* a slip that turns beside h = g = 0 */
     if (tf_mode_is_slip(s.x.mode)) continue;
     sticks++;
     CHECK_NEAR(o->slip.h, 0,
@@ -42,8 +43,8 @@ static void check_stick(scheme_t scheme, const char *name) {
       CHECK(fabs((double)o->residual) <= 8 * epsilon);
   }
   printf("# %s, %s: %d of %d steps in stick, %d not OK\n", name,
-         scheme_name(scheme), sticks, steps, told);
-  CHECK(sticks > 1000 && told < (scheme == COMPENSATED ? 1 : 10));
+         scheme_name(scheme), sticks, steps, not_ok);
+  CHECK(sticks > 1000 && not_ok < (scheme == COMPENSATED ? 1 : 10));
   if (!strcmp(name, "rolling")) CHECK(sticks == steps);
 }
 

@@ -203,7 +203,7 @@ TEST(located_falls_back_and_says_so) {
     const tf_status_t s = locate(&p), t = sim_step(&same, MOREAU);
     if (memcmp(&p.x, &same.x, sizeof p.x) != 0) continue;
     fell_back++;
-    /* A step that tf_step finds too coarse is not told as one that it took. */
+    /* A step that tf_step finds too coarse keeps that status. */
     CHECK(p.report.status == s && s == (t == TF_OK ? TF_FELL_BACK : t));
     CHECK(p.report.set == same.report.set &&
           p.report.force.F == same.report.force.F);

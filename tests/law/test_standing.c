@@ -40,8 +40,8 @@ static void slide(sim_t *s) {
   CHECK(sim_begin(s) == TF_OK);
 }
 
-/* How many steps in an equilibrium leave r as it was; none may be told to
- * move. The residue of the rounded inputs may drive it off in time. */
+/* How many steps in an equilibrium leave r as it was; none of them
+ * may stall. The residue of the rounded inputs may drive it off in time. */
 static long steps_in_equilibrium(const sim_t *start) {
   long still = 0;
   for (int i = 0; i < 2; i++) {

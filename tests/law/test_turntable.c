@@ -227,21 +227,27 @@ TEST(friction_of_a_step_works_against_the_turntable_of_the_theta_point) {
   }
 }
 
-/* `chaos` on a ramp of its turntable, for a second. */
-static sim_t on_ramp(const motion_t *m, double dt, scheme_t scheme, double *gap,
-                     int *told) {
+/* `chaos` on a ramp of its turntable, for a second: its end, how near it came
+ * to h = g = 0, and how many steps are not TF_OK. */
+typedef struct {
+  tf_state_t x;
+  double gap;
+  int not_ok;
+} ramp_end_t;
+
+static ramp_end_t on_ramp(const motion_t *m, double dt, scheme_t scheme) {
+  ramp_end_t end = {.gap = 1};
   motion_t precise = *m;
   precise.params.tolerance = TF_R(1e-10);
   sim_t s = sim_under(&precise, dt);
-  *gap = 1;
-  *told = 0;
   for (long i = 1; i <= lround(1 / dt); i++) {
     sim_turn(&s, m);
-    *told += sim_step(&s, scheme) != TF_OK;
-    *gap = fmin(*gap,
-                fabs((double)s.report.slip.h) + fabs((double)s.report.slip.g));
+    end.not_ok += sim_step(&s, scheme) != TF_OK;
+    end.gap = fmin(
+        end.gap, fabs((double)s.report.slip.h) + fabs((double)s.report.slip.g));
   }
-  return s;
+  end.x = s.x;
+  return end;
 }
 
 /* Motions through h = g = 0 on a ramp take the branch that the located step
@@ -255,14 +261,12 @@ TEST(ramp_through_codimension_two_has_the_branch_of_the_located_step) {
                   .v = tap_uniform(-0.1, 0.1),
                   .w = tap_uniform(-1.1, -0.9),
                   .alpha = tap_uniform(-0.5, 0.5)};
-    double gap, unused;
-    int told;
-    const sim_t fine = on_ramp(&m, 1e-4, LOCATED, &gap, &told);
-    if (told > 0 || gap > 1e-3) continue;
-    const sim_t rough = on_ramp(&m, 3.7e-4, LOCATED, &unused, &told);
-    if (told > 0 || sim_apart(&rough.x, &fine.x) > 1e-3) continue;
-    const sim_t s = on_ramp(&m, 1e-4, MOREAU, &unused, &told);
-    if (told > 0) continue;
+    const ramp_end_t fine = on_ramp(&m, 1e-4, LOCATED);
+    if (fine.not_ok || fine.gap > 1e-3) continue;
+    const ramp_end_t rough = on_ramp(&m, 3.7e-4, LOCATED);
+    if (rough.not_ok || sim_apart(&rough.x, &fine.x) > 1e-3) continue;
+    const ramp_end_t s = on_ramp(&m, 1e-4, MOREAU);
+    if (s.not_ok) continue;
     judged++;
     other += sim_apart(&s.x, &fine.x) > 0.02;
   }

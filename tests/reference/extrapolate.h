@@ -1,7 +1,6 @@
 /// @file
 /// Steps by extrapolation of the midpoint rule (Gragg, Bulirsch, Stoer): it has
-/// no table of coefficients, so it is as exact as its numbers. It knows nothing
-/// of what it integrates.
+/// no table of coefficients, so it is as exact as its numbers.
 #ifndef REFERENCE_EXTRAPOLATE_H
 #define REFERENCE_EXTRAPOLATE_H
 

@@ -137,7 +137,7 @@ static int run(const options_t *options) {
   come = count_add(NULL, "come to h = g = 0");
   several = count_add(NULL, "of them more than one future");
   add(silent, "wrong, all steps OK");
-  add(flagged, "wrong, and told");
+  add(flagged, "wrong, and flagged");
   judge_machines(options, judge);
   return 0;
 }

@@ -76,7 +76,7 @@ static void on_event(const ref_orbit_t *orbit, ref_event_t event) {
 }
 
 // The end of the reference from a start moved by a share of its size. One that
-// is moved has another tolerance: it tells how sure the reference is.
+// is moved has another tolerance: its distance shows how sure the reference is.
 static ref_stop_t follow(const lib_machine_t *machine, const ref_machine_t *q,
                          double share, double end, met_t *met, ref_state_t *x) {
   ref_orbit_t orbit = {.tolerance = share != 0 ? 1e-12L : 1e-11L,

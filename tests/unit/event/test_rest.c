@@ -57,8 +57,8 @@ static event_t next_event(const rest_t *c, taylor_t *motion, tf_real_t *time) {
   return tf_next_event(motion, &segment, c->length, time);
 }
 
-/* At the instant of the event whoever lists the modes has the one that ends the
- * rest: the wheel is not left there by rounding. */
+/* At the instant of the event the list of modes has the one that ends the rest:
+ * the wheel is not left there by rounding. */
 TEST(event_of_rest_is_seen_by_the_modes) {
   int by_stick = 0, by_slip = 0;
   for (int n = 0; n < samples(8000); n++) {

@@ -1,4 +1,4 @@
-/* Names are a contract: whoever reads a table or a message finds them there. */
+/* Names are a contract: tables and messages contain them. */
 #include <limits.h>
 
 #include "tap.h"

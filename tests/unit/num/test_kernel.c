@@ -99,7 +99,7 @@ static void judge_extremes(const tf_tyre_t *tyre) {
 /* The anchors T = tan(a n pi/16) where most of them are steep. Those above pi/4
  * come down from T(inf), which is exact: a sum of angles would multiply the
  * rounding of its terms, and T[6] is that of the smallest angle. By the square
- * mean, which tells that from chance. */
+ * mean, which chance does not change. */
 TEST(anchors_error_bound) {
   real sum[TF_TYRE_ANCHORS] = {0};
   const int count = samples(20000);

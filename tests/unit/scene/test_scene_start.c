@@ -1,4 +1,4 @@
-/* A scene has one start, whoever asks for it: a simulation, a reset over the
+/* A scene has one start wherever it is needed: a simulation, a reset over the
  * line, the firmware that has all scenes, and the constants that a firmware of
  * one scene is made of. Seen here by the side on which a slip starts. */
 #include "firmware_start.h"
