@@ -1,16 +1,21 @@
-// Frames from the board, commands to it. Frames of other types (layouts,
-// parameters, those of later versions) are ignored.
+// Frames from the board, commands to it, and the closed loop: states in, inputs
+// out. Frames of other types (layouts, those of later versions) are ignored.
 #include "board/hil/board.h"
 
+#include <inttypes.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "cli/host/host.h"
 
-#define PATIENCE 2.0 // wait for an answer [s] ...
-#define TRIES 4      // ... before the command is sent again, so often in all
-#define GIVEN_UP 16  // states after which an answer no longer counts as due
+#define ANSWER_PATIENCE 2.0 // wait for an answer [s] ...
+#define ANSWER_TRIES 4      // ... to a command that is sent so often in all
+#define STATE_PATIENCE 5.0  // longest time without a state [s]
+#define INPUT_TRIES 8 // attempts to send an input to a board that is stopped
+#define OUTSTANDING 3 // inputs that may wait on the board; its queue has four
+#define GIVEN_UP 16   // states after which an answer no longer counts as due
+#define JUDGED 8      // samples behind which some records came in a row
 
 int hil_message(int code, const char *format, ...) {
   va_list arguments;
@@ -92,7 +97,7 @@ static void take_report(hil_board_t *board, const tf_frame_t *frame) {
   last->has_report = true;
 }
 
-size_t hil_board_waiting(const hil_board_t *board) {
+static size_t waiting(const hil_board_t *board) {
   size_t waiting = 0;
   for (size_t i = board->count; i > 0 && board->count - i < GIVEN_UP; i--)
     waiting += board->samples[i - 1].sent && !board->samples[i - 1].answered;
@@ -152,12 +157,12 @@ static int take(hil_board_t *board, const tf_frame_t *frame) {
   return CLI_DONE;
 }
 
-static int listen_for(hil_board_t *board, int milliseconds) {
+static int listen(hil_board_t *board) {
   uint8_t bytes[512];
   size_t length = 0, taken = 0;
   tf_frame_t frame;
-  const cli_source_found_t found = cli_source_read(
-      &board->source, bytes, sizeof bytes, milliseconds, &length);
+  const cli_source_found_t found =
+      cli_source_read(&board->source, bytes, sizeof bytes, 100, &length);
   if (cli_stop_asked()) return hil_message(CLI_STOPPED, "interrupted");
   if (found == CLI_SOURCE_GONE || found == CLI_SOURCE_END)
     return hil_message(CLI_STOPPED, "%s: the board went away",
@@ -168,7 +173,7 @@ static int listen_for(hil_board_t *board, int milliseconds) {
     length -= taken;
     CLI_TRY(take(board, &frame));
   }
-  board->is_answered = hil_board_waiting(board) == 0;
+  board->is_answered = waiting(board) == 0;
   return CLI_DONE;
 }
 
@@ -186,24 +191,26 @@ static int send_as(hil_board_t *board, uint32_t number, tf_type_t type,
                      strerror(board->source.error));
 }
 
-int hil_board_await(hil_board_t *board, const bool *flag, double patience) {
+// Reads until a flag of the board is set, or for as many seconds. Returns:
+// CLI_DONE, and the caller looks whether it is.
+static int await(hil_board_t *board, const bool *flag, double patience) {
   const double until = cli_now() + patience;
-  while (!*flag && cli_now() < until) CLI_TRY(listen_for(board, 100));
+  while (!*flag && cli_now() < until) CLI_TRY(listen(board));
   return CLI_DONE;
 }
 
-// The command is sent again, with the same number, if no answer comes, whether
+// Sends a command and waits until it has taken effect. It is sent again, with the same number, if no answer comes, whether
 // it was lost or its answer was: the board takes a number once.
-int hil_board_order(hil_board_t *board, tf_type_t type, const uint8_t *data,
-                    size_t length) {
+static int order(hil_board_t *board, tf_type_t type, const uint8_t *data,
+                 size_t length) {
   board->ordered = type;
   board->number = board->sequence;
   board->tries = 0;
   board->has_answer = false;
-  while (!board->has_answer && board->tries < TRIES) {
+  while (!board->has_answer && board->tries < ANSWER_TRIES) {
     board->tries++;
     CLI_TRY(send_as(board, board->number, type, 0, data, length));
-    CLI_TRY(hil_board_await(board, &board->has_answer, PATIENCE));
+    CLI_TRY(await(board, &board->has_answer, ANSWER_PATIENCE));
   }
   if (!board->has_answer)
     return hil_message(CLI_STOPPED,
@@ -216,13 +223,14 @@ int hil_board_order(hil_board_t *board, tf_type_t type, const uint8_t *data,
   return CLI_DONE;
 }
 
-int hil_board_stop_at(hil_board_t *board, uint64_t tick) {
+// Sends a stop that takes effect at a tick; `has_stopped` says that it did.
+static int stop_at(hil_board_t *board, uint64_t tick) {
   board->has_stopped = false;
   board->stop_number = board->sequence;
   return send_as(board, board->sequence, TF_UP_STOP, tick, NULL, 0);
 }
 
-int hil_board_drive(hil_board_t *board, hil_sample_t *sample, uint64_t tick) {
+static int send_input(hil_board_t *board, hil_sample_t *sample, uint64_t tick) {
   uint8_t payload[5 * TF_REAL_BYTES];
   uint8_t *at = payload;
   const tf_input_t *input = &sample->input;
@@ -236,4 +244,110 @@ int hil_board_drive(hil_board_t *board, hil_sample_t *sample, uint64_t tick) {
   sample->sequence = board->sequence;
   return send_as(board, board->sequence, TF_UP_INPUT, tick, payload,
                  sizeof payload);
+}
+
+static int order_deadman(hil_board_t *board, uint64_t ticks) {
+  uint8_t data[4];
+  (void)tf_wire_put(data, ticks, sizeof data);
+  return order(board, TF_UP_DEADMAN, data, sizeof data);
+}
+
+// Without its session a board takes no command but the question who it is.
+// Commands that another host left in the queue are cleared. Frames that are
+// still on the line are ignored until the first answer comes.
+int hil_prepare(hil_board_t *board) {
+  static const tf_type_t orders[] = {TF_UP_CLEAR, TF_UP_STOP, TF_UP_RESET};
+  CLI_TRY(order(board, TF_UP_DESCRIBE, NULL, 0));
+  CLI_TRY(await(board, &board->has_session, STATE_PATIENCE));
+  if (!board->has_session)
+    return hil_message(CLI_STOPPED, "the board does not describe itself");
+  for (size_t i = 0; i < 3; i++) CLI_TRY(order(board, orders[i], NULL, 0));
+  if (board->plan.deadman == HIL_BOARDS)
+    board->plan.deadman = board->deadman;
+  else
+    CLI_TRY(order_deadman(board, board->plan.deadman));
+  board->listens = true;
+  board->is_answered = true;
+  CLI_TRY(await(board, &board->has_new, STATE_PATIENCE));
+  if (!board->has_new)
+    return hil_message(CLI_STOPPED, "the board sends no state");
+  return board->samples[0].tick == 0
+             ? CLI_DONE
+             : hil_message(CLI_STOPPED, "the board did not go to its start");
+}
+
+static uint64_t last_tick(const hil_board_t *board) {
+  return board->samples[board->count - 1].tick;
+}
+
+static int stopped(const hil_board_t *board, const char *why) {
+  return hil_message(CLI_STOPPED, "step %" PRIu64 ": %s", last_tick(board),
+                     why);
+}
+
+// Sends the input for the newest state, if the board has room for it.
+static int respond(hil_board_t *board) {
+  const hil_plan_t *plan = &board->plan;
+  hil_sample_t *sample = &board->samples[board->count - 1];
+  tf_machine_t machine;
+  tf_state_t state;
+  board->has_new = false;
+  if (sample->tick + plan->delay >= plan->steps ||
+      sample->tick >= plan->silent || waiting(board) >= OUTSTANDING)
+    return CLI_DONE;
+  (void)tf_prepare(&machine, &board->params, NULL);
+  tf_read_state(sample->state, sample->tick, &state);
+  sample->input = hil_control(&machine, &state);
+  return send_input(board, sample, sample->tick + plan->delay);
+}
+
+// The board stands where its stop was to take effect: without that answer it
+// may have run on, and no input could come in time. The next stop is sent
+// first, because after the start the board does not wait.
+static int respond_in_lockstep(hil_board_t *board) {
+  const uint64_t tick = last_tick(board);
+  if (tick != (board->count - 1) * board->plan.every)
+    return stopped(board, "a command was lost");
+  if (tick > 0) CLI_TRY(await(board, &board->has_stopped, STATE_PATIENCE));
+  if (tick > 0 && !(board->has_stopped && board->stopped_at == tick))
+    return stopped(board, "its stop was lost");
+  CLI_TRY(stop_at(board, tick + board->plan.every));
+  // The board is stopped, so an input that is sent twice takes effect once.
+  for (int tries = 0; tries < INPUT_TRIES; tries++) {
+    CLI_TRY(respond(board));
+    CLI_TRY(await(board, &board->is_answered, 0.5));
+    if (board->is_answered) break;
+  }
+  return board->is_answered ? order(board, TF_UP_START, NULL, 0)
+                            : stopped(board, "its input was lost");
+}
+
+// Only its ticks tell a board's EVERY. Lockstep meets a state at any tick.
+static int check(const hil_board_t *board) {
+  const uint64_t every = board->plan.every;
+  if (board->stride == 0 || every % board->stride == 0) return CLI_DONE;
+  return hil_message(CLI_REFUSED,
+                     "--every %" PRIu64 " is no multiple of %" PRIu64
+                     ", the steps between the states that come (EVERY)",
+                     every, board->stride);
+}
+
+int hil_drive(hil_board_t *board) {
+  const hil_plan_t *plan = &board->plan;
+  while (last_tick(board) < plan->steps && board->count < board->room) {
+    if (board->has_new)
+      CLI_TRY(plan->in_lockstep ? respond_in_lockstep(board) : respond(board));
+    if (last_tick(board) == 0 && !plan->in_lockstep)
+      CLI_TRY(order(board, TF_UP_START, NULL, 0));
+    CLI_TRY(await(board, &board->has_new, STATE_PATIENCE));
+    if (!board->has_new || board->count > JUDGED) CLI_TRY(check(board));
+    if (!board->has_new) return stopped(board, "no state follows");
+  }
+  CLI_TRY(check(board));
+  CLI_TRY(order(board, TF_UP_STOP, NULL, 0));
+  // Inputs that stay without an answer are counted in the report.
+  CLI_TRY(await(board, &board->is_answered, 1));
+  // Whoever commands the board next finds it as it was.
+  return plan->deadman == board->deadman ? CLI_DONE
+                                         : order_deadman(board, board->deadman);
 }

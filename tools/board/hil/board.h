@@ -1,7 +1,6 @@
-/// The board at the other end of the line: the frames that it sends, the
-/// commands that it is sent, and its answers (board.c). Then the closed loop:
-/// its plan, how a board is driven in response to its states (drive.c), and
-/// what judges it (twin.c). The controller is control.h.
+/// The board at the other end of the line, the plan of the closed loop, how a
+/// board is driven in response to its states (board.c), and what judges it
+/// (twin.c). The controller is control.h.
 #pragma once
 
 #include "board/hil/control.h"
@@ -78,24 +77,6 @@ typedef struct {
   tf_heartbeat_t heartbeat;
   bool has_heartbeat;
 } hil_board_t;
-
-/// Reads until a flag of the board is set, or for as many seconds. Returns:
-/// CLI_DONE, and the caller looks whether it is.
-int hil_board_await(hil_board_t *board, const bool *flag, double patience);
-
-/// Sends a command and waits until it has taken effect. data: NULL where it has
-/// none.
-int hil_board_order(hil_board_t *board, tf_type_t type, const uint8_t *data,
-                    size_t length);
-
-/// Sends a stop that takes effect at a tick; `has_stopped` says that it did.
-int hil_board_stop_at(hil_board_t *board, uint64_t tick);
-
-/// Sends the input of a sample, which takes effect at the given tick or later.
-int hil_board_drive(hil_board_t *board, hil_sample_t *sample, uint64_t tick);
-
-/// Number of recent samples whose input has no answer yet.
-size_t hil_board_waiting(const hil_board_t *board);
 
 typedef struct {
   size_t compared, differ; ///< states and reports, byte for byte
