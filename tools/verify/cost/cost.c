@@ -99,7 +99,7 @@ CALL(step_located) {
 }
 CALL(step_compensated) {
   tf_state_t state = s->state;
-  tf_compensation_t compensation = s->compensation;
+  tf_compensation_t compensation = {0};
   tf_report_t report;
   return COUNT(tf_step_compensated(&s->machine, &state, &compensation,
                                    &s->input, &report));

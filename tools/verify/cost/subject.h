@@ -23,7 +23,6 @@ typedef struct {
   tf_params_t params;
   tf_compensated_t machine;
   tf_state_t state;
-  tf_compensation_t compensation;
   tf_input_t input;
   unsigned units; // bytes, states or segments that it gets
   bool valid;     // false: tf_prepare or tf_begin refused
@@ -205,7 +204,6 @@ static void make_subject(subject_t *s) {
   s->state.r = gene[24] & 16u ? real_of(gene[24]) : scene->r;
   s->state.v = gene[25] & 16u ? real_of(gene[25]) : scene->v;
   s->state.w = gene[26] & 16u ? real_of(gene[26]) : scene->omega;
-  s->state.phi = sized_of(gene[31], -4, 4);
   s->state.seed = gene[32];
   s->state.tick = gene[33];
   place(s);
@@ -219,11 +217,6 @@ static void make_subject(subject_t *s) {
       (void)tf_step_located(k, &s->state, &s->input, &report);
     else
       (void)tf_step(k, &s->state, &s->input, &report);
-  if (gene[41] & 16u) {
-    s->compensation.r = s->state.r * (TF_REAL_EPSILON / 4);
-    s->compensation.v = -s->state.v * (TF_REAL_EPSILON / 4);
-    s->compensation.w = s->state.w * (TF_REAL_EPSILON / 4);
-  }
 }
 
 #endif
