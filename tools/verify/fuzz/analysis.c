@@ -8,10 +8,8 @@ static int finite_rate(const tf_rate_t *f) {
 }
 
 static const char *judge_direction(const tf_direction_t *direction) {
-  const tf_real_t plus =
-      direction->plus < 0 ? -direction->plus : direction->plus;
-  const tf_real_t minus =
-      direction->minus < 0 ? -direction->minus : direction->minus;
+  const tf_real_t plus = fuzz_magnitude(direction->plus);
+  const tf_real_t minus = fuzz_magnitude(direction->minus);
   FUZZ_HOLD(fuzz_finite(direction->value) && fuzz_finite(direction->lambda));
   FUZZ_HOLD(finite_rate(&direction->velocity));
   FUZZ_HOLD((plus == 0 && minus == 0) ||

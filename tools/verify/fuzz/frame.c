@@ -122,23 +122,12 @@ typedef struct {
 // All that acts, as bytes.
 typedef struct {
   tf_params_t params;
-  tf_machine_t machine;
-  tf_state_t state;
-  tf_input_t input;
-  tf_input_source_t source;
-  uint32_t deadman;
-  bool running;
+  tf_simulation_t simulation;
 } acting_t;
 
 static void look(const board_t *b, acting_t *now) {
-  memset(now, 0, sizeof *now);
   memcpy(&now->params, &b->link.params, sizeof now->params);
-  memcpy(&now->machine, &b->simulation.machine, sizeof now->machine);
-  memcpy(&now->state, &b->simulation.state, sizeof now->state);
-  memcpy(&now->input, &b->simulation.input, sizeof now->input);
-  now->source = b->simulation.source;
-  now->deadman = b->simulation.deadman;
-  now->running = b->simulation.running;
+  memcpy(&now->simulation, &b->simulation, sizeof now->simulation);
 }
 
 static const char *hear(board_t *b, const uint8_t *bytes, size_t length) {
@@ -236,8 +225,8 @@ static const char *tick(board_t *b) {
   const tf_status_t status =
       tf_step(&b->simulation.machine, &b->simulation.state, &input,
               &b->simulation.report);
-  FUZZ_HOLD(status >= 0 || memcmp(&after.state, &b->simulation.state,
-                                  sizeof after.state) == 0);
+  FUZZ_HOLD(status >= 0 || memcmp(&after.simulation.state, &b->simulation.state,
+                                  sizeof after.simulation.state) == 0);
   FUZZ_HOLD(fuzz_in_reach(&b->simulation.state));
   return NULL;
 }

@@ -74,9 +74,8 @@ static inline int fuzz_finite(tf_real_t x) {
 
 /// Whether a state is one that a step may return.
 static inline int fuzz_in_reach(const tf_state_t *x) {
-  const tf_real_t r = x->r < 0 ? -x->r : x->r, v = x->v < 0 ? -x->v : x->v;
-  const tf_real_t w = x->w < 0 ? -x->w : x->w;
-  return r + v + w <= TF_STATE_LIMIT;
+  return fuzz_magnitude(x->r) + fuzz_magnitude(x->v) + fuzz_magnitude(x->w) <=
+         TF_STATE_LIMIT;
 }
 
 /// The same bits, or both not a number.
