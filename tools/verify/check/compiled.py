@@ -185,8 +185,7 @@ def coverage():
 
     Programs, not the command line: whoever breaks the core should hear it from
     a test that names what broke. Those of units in double, of analysis and laws
-    in float are enough, and without test_branch and test_corpus, which take
-    long."""
+    in float are enough, and without test_branch, which takes long."""
     need("gcov", "gcc")
     need("gcovr", "gcovr")
     place = BUILD / "coverage"
@@ -195,7 +194,7 @@ def coverage():
         ("double", ("unit", "line", "regress")),
         ("float", ("law", "golden", "regress", "unit/analysis")))
         for test in tests_in(*(f"tests/{room}" for room in rooms))
-        if not test.endswith(("/test_branch.c", "/test_corpus.c"))]
+        if not test.endswith("/test_branch.c")]
     if not build("CC=gcc", f"BUILD={place}", "OPT=-O0", "TEST_OPT=",
                  f"TESTS={' '.join(tests_in('tests'))}", "EXTRA=--coverage "
                  "-Dalways_inline=unused -fkeep-inline-functions", *programs):
