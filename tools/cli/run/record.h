@@ -103,8 +103,7 @@ typedef struct {
   uint64_t first;          ///< steps taken before this run, by another one
   uint64_t done;           ///< steps taken, by both
   uint64_t written;        ///< step of the last row
-  cli_frames_t frames;     ///< where the rows are that
-  cli_glance_t glance;     ///< where they are for a person who looks
+  bool glance;             ///< the rows are for a person who looks
   motion_t system;
   tf_report_t report; ///< of the last step that was taken
   tf_status_t status; ///< of the last step that was tried

@@ -57,23 +57,6 @@ extern const cli_stream_t cli_streams[CLI_FORMATS];
 cli_csv_t cli_row(tf_real_t t, const tf_state_t *state,
                   const tf_report_t *report);
 
-/// The rows of a run on a terminal, where nobody asked for all of them: the
-/// first and the last ones, in columns that a terminal has room for.
-#define CLI_GLANCE 5 ///< rows at each end
-#define CLI_GLANCE_ROOM 128
-typedef struct {
-  bool on;
-  uint64_t rows; ///< so far
-  char last[CLI_GLANCE][CLI_GLANCE_ROOM];
-} cli_glance_t;
-
-/// The frames of a run; 0 before the first.
-typedef struct {
-  uint32_t sequence; ///< of the next one
-  uint32_t chain;    ///< of those before it
-  uint32_t run;      ///< hash of the run
-} cli_frames_t;
-
 /// The last field of the first row of a record: another version of the protocol
 /// has other commands.
 #define CLI_TEXT_OF(number) #number

@@ -21,31 +21,40 @@ static void put_text(cli_run_t *run, const char *text) {
   put(run, text, strlen(text));
 }
 
+// The rows on a terminal, where nobody asked for all of them: the first and the
+// last ones, in columns that a terminal has room for.
+
+#define GLANCE 5  // rows at each end
 #define GLANCED 6 // a terminal of 80 columns has no room for F and M
+#define GLANCE_ROOM 128
+
+static struct {
+  uint64_t rows; // so far
+  char last[GLANCE][GLANCE_ROOM];
+} glance;
 
 static void glance_at(cli_run_t *run, const cli_csv_t *row) {
-  cli_glance_t *glance = &run->glance;
-  char *line = glance->last[glance->rows++ % CLI_GLANCE];
+  char *line = glance.last[glance.rows++ % GLANCE];
   size_t used = 0;
   for (size_t i = 0; i < GLANCED; i++) {
-    used += (size_t)snprintf(line + used, CLI_GLANCE_ROOM - used, "%11.4g",
+    used += (size_t)snprintf(line + used, GLANCE_ROOM - used, "%11.4g",
                              row->column[i]);
   }
-  (void)snprintf(line + used, CLI_GLANCE_ROOM - used, " %-6s %u\n",
+  (void)snprintf(line + used, GLANCE_ROOM - used, " %-6s %u\n",
                  tf_mode_name(row->mode), row->choices);
-  if (glance->rows <= CLI_GLANCE) {
+  if (glance.rows <= GLANCE) {
     put_text(run, line);
   }
 }
 
 static void end_glance(cli_run_t *run) {
-  const uint64_t rows = run->glance.rows;
-  const uint64_t left = rows > CLI_GLANCE ? rows - CLI_GLANCE : 0;
-  const uint64_t shown = left < CLI_GLANCE ? left : CLI_GLANCE;
-  char line[CLI_GLANCE_ROOM];
+  const uint64_t rows = glance.rows;
+  const uint64_t left = rows > GLANCE ? rows - GLANCE : 0;
+  const uint64_t shown = left < GLANCE ? left : GLANCE;
+  char line[GLANCE_ROOM];
   put_text(run, left > shown ? "        ...\n" : "");
   for (uint64_t i = rows - shown; i < rows; i++) {
-    put_text(run, run->glance.last[i % CLI_GLANCE]);
+    put_text(run, glance.last[i % GLANCE]);
   }
   (void)snprintf(line, sizeof line,
                  "%" PRIu64
@@ -57,12 +66,18 @@ static void end_glance(cli_run_t *run) {
 
 #define FRAME_ROOM TF_FRAME_SIZE(TF_FRAME_PAYLOAD)
 
-static void chain(cli_run_t *run, const uint8_t *end) {
-  run->frames.chain = tf_frame_chain(run->frames.chain, end - 1 - TF_FRAME_CRC);
+static struct {
+  uint32_t sequence; // number of the next one
+  uint32_t chain;    // hash of those before it
+  uint32_t run;      // hash of the run
+} frames;
+
+static void chain(const uint8_t *end) {
+  frames.chain = tf_frame_chain(frames.chain, end - 1 - TF_FRAME_CRC);
 }
 
 static void put_frame(cli_run_t *run, const uint8_t *frame, size_t size) {
-  chain(run, frame + size);
+  chain(frame + size);
   put(run, frame, size);
 }
 
@@ -74,12 +89,12 @@ static tf_schema_t schema_of(const cli_run_t *run, const cli_setup_t *setup) {
                        .seed = setup->seed,
                        .scheme = (uint8_t)run->setup->scheme,
                        .ends = true,
-                       .run = run->frames.run};
+                       .run = frames.run};
 }
 
 void cli_rows_schema(cli_run_t *run) {
   const uint64_t at = run->system.state.tick;
-  uint32_t *next = &run->frames.sequence;
+  uint32_t *next = &frames.sequence;
   uint8_t to[FRAME_ROOM];
   const cli_setup_t setup = cli_run_setup(run);
   const tf_schema_t schema = schema_of(run, &setup);
@@ -99,14 +114,14 @@ static void put_state(cli_run_t *run) {
   const tf_input_source_t source = run->drive.table.count > 0
                                        ? TF_INPUT_SET
                                        : run->replay.simulation.stepped;
-  uint32_t *next = &run->frames.sequence;
-  uint8_t frames[2 * FRAME_ROOM];
-  size_t used = tf_send_state(frames, next, state);
-  chain(run, frames + used);
-  used += tf_send_report(frames + used, next, state->tick, &run->report,
+  uint32_t *next = &frames.sequence;
+  uint8_t to[2 * FRAME_ROOM];
+  size_t used = tf_send_state(to, next, state);
+  chain(to + used);
+  used += tf_send_report(to + used, next, state->tick, &run->report,
                          (uint8_t)source);
-  chain(run, frames + used);
-  put(run, frames, used);
+  chain(to + used);
+  put(run, to, used);
 }
 
 static uint32_t at_most_32_bits(uint64_t count) {
@@ -131,10 +146,10 @@ static void end_frames(cli_run_t *run) {
       .fell_back = at_most_32_bits(tally->fell_back),
       .coarse = at_most_32_bits(tally->coarse),
       .stalled = at_most_32_bits(tally->stalled),
-      .run = run->frames.run,
-      .chain = run->frames.chain};
+      .run = frames.run,
+      .chain = frames.chain};
   put(run, frame,
-      tf_send_heartbeat(frame, &run->frames.sequence, run->system.state.tick,
+      tf_send_heartbeat(frame, &frames.sequence, run->system.state.tick,
                         &beat));
 }
 
@@ -171,7 +186,7 @@ static void begin_frames(cli_run_t *run) {
   (void)snprintf(every, sizeof every, "%" PRIu64, run->args->every);
   // In place of the units stands what else the rows depend on.
   const size_t length = cli_run_provenance(run, every, lines);
-  run->frames.run =
+  frames.run =
       tf_run_hash(cli_crc(0, lines, length), &schema, &run->system.state);
   run->output.last = '\0';
   cli_rows_schema(run);
@@ -182,7 +197,7 @@ void cli_rows_begin(cli_run_t *run) {
   if (run->rowless) {
     return;
   }
-  if (run->glance.on) {
+  if (run->glance) {
     put_text(run,
              "       t[s]       r[m]     v[m/s] omega[/s]     h[m/s]  "
              "   g[m/s] mode   choices\n");
@@ -205,7 +220,7 @@ void cli_rows_add(cli_run_t *run) {
   if (run->rowless) {
     return;
   }
-  if (run->glance.on) {
+  if (run->glance) {
     glance_at(run, &row);
   } else if (run->args->format == CLI_FORMAT_FRAMES) {
     put_state(run);
@@ -216,7 +231,7 @@ void cli_rows_add(cli_run_t *run) {
 }
 
 void cli_rows_end(cli_run_t *run) {
-  if (run->glance.on) {
+  if (run->glance) {
     end_glance(run);
   } else if (run->args->format == CLI_FORMAT_FRAMES && !run->rowless) {
     end_frames(run);

@@ -138,8 +138,8 @@ static void show_progress(cli_progress_t *progress, double now,
 static void step_through(cli_run_t *run) {
   const double started = cli_now();
   const double flush_every = run->args->real_time ? LIVE_EVERY : FLUSH_EVERY;
-  cli_progress_t progress = cli_progress_start(
-      started, run->glance.on ? -1 : run->output.to.descriptor);
+  cli_progress_t progress =
+      cli_progress_start(started, run->glance ? -1 : run->output.to.descriptor);
   progress.silent = progress.silent || run->live != NULL;
   run->start = started - cli_run_time(run, run->first);
   cli_run_show(run);
@@ -214,9 +214,9 @@ static int perform(cli_run_t *run, const cli_args_t *args) {
       run->live != NULL && run->output.to.descriptor == STDOUT_FILENO;
   // A person who named neither a file nor a form of the rows; those of a run in
   // real time are looked at as they come.
-  run->glance.on = args->out == NULL && args->glance && !args->provenance &&
-                   !args->real_time && !run->rowless &&
-                   cli_is_terminal(STDOUT_FILENO);
+  run->glance = args->out == NULL && args->glance && !args->provenance &&
+                !args->real_time && !run->rowless &&
+                cli_is_terminal(STDOUT_FILENO);
   const char *why = args->priority ? cli_take_priority() : NULL;
   if (why != NULL) {
     cli_say("twofold: --priority: not given: %s\n", why);
