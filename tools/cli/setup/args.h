@@ -119,15 +119,3 @@ int cli_setup_scheme(cli_setup_t *setup, const cli_args_t *args);
 /// When a run ends, by --t-end or the scene; and the number of its steps.
 tf_real_t cli_end_of(const cli_args_t *args);
 int cli_count_steps(const cli_args_t *args, tf_real_t dt, uint64_t *steps);
-
-/// One step, which is taken as two halves, too, where drive->accuracy is not 0.
-/// Returns: as motion_step.
-tf_status_t cli_step(cli_drive_t *drive, motion_scheme_t scheme,
-                     motion_t *motion, const tf_input_t *input);
-
-/// Takes a step of a setup's machine under what drives it. Those of scheme
-/// located are split at the rows of a linear table: the report then has the
-/// largest set of the parts, and the first status that is not TF_OK.
-/// input: out, that of the step, or of its last part.
-tf_status_t cli_drive_take(cli_drive_t *drive, const cli_setup_t *setup,
-                           motion_t *motion, tf_input_t *input);

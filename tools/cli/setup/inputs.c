@@ -1,7 +1,7 @@
 // Inputs over time: read from CSV or from the scene, all of it before anything
 // is opened for writing, so a table of any length costs memory and never stops
-// a run in its middle; and looked up. Time only goes on, so a look-up begins at
-// the row of the last one.
+// a run in its middle; looked up; and the steps that they drive. Time only goes
+// on, so a look-up begins at the row of the last one.
 
 #include "inputs.h"
 
@@ -408,6 +408,65 @@ tf_real_t cli_drive_next(const cli_drive_t *drive, const cli_span_t *span) {
     }
   }
   return next;
+}
+
+tf_status_t cli_step(cli_drive_t *drive, motion_scheme_t scheme,
+                     motion_t *motion, const tf_input_t *input) {
+  if (!(drive->accuracy > 0)) {
+    return motion_step(motion, scheme, input);
+  }
+  tf_real_t error;
+  const tf_status_t status =
+      tf_step_estimated(&motion->machine.machine, &motion->state, input,
+                        drive->accuracy, &motion->report, &error);
+  drive->error = error > drive->error ? error : drive->error;
+  return status;
+}
+
+// The tick is the counter of the random generator, and each part draws for
+// itself. Multiples of sqrt(2) 2^64 stay apart: modulo 2^64 those of two parts
+// among n are at least 2^62 / n from each other, so that no step less than so
+// many ticks away has the same draw.
+#define PART_OF_TICK UINT64_C(0x6A09E667F3BCC909)
+
+tf_status_t cli_drive_take(cli_drive_t *drive, const cli_setup_t *setup,
+                           motion_t *motion, tf_input_t *input) {
+  const motion_scheme_t scheme = setup->scheme;
+  const tf_state_t before = motion->state;
+  tf_report_t *report = &motion->report;
+  cli_span_t rest = cli_span_of(before.tick, setup->machine.dt);
+  tf_report_t met = {.status = TF_OK};
+  for (uint64_t part = 0, last = 0; !last && met.status >= 0; part++) {
+    cli_span_t span = rest;
+    span.to = scheme == MOTION_LOCATED ? cli_drive_next(drive, &rest) : rest.to;
+    last = !(span.to < rest.to);
+    span.dt = last ? rest.dt : span.to - span.from;
+    *input = cli_drive_over(drive, &setup->machine, &span);
+    if (last && part == 0) {
+      return cli_step(drive, scheme, motion, input);
+    }
+    tf_params_t params = setup->params;
+    params.dt = span.dt;
+    (void)motion_prepare(motion, scheme, &params, NULL);
+    motion->state.tick = before.tick + part * PART_OF_TICK;
+    if (cli_step(drive, scheme, motion, input) >= 0 && met.status > TF_OK) {
+      report->status = met.status;
+    }
+    if (met.choices > report->choices) {
+      report->choices = met.choices;
+      report->set = met.set;
+    }
+    met = *report;
+    rest.from = span.to;
+    rest.dt -= span.dt;
+  }
+  motion->machine.machine = setup->machine;
+  if (met.status < 0) {
+    motion->state = before;
+  } else {
+    motion->state.tick = before.tick + 1;
+  }
+  return met.status;
 }
 
 void cli_drive_free(cli_drive_t *drive) {

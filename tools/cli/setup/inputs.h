@@ -103,4 +103,16 @@ tf_input_t cli_drive_over(cli_drive_t *drive, const tf_machine_t *machine,
 /// The time of the first row of a linear table within a span, or its end.
 tf_real_t cli_drive_next(const cli_drive_t *drive, const cli_span_t *span);
 
+/// One step, which is taken as two halves, too, where drive->accuracy is not 0.
+/// Returns: as motion_step.
+tf_status_t cli_step(cli_drive_t *drive, motion_scheme_t scheme,
+                     motion_t *motion, const tf_input_t *input);
+
+/// Takes a step of a setup's machine under what drives it. Those of scheme
+/// located are split at the rows of a linear table: the report then has the
+/// largest set of the parts, and the first status that is not TF_OK.
+/// input: out, that of the step, or of its last part.
+tf_status_t cli_drive_take(cli_drive_t *drive, const cli_setup_t *setup,
+                           motion_t *motion, tf_input_t *input);
+
 void cli_drive_free(cli_drive_t *drive);

@@ -63,16 +63,15 @@ const char *cli_must(const tf_parameter_range_t *range) {
 }
 
 size_t cli_parameter_out(const tf_params_t *params) {
-  size_t i = 0;
-  for (; i < TF_PARAMETERS; i++) {
+  for (size_t i = 0; i < TF_PARAMETERS; i++) {
     const tf_parameter_range_t *range = &tf_parameter_ranges[i];
     const tf_real_t value = cli_parameter(params, i);
     const bool used = (range->laws >> (unsigned)params->law & 1u) != 0;
     if (!cli_is_in(range, value) && (used || !(value >= 0 && value <= 0))) {
-      break;
+      return i;
     }
   }
-  return i;
+  return TF_PARAMETERS;
 }
 
 bool cli_parameter_fits(size_t index, tf_real_t value) {
