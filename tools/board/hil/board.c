@@ -255,7 +255,7 @@ static int order_deadman(hil_board_t *board, uint64_t ticks) {
 // Without its session a board takes no command but the question who it is.
 // Commands that another host left in the queue are cleared. Frames that are
 // still on the line are ignored until the first answer comes.
-int hil_prepare(hil_board_t *board) {
+static int prepare(hil_board_t *board) {
   static const tf_type_t orders[] = {TF_UP_CLEAR, TF_UP_STOP, TF_UP_RESET};
   CLI_TRY(order(board, TF_UP_DESCRIBE, NULL, 0));
   CLI_TRY(await(board, &board->has_session, STATE_PATIENCE));
@@ -334,6 +334,7 @@ static int check(const hil_board_t *board) {
 
 int hil_drive(hil_board_t *board) {
   const hil_plan_t *plan = &board->plan;
+  CLI_TRY(prepare(board));
   while (last_tick(board) < plan->steps && board->count < board->room) {
     if (board->has_new)
       CLI_TRY(plan->in_lockstep ? respond_in_lockstep(board) : respond(board));

@@ -90,11 +90,8 @@ typedef struct {
   tf_state_t end;
 } hil_verdict_t;
 
-/// Reads the board's schema, stops the board at the start of its scene and sets
-/// how long its inputs hold.
-int hil_prepare(hil_board_t *board);
-
-/// Runs the board according to the plan, then stops it.
+/// Puts the board at the start of its scene, runs it according to the plan, and
+/// stops it.
 int hil_drive(hil_board_t *board);
 
 /// Runs the digital twin, controller and machine in one process without a line

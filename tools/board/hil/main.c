@@ -181,8 +181,7 @@ static int perform(hil_board_t *board, const options_t *options) {
   if (!cli_source_open(&board->source, options->device, options->baud, true))
     return hil_message(CLI_STOPPED, "%s: %s", options->device,
                        strerror(board->source.error));
-  int code = hil_prepare(board);
-  if (code == CLI_DONE) code = hil_drive(board);
+  int code = hil_drive(board);
   cli_source_close(&board->source);
   CLI_TRY(code);
   if (options->csv != NULL) CLI_TRY(write_csv(board, options->csv));
