@@ -119,35 +119,29 @@ const char *cli_take_priority(void) {
 bool cli_is_terminal(int descriptor) { return isatty(descriptor) == 1; }
 
 void cli_guard_descriptors(void) {
-  for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO;
-       descriptor++) {
-    if (fcntl(descriptor, F_GETFD) == -1) {
-      // The lowest free number is the closed one; writing to it fails, because
-      // it is opened for reading only.
+  for (int i = STDIN_FILENO; i <= STDERR_FILENO; i++) {
+    // The lowest free number is the closed one; writing to it fails, because
+    // it is opened for reading only.
+    if (fcntl(i, F_GETFD) == -1) {
       (void)open("/dev/null", O_RDONLY);
     }
   }
 }
 
-static void set_handler(int number, void (*handler)(int), int flags) {
-  struct sigaction action;
-  memset(&action, 0, sizeof action);
-  action.sa_handler = handler;
-  action.sa_flags = flags;
-  (void)sigemptyset(&action.sa_mask);
-  (void)sigaction(number, &action, NULL);
-}
-
 void cli_catch_signals(void) {
-  set_handler(SIGINT, ask_for_stop, (int)SA_RESETHAND);
-  set_handler(SIGTERM, ask_for_stop, (int)SA_RESETHAND);
+  static const int stops[] = {SIGINT, SIGTERM, SIGHUP};
+  const struct sigaction stop = {.sa_handler = ask_for_stop,
+                                 .sa_flags = (int)SA_RESETHAND};
   struct sigaction before;
-  if (sigaction(SIGHUP, NULL, &before) != 0 || before.sa_handler != SIG_IGN) {
-    set_handler(SIGHUP, ask_for_stop, (int)SA_RESETHAND);
+  for (size_t i = 0; i < sizeof stops / sizeof stops[0]; i++) {
+    if (stops[i] != SIGHUP || sigaction(SIGHUP, NULL, &before) != 0 ||
+        before.sa_handler != SIG_IGN) {
+      (void)sigaction(stops[i], &stop, NULL);
+    }
   }
-  set_handler(SIGPIPE, SIG_IGN, 0);
+  (void)signal(SIGPIPE, SIG_IGN);
 #ifdef SIGXFSZ
-  set_handler(SIGXFSZ, SIG_IGN, 0);
+  (void)signal(SIGXFSZ, SIG_IGN);
 #endif
 }
 

@@ -246,19 +246,15 @@ bool cli_output_close(cli_output_t *output, bool whole) {
 }
 
 static void drop_incomplete_row(const cli_output_t *output, size_t written) {
-  size_t whole = written;
-  while (whole > 0 && output->buffer[whole - 1] != output->last) {
-    whole--;
-  }
-  if (whole == written || !cli_is_regular(output->to.descriptor)) {
-    return;
+  off_t surplus = 0;
+  for (size_t i = written; i > 0 && output->buffer[i - 1] != output->last;
+       i--) {
+    surplus++;
   }
   const off_t end = lseek(output->to.descriptor, 0, SEEK_CUR);
-  if (end >= (off_t)(written - whole)) {
-    // If this fails too, the first error is the one that is reported.
-    if (ftruncate(output->to.descriptor, end - (off_t)(written - whole)) != 0) {
-      return;
-    }
+  if (surplus > 0 && end >= surplus && cli_is_regular(output->to.descriptor) &&
+      ftruncate(output->to.descriptor, end - surplus) != 0) {
+    return; // the first error is the one that is reported
   }
 }
 
