@@ -1,6 +1,6 @@
 """A terminal to test with: a program behind a pseudo-terminal, and what its
-screen shows. It knows the ANSI codes that `--live` uses and no others: one that
-is not known fails the test."""
+screen shows. It takes the ANSI codes that `--live` uses; any other one fails the
+test."""
 import codecs
 import fcntl
 import os

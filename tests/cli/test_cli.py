@@ -153,13 +153,13 @@ def test_what_is_not_finite():
 def test_notes():
     says(0, "does not use kappa", "run", "coulomb", "--t-end", "0", "--set",
          "kappa=0")
-    for scheme, setting, told in (
+    for scheme, setting, notes in (
             ("moreau", "tolerance=1e-5", 1), ("moreau", "theta=1", 0),
             ("located", "tolerance=1e-5", 0), ("located", "theta=1", 1),
             ("compensated", "tolerance=1e-5", 1)):
         said = chaos("--t-end", "0", "--scheme", scheme, "--set", setting)[1]
         same(said.count(f"note: --set {setting} has no effect under --scheme "
-                        + scheme), told)
+                        + scheme), notes)
 
 
 def test_output_that_fails():

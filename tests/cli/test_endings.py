@@ -18,7 +18,7 @@ from tap import (ROOT, TWOFOLD, Skip, check, lacks, main,  # noqa: E402
 
 ENDED = 99
 SWEEP = ["sweep", "chaos", "--over", "kappa=0.2:0.4:7", "--t-end", "0.01",
-         "--out", "x", "--resume"]
+         "--resume", "--out", "x"]
 DIVERGE = ["diverge", "chaos", "--samples", "2", "--cycles", "2",
            "--provenance", "--exits", "e", "--returns", "r", "--resume"]
 GRID = ["--r", "0.1:0.2:9", "--omega=-1.1:-0.9:9"]
@@ -49,7 +49,7 @@ def contents():
 
 
 def rows(files):
-    """Files without notes, of which there are more after each interruption."""
+    """Files without notes, which grow in number with each interruption."""
     return {name: text for name, text in files.items()
             if not name.endswith(".resume")}
 
@@ -95,21 +95,8 @@ def ends_well(*given, **options):
         pass
 
 
-def test_sweep():
-    ends_well(SWEEP)
-
-
-def test_sweep_in_shards():
-    ends_well([*SWEEP, "--shard", "2/3"])
-
-
 def test_diverge():
     ends_well(DIVERGE, step=2)  # fsync before each rename, close behind it
-
-
-def test_diverge_exhaustive():
-    ends_well(["diverge", "chaos", "--exhaustive", "--depth", "1", "--grid",
-               "0.1", "--patience", "0.5", "--branches", "x"])
 
 
 def test_run():
@@ -135,12 +122,15 @@ def test_hil():
                    "--csv", "x"], program=str(BUILD / "double" / "hil"))
 
 
-def test_tables_and_scenes():
-    for words in (["regions", "chaos", *GRID], ["atlas", "chaos", *GRID],
-                  ["singularities", "chaos"], ["scene", "chaos"],
+def test_one_file():
+    for words in (SWEEP[:-2], [*SWEEP[:-2], "--shard", "2/3"],
+                  ["regions", "chaos", *GRID],
+                  ["atlas", "chaos", *GRID], ["singularities", "chaos"],
                   ["design", "chaos", "--r", "0.1859", "--omega=-1.037"],
-                  ["tyre", "chaos"]):
+                  ["tyre", "chaos"], ["scene", "chaos"]):
         ends_well([*words, "--out", "x"])
+    ends_well(["diverge", "chaos", "--exhaustive", "--depth", "1", "--grid",
+               "0.1", "--patience", "0.5", "--branches", "x"])
 
 
 def test_a_bit_of_rows_or_of_notes():

@@ -35,7 +35,7 @@ typedef enum {
   CLI_OTHER     ///< what `read` makes of it
 } cli_kind_t;
 
-/// A word that a value may be, and what it means, "": told elsewhere. A list
+/// A word that a value may be, and what it means, or "". A list
 /// ends with a name of NULL.
 typedef struct {
   const char *name, *what;

@@ -217,7 +217,7 @@ static bool is_of(const cli_option_t *option, const char *word) {
             (option->noun != NULL && strcmp(option->noun, word) == 0);
   for (const cli_choice_t *at = option->choices; at != NULL && at->name != NULL;
        at++) {
-    is = is || (at->what[0] != '\0' && strcmp(at->name, word) == 0);
+    is = is || strcmp(at->name, word) == 0;
   }
   return is;
 }
