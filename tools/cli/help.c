@@ -103,12 +103,27 @@ static void print_commands(void) {
   }
 }
 
-static void print_numbers(void) {
-  cli_print_ranges();
-  for (size_t i = CLI_R; i < CLI_NUMBERS; i++) {
-    const tf_parameter_range_t *range = cli_number(i);
-    (void)printf("  %-9s [%g, %g] %s, at the start\n", range->name,
-                 (double)range->low, (double)range->high, range->unit);
+// A number of --set: its name, range and unit, and where it is used.
+static void print_number(size_t i) {
+  const tf_parameter_range_t *range = cli_number(i);
+  const bool plain = strcmp(range->unit, "1") == 0;
+  (void)printf("  %-9s [%g, %g]%s%s%s", range->name, (double)range->low,
+               (double)range->high, plain ? "" : " ", plain ? "" : range->unit,
+               i < TF_PARAMETERS ? "" : ", at the start");
+  const char *separator = ", only in law ";
+  for (unsigned law = 0; law < TF_TYRE_LAWS; law++) {
+    if ((range->laws & 1u << law) != 0 &&
+        (range->laws & 1u << TF_TYRE_COULOMB) == 0) {
+      (void)printf("%s%s", separator, tf_tyre_law_name(law));
+      separator = ", ";
+    }
+  }
+  (void)puts("");
+}
+
+static void print_numbers(size_t count) {
+  for (size_t i = 0; i < count; i++) {
+    print_number(i);
   }
 }
 
@@ -126,9 +141,9 @@ static void print_line(const char *line) {
   if (strcmp(line, "COMMANDS") == 0) {
     print_commands();
   } else if (strcmp(line, "PARAMETERS") == 0) {
-    cli_print_ranges();
+    print_numbers(TF_PARAMETERS);
   } else if (strcmp(line, "NUMBERS") == 0) {
-    print_numbers();
+    print_numbers(CLI_NUMBERS);
   } else if (strcmp(line, "OUTCOMES") == 0) {
     print_outcomes();
   } else {
@@ -181,7 +196,7 @@ static bool print_parameter(cli_closest_t *closest) {
   }
   (void)printf("Parameter %s: %s. --set %s=VALUE; name, range, unit:\n",
                closest->word, cli_parameter_about[i], closest->word);
-  cli_print_range(i);
+  print_number(i);
   return true;
 }
 

@@ -80,29 +80,6 @@ bool cli_parameter_fits(size_t index, tf_real_t value) {
          (double)(uint32_t)value >= (double)value;
 }
 
-void cli_print_range(size_t parameter) {
-  const tf_parameter_range_t *range = &tf_parameter_ranges[parameter];
-  const bool plain = strcmp(range->unit, "1") == 0;
-  (void)printf("  %-9s [%g, %g]%s%s", range->name, (double)range->low,
-               (double)range->high, plain ? "" : " ", plain ? "" : range->unit);
-  if ((range->laws & (1u << TF_TYRE_COULOMB)) == 0) {
-    const char *separator = ", only in law ";
-    for (unsigned law = 0; law < TF_TYRE_LAWS; law++) {
-      if ((range->laws & (1u << law)) != 0) {
-        (void)printf("%s%s", separator, tf_tyre_law_name(law));
-        separator = ", ";
-      }
-    }
-  }
-  (void)putchar('\n');
-}
-
-void cli_print_ranges(void) {
-  for (size_t i = 0; i < TF_PARAMETERS; i++) {
-    cli_print_range(i);
-  }
-}
-
 static const struct {
   const char *name, *what, *all; // the last two in a message: one, and all
   const char *(*name_of)(unsigned);

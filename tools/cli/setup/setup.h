@@ -103,11 +103,6 @@ extern const char *const cli_parameter_about[TF_PARAMETERS];
 
 tf_real_t cli_parameter(const tf_params_t *params, size_t index);
 
-/// Prints a line for a parameter: name, range, unit, and the laws that use it
-/// where not all do; and such a line for each parameter.
-void cli_print_range(size_t parameter);
-void cli_print_ranges(void);
-
 static inline bool cli_is_in(const tf_parameter_range_t *range,
                              tf_real_t value) {
   return value >= range->low && value <= range->high;
