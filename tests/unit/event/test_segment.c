@@ -84,6 +84,30 @@ TEST(released_slip_begins_with_its_order) {
   for (int i = 1; i <= 2; i++) CHECK_ABOVE(of_order[i], 100);
 }
 
+/* The series of a stick keeps h at 0 as far as it goes, with as many terms as
+ * the tolerance asks for. */
+TEST(series_of_a_stick_keeps_h_at_zero) {
+  int of_order[SERIES_ORDER + 1] = {0};
+  for (int n = 0; n < 4000; n++) {
+    tf_params_t params = any_params(n);
+    params.tolerance = (tf_real_t)pow(10, (double)uniform(-12, -3.1));
+    const tf_machine_t k = prepared(&params);
+    tf_input_t u = tf_input_default(&k);
+    static trajectory_t path;
+    const unsigned mode = n & 1 ? TF_STICK_MINUS : TF_STICK_PLUS;
+    begin_at_release(&path, &k, &u, mode, 0);
+    path.remaining = (tf_real_t)pow(10, (double)uniform(-6, 0));
+    if (!tf_begin_series(&path)) continue;
+    const span_t span = tf_segment_span(&path);
+    of_order[path.motion.order]++;
+    tf_advance(&path, 0, span.length);
+    const tf_real_t off = magnitude(trajectory_slip(&path).h);
+    CHECK_NEAR(wide(off), 0,
+               16 * wide(span.error + 64 * trajectory_rounding(&path)));
+  }
+  for (int i = 3; i <= SERIES_ORDER; i++) CHECK_ABOVE(of_order[i], 10);
+}
+
 /* The paper's A m (beta^2 + r^2) where the series of r has come to, as a share
  * of its terms. */
 static real delassus_after(const paper_t *paper, const taylor_t *motion, real t,
