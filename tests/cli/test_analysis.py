@@ -8,7 +8,7 @@ from pathlib import Path
 from outputs import fails_to_write, says, says_each, table
 from tap import call, check, main, same
 
-POINT = ["--r", "0.1859", "--omega", "-1.037"]
+POINT = "chaos --r 0.1859 --omega -1.037"
 CLOSE = 1e-12
 
 
@@ -16,16 +16,16 @@ def near(got, want, tolerance=CLOSE):
     check(abs(float(got) - want) <= tolerance, f"got {got}, want {want}")
 
 
-def described(*words):
-    return json.loads(call(*words)[0])
+def described(words):
+    return json.loads(call(*words.split())[0])
 
 
-def rows(*words):
-    return table(call(*words)[0])
+def rows(words):
+    return table(call(*words.split())[0])
 
 
 def test_singularities():
-    found = described("singularities", "chaos")
+    found = described("singularities chaos")
     same(found["count"], 2)
     first, second = found["two_folds"]
     for name, value in (("r", 0.1859), ("v", -0.0301217), ("omega", -1.037),
@@ -40,15 +40,14 @@ def test_singularities():
             ("coulomb", "without a moment"),
             ("smooth", "the friction does not jump"),
             ("frictionless", "the friction does not jump")):
-        found = described("singularities", scene)
+        found = described(f"singularities {scene}")
         same(found["count"], 0)
         check(found["reason"].startswith(reason), found["reason"])
-    same(described("singularities", "chaos", "--set", "kappa=0.09")["count"], 0)
+    same(described("singularities chaos --set kappa=0.09")["count"], 0)
 
 
 def test_regions():
-    grid = rows("regions", "chaos", "--r", "0.17:0.2:3", "--omega",
-                "-1.05:-1:3")
+    grid = rows("regions chaos --r 0.17:0.2:3 --omega -1.05:-1:3")
     same([(row["r"], row["omega"], row["region"]) for row in grid],
          [(r, omega, region) for r, *regions in (
              ("0.17", "crossing_up", "escaping", "codim2"),
@@ -57,26 +56,23 @@ def test_regions():
           for omega, region in zip(("-1.05", "-1.025", "-1"), regions)])
     same((grid[2]["lambda"], grid[2]["delassus"]), ("", ""))
     near(grid[6]["delassus"], 0.0641221403, 1e-6)  # that of tf_step
-    out = says(4, "stopped at r = ", "regions", "chaos", "--r", "0:1e9:2",
-               "--omega", "0:1e9:2")
+    out = says(4, "stopped at r = ",
+               *"regions chaos --r 0:1e9:2 --omega 0:1e9:2".split())
     check(out.endswith("\n"), "the rows before it are not whole")
 
 
 def test_design():
-    found = described("design", "chaos", *POINT)
+    found = described(f"design {POINT}")
     near(found["kappa"], 0.27241153714062027818)
     near(found["k2"], 2.2270992253886014441)
-    found = described("design", "chaos", "--r", "0.25", "--omega", "-1.06")
-    near(described("singularities", "chaos", *found["set"].split())
+    found = described("design chaos --r 0.25 --omega -1.06")
+    near(described(f"singularities chaos {found['set']}")
          ["two_folds"][0]["r"], 0.25)
-    described("design", "coulomb", "--set", "law=jump", *POINT)
-    says(0, "kappa=1 has no effect: design finds it", "design", "chaos",
-         *POINT, "--set", "kappa=1")
+    described(f"design {POINT.replace('chaos', 'coulomb')} --set law=jump")
 
 
 def test_atlas():
-    grid = rows("atlas", "chaos", "--r", "0.1:0.1859:2", "--omega",
-                "-1.037:-1:2")
+    grid = rows("atlas chaos --r 0.1:0.1859:2 --omega -1.037:-1:2")
     names = ["K--_positive", "K++_negative", "J1_negative", "J2_negative",
              "J1J2_above_1", "kappa_positive", "k2_positive", "overlap"]
     same(list(grid[0]), ["r", "omega", "v", "g", "kappa", "k2", "K++", "K+-",
@@ -84,7 +80,7 @@ def test_atlas():
     same(list(grid[0].values()), ["0.1", "-1.037", *[""] * 17, "0"])
     same([grid[2][name] for name in names], ["1"] * 8)  # the paper's point
     near(grid[2]["kappa"], 0.27241153714062027818)
-    for row in rows("atlas", "chaos", "--r", "0.01:1:60", "--omega", "-3:1:61"):
+    for row in rows("atlas chaos --r 0.01:1:60 --omega -3:1:61"):
         if not row["kappa"]:
             same(row["overlap"], "0")
             continue
@@ -98,7 +94,7 @@ def test_atlas():
 
 
 def test_tyre():
-    angles = rows("tyre", "chaos", "--angle=-45:90:4")
+    angles = rows("tyre chaos --angle=-45:90:4")
     same(list(angles[0]), ["angle", "F", "M"])
     near(angles[1]["M"], 0.2724115371406203)  # at 0, for h > 0
     near(angles[3]["F"], 1.3333333333333333)
@@ -119,6 +115,11 @@ def test_refusals():
 3 tyre chaos --angle 0:181:2|--angle 0:181:2&[-180, 180] degrees
 2 singularities chaos --r 1|unknown option --r
 0 singularities chaos --set r=1|--set r=1 has no effect
+0 design {POINT} --set kappa=1|kappa=1 has no effect: design finds it
+2 regions chaos|--r A:B:N is missing
+2 atlas chaos|--r A:B:N is missing
+2 regions chaos --r 0:1:2|--omega A:B:N is missing
+2 atlas chaos --r 0:1:2|--omega A:B:N is missing
 """)
     says_each("""
 3 chaos --r 0.1859 --omega 1|kappa would be -0.27&in [1e-09, 1e+06] m
@@ -131,9 +132,6 @@ def test_refusals():
 3 chaos --set mu=0 --r 0.2 --omega -1.1|--set mu=0: design needs mu > 0
 3 gamma_right --r 0.2 --omega -1.1|gamma_right: design needs |sin(gamma)|
 """, "design")
-    for command in "regions", "atlas":
-        says(2, "--r A:B:N is missing", command, "chaos")
-        says(2, "--omega A:B:N is missing", command, "chaos", "--r", "0:1:2")
     for text in ("", "1", "1:2", "1:2:3:4", "::", "1:2:", "1:2:0", "1:2:-1",
                  "1:2:1.5", "1:2:1000001", "1:2:1", "x:1:2", "1:x:2"):
         says(2, f"--r {text}", "regions", "chaos", "--r", text, "--omega",
