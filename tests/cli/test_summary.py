@@ -17,9 +17,10 @@ SHORT = ["run", "chaos", "--t-end", "0.2", "--every", "10"]
 CHAOS = r"# scene chaos, (?:hash [0-9a-f]{8}, )?parameters ([0-9a-f]{8})"
 
 
-def told(*words, code=0):
+def told(words, *more, code=0):
     """The summary of a command as JSON: one line, the last one."""
-    lines = call(*words, "--summary", "json", code=code)[1].splitlines()
+    lines = call(*words.split(), *more, "--summary", "json",
+                 code=code)[1].splitlines()
     same([line[0] for line in lines].count("{"), 1)
     summary = json.loads(lines[-1])
     same(summary["exit"], code)
@@ -31,8 +32,8 @@ def rows_of(path):
 
 
 def test_run():
-    got = told("run", "chaos", "--t-end", "3", "--every", "100", "--out",
-               "rows", "--set", "rate=3")  # of which a note says: no effect
+    # Of the rate a note says that it has no effect.
+    got = told("run chaos --t-end 3 --every 100 --out rows --set rate=3")
     same([got[key] for key in ("command", "scene", "steps", "end")],
          ["run", "chaos", 30000, "done"])
     same(got["final"]["r"], float(rows_of("rows")[-1]["r"]))
@@ -40,28 +41,26 @@ def test_run():
     same(got["events"]["list"][0]["kinds"], ["slip_to_stick", "codim2"])
     for words, code, end in (("k2=1e10 --t-end 1 --dt 0.01", 5, "done"),
                              ("v=9e8 --dt 0.1", 4, "refused")):
-        same(told("run", "chaos", "--set", *words.split(), "--out", "-",
-                  code=code)["end"], end)
+        same(told(f"run chaos --set {words}", code=code)["end"], end)
 
 
 def test_other_commands():
-    got = told("sweep", "chaos", "--over", "mu=1:2:3", "--over", "r=0:1e9:2",
-               "--t-end", "0.1", "--out", "rows")
+    got = told("sweep chaos --over mu=1:2:3 --over r=0:1e9:2 --t-end 0.1 "
+               "--out rows")
     done = [row for row in rows_of("rows") if "done" in row.values()]
     same((got["points"], got["done"], got["kept"], got["together"]),
          (6, len(done), 0, 1))
     same(f"twofold {got['version']}, tf_real_t is {got['number']}",
          call("--version")[0].strip())
-    got = told("diverge", "chaos", "--samples", "3", "--cycles", "2",
-               "--returns", "rows")
+    got = told("diverge chaos --samples 3 --cycles 2 --returns rows")
     same((got["samples"], got["done"], got["cycles"]),
          (3, 3, len(rows_of("rows"))))
-    got = told("diverge", "chaos", "--exhaustive", "--depth", "1", "--grid",
-               "0.1", "--patience", "1", "--branches", "rows")
+    got = told("diverge chaos --exhaustive --depth 1 --grid 0.1 --patience 1 "
+               "--branches rows")
     same(got["branches"], len(rows_of("rows")))
     call("run", "chaos", "--t-end", "0.005", "--format", "frames", "--out",
          "frames")
-    got = told("monitor", "frames", "--format", "csv", "--out", "rows")
+    got = told("monitor frames --format csv --out rows")
     same((got["rows"], got["last"]["step"]), (len(rows_of("rows")), 50))
     two_folds = json.loads(call("singularities", "chaos")[0])
     same((got["parameters"], two_folds["units"]["r"]),
@@ -71,54 +70,47 @@ def test_other_commands():
 def test_start_with_several_modes():
     """It is the first ambiguous instant, also where no step follows; a run that
     goes on from another one has no start of its own."""
-    here = ["--set", "omega=-1.02"]
+    here = "chaos --set omega=-1.02"
     for h, t_end, choices, steps, since in (
             ("0", "0", 3, 0, 0), ("0", "0.001", 3, 10, 0),
             ("1e-3", "0", 1, 0, None), ("1e-3", "0.001", 1, 0, None)):
-        words = ["run", "chaos", *here, "--set", f"h={h}", "--t-end", t_end]
-        got = told(*words, "--save", "at", "--out", "rows")
+        words = f"run {here} --set h={h} --t-end {t_end}"
+        got = told(f"{words} --save at --out rows")
         same([got[key] for key in ("choices_at_start", "ambiguous",
                                    "ambiguous_since")],
              [choices, steps, since])
         same(rows_of("rows")[0]["choices"], str(choices))
         text = re.search("^ambiguous  several modes (.*)$",
-                         call(*words)[1], re.M)[1]
+                         call(*words.split())[1], re.M)[1]
         same(text, ("at the start and " if choices > 1 else "")
              + f"in {steps} steps" + " (100 %)" * (steps > 0)
              + ", first at t = 0 s" * (since == 0))
-        call("sweep", "chaos", *here, "--over", f"h={h}:{h}:1", "--t-end",
-             t_end, "--outcome", "ambiguous", "--out", "rows")
+        told(f"sweep {here} --over h={h}:{h}:1 --t-end {t_end} "
+             "--outcome ambiguous --out rows")
         same(rows_of("rows")[0]["ambiguous"], "" if since is None else "0")
         if steps > 0:
-            got = told("run", "chaos", "--t-end", "0.002", "--from", "at",
-                       "--out", "rows")
+            got = told("run chaos --t-end 0.002 --from at --out rows")
             same((got["choices_at_start"], got["ambiguous"],
                   round(got["ambiguous_since"], 9)), (None, 10, 0.0011))
 
 
 def test_inputs_of_run():
     """The profile; a table, whose path is quoted; what was applied of it."""
-    words = ["--t-end", "1", "--every", "100", "--out", "rows"]
-    same(told("run", "driven", *words)["profile"]["rows"], 5)
-    name = 'a "b" \\.csv'
+    def seen(t_end, between):
+        return told(f"run frictionless --t-end {t_end} --every 100 --out rows "
+                    f"--dt {dt} --between {between} --inputs", name)["inputs"]
+    same(told("run driven --t-end 1 --out rows")["profile"]["rows"], 5)
+    name, dt = 'a "b" \\.csv', 0.001
     Path(name).write_text("t,force\n0,0.1\n0.5,-0.3\n2,0.7\n", "ascii")
-    held = told("run", "frictionless", *words, "--inputs", name, "--between",
-                "held")
-    same(held["inputs"]["name"], name)
-    same(held["inputs"]["applied"], {"force": [-0.3, 0.1]})
-    dt = 0.001
-    got = told("run", "frictionless", *words, "--dt", str(dt), "--inputs",
-               name, "--between", "linear")["inputs"]["applied"]["force"]
-    same([told("run", "frictionless", *words[2:], "--inputs", name, "--between",
-               "linear", "--t-end", t)["inputs"]["last"]
-          for t in ("0.4", "0.5", "0.6")], [1, 1, 2])
+    same(seen(1, "held")["name"], name)
+    same(seen(1, "held")["applied"], {"force": [-0.3, 0.1]})
+    same(seen(0.5, "held")["applied"], {"force": [0.1, 0.1]})
+    same([seen(t, "linear")["last"] for t in (0.4, 0.5, 0.6)], [1, 1, 2])
     # The mean of the two ends of a step: of the first one behind the knot of
     # -0.3 N, and of the very first one.
     want = [-0.3 + 1 / 1.5 * dt / 2, 0.1 - 0.8 * dt / 2]
-    same([round(x, 9) for x in got], [round(x, 9) for x in want])
-    last = told("run", "frictionless", "--t-end", "0.5", "--every", "100",
-                "--out", "rows", "--inputs", name, "--between", "held")
-    same(last["inputs"]["applied"], {"force": [0.1, 0.1]})
+    same([round(x, 9) for x in seen(1, "linear")["applied"]["force"]],
+         [round(x, 9) for x in want])
 
 
 def test_refusals():
@@ -133,10 +125,9 @@ def test_refusals():
 3 diverge coulomb|has no two-fold
 4 monitor nothing|nothing
 2 regions chaos|--summary""".splitlines():
-        words, why = line.split("|")
-        code, *words = words.split()
-        got = told(*words, code=int(code))
-        same((got["command"], why in got["message"]), (words[0], True))
+        words, why = line[2:].split("|")
+        got = told(words, code=int(line[0]))
+        same((got["command"], why in got["message"]), (words.split()[0], True))
     err = call("run", "--summary=json", "chaos", "--t-end", "no", code=2)[1]
     same(json.loads(err.splitlines()[-1])["exit"], 2)
     err = call("run", "chaos", "--summary", "xml", code=2)[1]
