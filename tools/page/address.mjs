@@ -61,153 +61,123 @@ const TICK = `a whole number in [0, ${Number.MAX_SAFE_INTEGER}]`;
 class Refusal extends Error {}
 const reject = (why) => { throw new Refusal(why); };
 
-// Reads an address word by word. What is wrong with a word is told by name, and
-// the word is left out.
-class Reader {
-  constructor(core) {
-    Object.assign(this, { core, told: [], log: [], scene: 0, tick: 0,
-      tour: null });
-    this.given = new Map(); // words by what they say
-    this.names = [];        // of the numbers that were set
-  }
+const stepsOf = (text) => {
+  const tick = /^\d+$/.test(text) ? Number(text) : NaN;
+  return Number.isSafeInteger(tick) ? tick
+    : reject(`'${clipped(text)}' must be ${TICK}`);
+};
 
-  // Each word by one of the methods below.
-  each(words, method) {
-    for (const given of words) {
-      try {
-        this[method](given);
-      } catch (error) {
-        if (!(error instanceof Refusal)) throw error;
-        this.told.push(`${clipped(given.word)}: ${error.message}`);
-      }
-    }
-  }
+function numberOf(core, text) {
+  const value = core.number(text);
+  return typeof value === 'number' ? value
+    : reject(`'${clipped(text)}' ${value}`);
+}
 
-  split(given) {
-    const { word } = given, at = word.indexOf('=');
-    if (at < 0) reject('expected name=value');
-    const name = word.slice(0, at), coded = word.slice(at + 1);
-    if (coded === '') reject('expected a value');
-    try {
-      // Of a file, name and text are decoded behind the colon between them.
-      given.value = name === 'file' ? coded.split(':').map(decodeURIComponent)
-        : decodeURIComponent(coded);
-    } catch {
-      reject('% is not followed by a code');
-    }
-    given.name = name;
-  }
+function handOf(core, value) {
+  const [tick, force, torque, ...more] = value.split(':');
+  const limit = core.c.state_limit();
+  if (torque === undefined || more.length) reject('expected TICK:FORCE:TORQUE');
+  const entry = { tick: stepsOf(tick), force: numberOf(core, force),
+    torque: numberOf(core, torque) };
+  return Math.abs(entry.force) <= limit && Math.abs(entry.torque) <= limit
+    ? entry : reject(`force and torque must lie in [${-limit}, ${limit}]`);
+}
 
-  // What has been said before is refused.
-  once(key, word) {
-    if (this.given.has(key))
-      reject(`already given by ${clipped(this.given.get(key))}`);
-    this.given.set(key, word);
-  }
+function takeOf({ modes }, value) {
+  const [tick, name, ...more] = value.split(':');
+  if (!modes.includes(name) || more.length)
+    reject(`expected TICK:MODE, MODE one of ${modes.join(', ')}`);
+  return { tick: stepsOf(tick), mode: modes.indexOf(name) };
+}
 
-  choose({ name, value, word }) {
-    const { core } = this;
-    this.once('scene', word);
-    if (name === 'file') {
-      if (value.length !== 2) reject('expected NAME:TEXT');
-      const why = core.takeFile(...value);
-      if (why !== null) reject(why);
-      this.scene = core.ownScene;
-      return;
-    }
-    const known = core.scenes.slice(0, core.ownScene);
-    if (!known.includes(value))
-      reject(`unknown scene; there are ${known.join(', ')}`);
-    this.scene = known.indexOf(value);
+// Splits a word into name and value. Of a file, name and text are decoded
+// behind the colon between them.
+function splitWord(word) {
+  const at = word.indexOf('=');
+  if (at < 0) reject('expected name=value');
+  const name = word.slice(0, at), coded = word.slice(at + 1);
+  if (coded === '') reject('expected a value');
+  try {
+    return { word, name, value: name === 'file'
+      ? coded.split(':').map(decodeURIComponent) : decodeURIComponent(coded) };
+  } catch {
+    return reject('% is not followed by a code');
   }
+}
 
-  steps(text) {
-    const tick = /^\d+$/.test(text) ? Number(text) : NaN;
-    if (!Number.isSafeInteger(tick))
-      reject(`'${clipped(text)}' must be ${TICK}`);
-    return tick;
+// The number of the scene that a word names, or has the text of.
+function sceneOf(core, { name, value }) {
+  if (name === 'file') {
+    if (value.length !== 2) reject('expected NAME:TEXT');
+    const why = core.takeFile(...value);
+    return why === null ? core.ownScene : reject(why);
   }
+  const known = core.scenes.slice(0, core.ownScene);
+  return known.includes(value) ? known.indexOf(value)
+    : reject(`unknown scene; there are ${known.join(', ')}`);
+}
 
-  number(text) {
-    const value = this.core.number(text);
-    if (typeof value !== 'number') reject(`'${clipped(text)}' ${value}`);
-    return value;
-  }
+const isScene = ({ name }) => name === 'scene' || name === 'file';
+// The range of a parameter depends on the law, which is read before them.
+const rank = (given) => (isScene(given) ? 0 : given.name === 'law' ? 1 : 2);
 
-  hand(value) {
-    const [tick, force, torque, ...more] = value.split(':');
-    const limit = this.core.c.state_limit();
-    if (torque === undefined || more.length)
-      reject('expected TICK:FORCE:TORQUE');
-    const entry = { tick: this.steps(tick), force: this.number(force),
-      torque: this.number(torque) };
-    if (!(Math.abs(entry.force) <= limit && Math.abs(entry.torque) <= limit))
-      reject(`force and torque must lie in [${-limit}, ${limit}]`);
-    return entry;
-  }
-
-  take(value) {
-    const [tick, name, ...more] = value.split(':'), { modes } = this.core;
-    if (!modes.includes(name) || more.length)
-      reject(`expected TICK:MODE, MODE one of ${modes.join(', ')}`);
-    return { tick: this.steps(tick), mode: modes.indexOf(name) };
-  }
-
-  // A number of the set-up.
-  set({ name, value, word }) {
-    const { core } = this, isList = Object.hasOwn(core.lists, name);
-    if (!isList && !core.ranges.has(name)) reject('unknown name');
-    this.once(name === 'h' || name === 'v' ? 'h or v' : name, word);
-    const number = isList ? core.lists[name].indexOf(value)
-      : this.number(value);
-    const why = core.refusal(name, number);
-    if (why && isList) reject(why);
-    if (why) { // by name already
-      this.told.push(why);
-      return;
-    }
-    core.set(name, number);
-    this.names.push(name);
-  }
-
-  other(given) {
-    const { name, value, word } = given;
-    if (name === 'hand' || name === 'take') {
-      const entry = this[name](value);
-      this.once(`${name} ${entry.tick}`, word);
-      this.log.push(entry);
-    } else if (name === 'tick' || name === 'tour') {
-      this.once(name, word);
-      const steps = this.steps(value);
-      if (name === 'tour' && !isStep(steps)) reject('no such step');
-      this[name] = steps;
-    } else this.set(given);
-  }
+function setNumber(core, got, once, { name, value, word }) {
+  const list = Object.hasOwn(core.lists, name) ? core.lists[name] : null;
+  if (!list && !core.ranges.has(name)) reject('unknown name');
+  once(name === 'h' || name === 'v' ? 'h or v' : name, word);
+  const x = list ? list.indexOf(value) : numberOf(core, value);
+  const why = core.refusal(name, x);
+  if (why && list) reject(why);
+  if (why) return got.told.push(why); // by name already
+  core.set(name, x);
+  return got.names.push(name);
 }
 
 // Returns: { scene, own, log, tick, tour, told, names }, the set-up being in
 // the core; own: the scene's values; told: what was not done, word by word;
 // names: of the numbers that the address sets.
 export function read(core, text) {
-  const reader = new Reader(core);
+  const got = { scene: 0, log: [], tick: 0, tour: null, told: [], names: [] };
   const words = text === '' ? [END] : text.split('&');
-  const isWhole = words.at(-1) === END;
-  if (isWhole) words.pop();
-  const all = words.map((word) => ({ word }));
-  const named = (holds) => all.filter(({ name }) => name !== undefined &&
-    holds(name));
-  const isScene = (name) => name === 'scene' || name === 'file';
-  reader.each(all, 'split');
-  reader.each(named(isScene), 'choose');
-  core.c.load(reader.scene);
-  const own = Object.fromEntries(core.names.map((name) =>
+  const isWhole = words.at(-1) === END, before = new Map();
+  // What is wrong with a word is told, and the word is left out.
+  const each = (list, use) => list.flatMap((given) => {
+    try {
+      return [use(given)];
+    } catch (error) {
+      if (!(error instanceof Refusal)) throw error;
+      got.told.push(`${clipped(given.word ?? given)}: ${error.message}`);
+      return [];
+    }
+  });
+  const once = (key, word) => {
+    if (before.has(key)) reject(`already given by ${clipped(before.get(key))}`);
+    before.set(key, word);
+  };
+  const all = each(isWhole ? words.slice(0, -1) : words, splitWord)
+    .sort((a, b) => rank(a) - rank(b));
+  each(all.filter(isScene), (given) => {
+    once('scene', given.word);
+    got.scene = sceneOf(core, given);
+  });
+  core.c.load(got.scene);
+  got.own = Object.fromEntries(core.names.map((name) =>
     [name, core.get(name)]));
-  // The range of a parameter depends on the law.
-  reader.each(named((name) => name === 'law'), 'set');
-  reader.each(named((name) => name !== 'law' && !isScene(name)), 'other');
-  const { scene, log, tick, tour, told, names } = reader;
-  if (!isWhole) told.push(`no '${END}' at its end: it may be cut off`);
-  if (told.length > TOLD)
-    told.splice(TOLD, Infinity, `and ${told.length - TOLD} more`);
-  return { scene, own, log, tick, tour, told, names };
+  each(all.filter((given) => !isScene(given)), (given) => {
+    const { name, value, word } = given;
+    if (name === 'hand' || name === 'take') {
+      const entry = (name === 'hand' ? handOf : takeOf)(core, value);
+      once(`${name} ${entry.tick}`, word);
+      got.log.push(entry);
+    } else if (name === 'tick' || name === 'tour') {
+      once(name, word);
+      const tick = stepsOf(value);
+      if (name === 'tour' && !isStep(tick)) reject('no such step');
+      got[name] = tick;
+    } else setNumber(core, got, once, given);
+  });
+  if (!isWhole) got.told.push(`no '${END}' at its end: it may be cut off`);
+  if (got.told.length > TOLD)
+    got.told.splice(TOLD, Infinity, `and ${got.told.length - TOLD} more`);
+  return got;
 }

@@ -58,12 +58,14 @@ function say(words) {
     4000 + 60 * words.length);
 }
 
+const address = (tick = motion.tick) =>
+  write(core, scene, motion.log, tick, tour.number);
+
 function remember() {
   isStale = true;
   clearTimeout(remember.timer);
   remember.timer = setTimeout(() => history.replaceState(null, '',
-    `#${write(core, scene, motion.log, Math.max(motion.tick, goal),
-      tour.number)}`), 250);
+    `#${address(Math.max(motion.tick, goal))}`), 250);
 }
 
 // Ends what takes long: what is reached is where the motion stays.
@@ -308,8 +310,7 @@ async function writeRows() {
 }
 
 async function share() {
-  const link = `#${write(core, scene, motion.log, motion.tick, tour.number)}`;
-  history.replaceState(null, '', link);
+  history.replaceState(null, '', `#${address()}`);
   try {
     await navigator.clipboard.writeText(location.href);
     say('The link is copied: it holds this motion to the bit.');
@@ -440,4 +441,4 @@ window.twofold = { core, motion, views, connect, play, seek, showFan, draw, fan,
   tour, goTo, arrived: () => motion.tick >= goal && !isFanDue,
   read: (text) => read(core, text),
   writeOf: (...what) => write(core, ...what),
-  write: () => write(core, scene, motion.log, motion.tick, tour.number) };
+  write: () => address() };
