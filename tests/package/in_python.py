@@ -69,7 +69,7 @@ ALONE = {"PIP_NO_INDEX": "1", "PIP_CONFIG_FILE": "/dev/null",
          "PIP_NO_CACHE_DIR": "1", "PYTHONPATH": ""}
 
 
-def python():
+def test_python():
     """pip installs the archive without a network; runs have the bits of the
     command line; each bad argument is refused; the notebook can be executed and
     shows its pictures."""
@@ -94,6 +94,3 @@ def python():
         "figures.ipynb", env=env)
     equal("pictures", (place / "figures.ipynb").read_text().count(
         '"image/png":'), 3)
-
-
-TESTS = {"python": python}

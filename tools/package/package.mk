@@ -29,9 +29,9 @@ dist: $(DIST_CONSTANTS) $(DIST)/c/twofold.c
 	@echo 'The packages are in $(DIST).'
 
 $(DIST)/c/twofold.c: $(wildcard include/*.h include/twofold/*.h src/*/*.[ch]) \
-    tools/package/dist/two_files.py tools/package/dist/sources.py LICENSE
+    tools/package/dist/sources.py LICENSE
 	@mkdir -p $(@D)
-	@tools/package/dist/two_files.py $(@D)
+	@tools/package/dist/sources.py $(@D)
 
 # What is installed, below PREFIX. Libraries of both types have names of their
 # own, as their functions have. A folder may have blanks in its name.

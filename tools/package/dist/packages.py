@@ -7,6 +7,7 @@ usage: packages.py C FOLDER
 C: the folder with twofold.h, twofold.c and the headers of PREPARED.
 """
 import gzip
+import re
 import shutil
 import sys
 import tarfile
@@ -66,6 +67,15 @@ def of_scene(text, scene):
     return text
 
 
+def keywords(package):
+    """What Arduino's editor colours: types, and functions."""
+    names = {name for header in package.glob("src/*.h")
+             for name in re.findall(r"\btf_\w+", header.read_text())}
+    (package / "keywords.txt").write_text("".join(
+        f"{name}\tKEYWORD{1 if name.endswith('_t') else 2}\n"
+        for name in sorted(names)))
+
+
 def archive(package, to):
     """A tar with the same bytes for the same files."""
     def plain(info):
@@ -94,6 +104,8 @@ def main():
             if file.endswith(".h"):
                 text = begin + text
             (package / inner / file).write_text(text)
+        if template == "arduino":
+            keywords(package)
         if template == "platformio":
             (package / "examples/chaos/src").mkdir()
             shutil.copy(DEMO, package / "examples/chaos/src/main.c")

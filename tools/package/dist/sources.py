@@ -1,4 +1,6 @@
-"""The tree as one text: what `make dist` makes its files of.
+#!/usr/bin/python3
+"""The tree as one text: what `make dist` makes its files of. As a program it
+makes two of them, twofold.h and twofold.c: sources.py FOLDER.
 
 A source or header is written out with the headers that it includes, each of
 them once, at the place of its first include; includes of the C library are
@@ -6,6 +8,7 @@ kept, each once. Names that are local to a file are unique in all of src/ (check
 arrows), so that any choice of files can stand in one."""
 import math
 import re
+import sys
 from fractions import Fraction
 from itertools import count
 from pathlib import Path
@@ -177,3 +180,23 @@ def code_of(text):
     body = re.sub(r"^#.*", "", body, flags=re.M)
     return re.sub(r"^\w[\w ]*[ *]tf_\w+(\([^;{]*\)|\[\w+\]);", "", body,
                   flags=re.M)
+
+
+def two_files(folder):
+    header = Text()
+    header.add(preface("all public headers in one"))
+    header.add_file(ROOT / "include/twofold.h")
+    header.write(folder / "twofold.h")
+    # What twofold.h has is not in twofold.c again.
+    source = Text(without=header.there)
+    source.add(preface("the core in one file, C99"))
+    source.add(COMPILERS)
+    source.add_file(ROOT / "src/num/rounding.h")
+    source.add('#include "twofold.h"\n\n')
+    for path in core_sources():
+        source.add_file(path)
+    source.write(folder / "twofold.c")
+
+
+if __name__ == "__main__":
+    two_files(Path(sys.argv[1]))

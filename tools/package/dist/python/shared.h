@@ -58,7 +58,6 @@ int SHARED(twofold_has_avx2)(void) {
 #endif
 }
 
-/* Sizes and offsets in the order that the module knows. */
 typedef struct {
   tf_real_t r, v, omega, g, K[4], J1, J2, eigenvalue[2], time_scale;
   uint8_t type, paper_case;
@@ -67,17 +66,10 @@ typedef struct {
   tf_real_t r, omega, lambda, delassus;
   uint8_t region;
 } place_t;
+
+/* Sizes in the order that the module knows. */
 const uint32_t SHARED(twofold_layout)[] = {
-    sizeof(tf_params_t),
-    offsetof(tf_params_t, law),
-    offsetof(tf_params_t, rule),
-    offsetof(tf_params_t, rest),
-    offsetof(tf_params_t, with_angle),
-    sizeof(tf_compensated_t),
-    sizeof(tf_report_t),
-    TF_PARAMETERS,
-    TF_SCENES,
-};
+    sizeof(tf_compensated_t), sizeof(tf_report_t), TF_PARAMETERS, TF_SCENES};
 
 static tf_real_t or_else(tf_real_t given, tf_real_t usual) {
   return isnan(given) ? usual : given;
@@ -102,11 +94,6 @@ tf_status_t SHARED(twofold_begin)(const run_t *of, uint32_t seed,
   return motion_begin(of->motion, of->scheme, &start, &u);
 }
 
-/* The row of a state; its report is of the step that led to it. */
-void SHARED(twofold_row)(const motion_t *at, motion_row_t *row) {
-  *row = motion_row(at);
-}
-
 static tf_input_t next_input(const run_t *of, const tf_input_t *held) {
   return held ? *held
               : tf_scene_input(of->scene, &of->motion->machine.machine,
@@ -114,20 +101,21 @@ static tf_input_t next_input(const run_t *of, const tf_input_t *held) {
 }
 
 /* Goes on behind `from` of so many steps, for `most` of them, and writes a row
- * after every `every` of all and after the last. input: held, its alpha is 0
- * behind a step; NULL: those of the scene. Returns: steps taken, with `from`;
- * fewer where one is refused, whose status is in `status`. */
+ * before the first, after every `every` of all and after the last. input: held,
+ * its alpha is 0 behind a step; NULL: those of the scene. Returns: steps taken,
+ * with `from`; fewer where one is refused, whose status is in `status`. */
 uint64_t SHARED(twofold_run)(const run_t *of, tf_input_t *input, uint64_t from,
                              uint64_t most, uint64_t steps, uint64_t every,
                              motion_row_t *rows, int *status) {
   const uint64_t end = steps - from > most ? from + most : steps;
+  if (from == 0) rows[0] = motion_row(of->motion);
   for (uint64_t i = from + 1; i <= end; i++) {
     const tf_input_t u = next_input(of, input);
     *status = motion_step(of->motion, of->scheme, &u);
     if (*status < 0) return i - 1;
     if (input) input->alpha = 0;
     if (i % every == 0 || i == steps)
-      rows[(i - 1) / every] = motion_row(of->motion);
+      rows[(i - 1) / every + 1] = motion_row(of->motion);
   }
   return end;
 }

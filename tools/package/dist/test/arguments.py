@@ -131,7 +131,7 @@ def table(real):
 
 def bits(machine, ensemble):
     """All that a refused call must leave as it is."""
-    return (bytes(machine._motion), machine._params.raw,
+    return (bytes(machine._motion), bytes(machine._params),
             ensemble.states.tobytes(), ensemble.reports.tobytes())
 
 

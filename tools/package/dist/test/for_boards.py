@@ -5,7 +5,6 @@ import json
 import re
 import shutil
 import struct
-from functools import partial
 from pathlib import Path
 
 from harness import (DIST, STRICT, check, equal, folder, lacks, need, rows_of,
@@ -107,7 +106,7 @@ def fits(example, program, flash, ram):
     print(f"# {says}")
 
 
-def arduino():
+def test_arduino():
     """All scenes fit a Mega."""
     given = (DIST / "arduino/twofold/library.properties").read_text()
     check(f"\nversion={version()}\n" in given, "version of the library")
@@ -115,7 +114,7 @@ def arduino():
          *MEGA[3:])
 
 
-def arduino_run(scene, board, chip, processor, flash, ram):
+def run_sketch(scene, board, chip, processor, flash, ram):
     """The sketch of a prepared scene fits the board. Run by simavr it prints
     states of the float trajectory that the command line computes, in their
     order."""
@@ -137,6 +136,14 @@ def arduino_run(scene, board, chip, processor, flash, ram):
           "trajectory")
 
 
+def test_arduino_mega():
+    run_sketch("chaos", *MEGA)
+
+
+def test_arduino_uno():
+    run_sketch("smooth", *UNO)
+
+
 def micro(text):
     """A float in units of 1e-6, as the sketch prints it."""
     return int(single(single(float(text)) * single(1e6)))
@@ -147,7 +154,7 @@ def single(value):
     return struct.unpack("f", struct.pack("f", value))[0]
 
 
-def platformio():
+def test_platformio():
     """The files that library.json names are there, and the example compiles and
     runs by its flags."""
     library = DIST / "platformio/twofold"
@@ -168,47 +175,45 @@ def platformio():
         check(run(place / "example").startswith("chaos r = "), "something else")
 
 
-def write(place, texts):
-    """Texts by their paths below a folder."""
+def stand_in(name, texts, source, compiler, flags, *defines):
+    """A project that is compiled by CMake, in gnu17 and in float, with a
+    stand-in of files by their paths below the folder that it gives. source: of
+    the project, below that folder. Returns: what CMake prints."""
+    need("cmake", "cmake")
+    place = folder(name)
     for path, text in texts.items():
         (place / path).parent.mkdir(parents=True, exist_ok=True)
         (place / path).write_text(text)
+    said = run("cmake", "-S", place / source, "-B", place / "built", "-G",
+               "Unix Makefiles", f"-DCMAKE_C_COMPILER={compiler}",
+               "-DCMAKE_SYSTEM_NAME=Generic",
+               "-DCMAKE_TRY_COMPILE_TARGET_TYPE=STATIC_LIBRARY", *defines,
+               f"-DCMAKE_C_FLAGS={flags} -std=gnu17 -Os -Wall -Wextra -Werror",
+               env={"IDF_PATH": str(place)})
+    check("TF_REAL_FLOAT" in run("cmake", "--build", place / "built",
+                                 "--verbose"), "it is not compiled in float")
+    return said
 
 
-def esp_idf():
+def test_esp_idf():
     """The project of the example, as it is, compiles for the chip of an
-    ESP32-C3 against a stand-in of ESP-IDF: scanned and added as that does, in
-    gnu17."""
-    need("cmake", "cmake")
+    ESP32-C3 against a stand-in of ESP-IDF: scanned and added as that does."""
     compiler = need("riscv64-unknown-elf-gcc", "gcc-riscv64-unknown-elf")
-    component = DIST / "esp-idf/twofold"
+    component = (DIST / "esp-idf/twofold").resolve()
     manifest = (component / "idf_component.yml").read_text()
     check(f'version: "{version()}"' in manifest, "another version")
     if "/" not in run(compiler, "-print-file-name=picolibc.specs"):
         lacks("picolibc-riscv64-unknown-elf")
-    place, example = folder("esp-idf"), component / "examples/chaos"
+    example = component / "examples/chaos"
     override = re.search(r'override_path: "(.+)"',
                          (example / "main/idf_component.yml").read_text())
     equal("the component that the example names",
-          (example / "main" / override[1]).resolve(), component.resolve())
-    write(place, IDF)
-    said = run(
-        "cmake", "-S", example, "-B", place / "built", "-G", "Unix Makefiles",
-        f"-DCMAKE_C_COMPILER={compiler}", "-DCMAKE_SYSTEM_NAME=Generic",
-        "-DCMAKE_TRY_COMPILE_TARGET_TYPE=STATIC_LIBRARY",
-        f"-DCOMPONENT={component.resolve()}",
-        "-DCMAKE_C_FLAGS=-march=rv32imc -mabi=ilp32 -specs=picolibc.specs "
-        "-std=gnu17 -Os -Wall -Wextra -Werror",
-        env={"IDF_PATH": str(place)})
+          (example / "main" / override[1]).resolve(), component)
+    said = stand_in("esp-idf", IDF, example, compiler,
+                    "-march=rv32imc -mabi=ilp32 -specs=picolibc.specs",
+                    f"-DCOMPONENT={component}")
     check("requires twofold" in said,
           f"the scan of the example does not find twofold: {said}")
-    build_in_float(place)
-
-
-def build_in_float(place):
-    """A package for a board is compiled in float."""
-    said = run("cmake", "--build", place / "built", "--verbose")
-    check("TF_REAL_FLOAT" in said, "the package is not compiled in float")
 
 
 # A project that defines what of Zephyr a module calls, adds one and compiles
@@ -219,8 +224,6 @@ ZEPHYR = {
         "#pragma once\nvoid printk(const char *format, ...);\n",
     "CMakeLists.txt": """\
 cmake_minimum_required(VERSION 3.16)
-set(CMAKE_SYSTEM_NAME Generic)
-set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 project(stand_in C)
 set(CONFIG_TWOFOLD y)
 set(CONFIG_TWOFOLD_REAL_FLOAT y)
@@ -248,26 +251,14 @@ target_link_libraries(app PRIVATE twofold)
 """}
 
 
-def zephyr():
-    """The module and its sample compile for a Cortex-M4F, in gnu17."""
-    need("cmake", "cmake")
+def test_zephyr():
+    """The module and its sample compile for a Cortex-M4F."""
     compiler = need("arm-none-eabi-gcc", "gcc-arm-none-eabi")
-    module, place = DIST / "zephyr/twofold", folder("zephyr")
+    module = DIST / "zephyr/twofold"
     named = dict(line.strip().split(": ") for line in
                  (module / "zephyr/module.yml").read_text().splitlines()
                  if ": " in line)
     check((module / named["kconfig"]).is_file(), "no Kconfig")
-    write(place, ZEPHYR)
-    run("cmake", "-S", place, "-B", place / "built",
-        f"-DMODULE={module / named['cmake']}",
-        f"-DCMAKE_C_COMPILER={compiler}",
-        "-DCMAKE_C_FLAGS=-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -std=gnu17 "
-        "-Os -Wall -Wextra -Werror")
-    build_in_float(place)
-
-
-TESTS = {"arduino": arduino,
-         "arduino-mega": partial(arduino_run, "chaos", *MEGA),
-         "arduino-uno": partial(arduino_run, "smooth", *UNO),
-         "platformio": platformio, "esp-idf": esp_idf,
-         "zephyr": zephyr}
+    stand_in("zephyr", ZEPHYR, ".", compiler,
+             "-mcpu=cortex-m4 -mthumb -mfloat-abi=hard",
+             f"-DMODULE={module / named['cmake']}")

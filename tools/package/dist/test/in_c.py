@@ -38,7 +38,7 @@ FUSED = ["-O2", "-march=haswell", "-S", "-o", "-"]
 PLAIN = ["-O2", "-march=native"]
 
 
-def two_files():
+def test_two_files():
     """Without a warning as C99, gnu17 and C++; the tests of the golden hashes
     pass with them, in both real types."""
     place = folder("two-files")
@@ -60,7 +60,7 @@ def two_files():
             run(golden)
 
 
-def words_of_systems():
+def test_words_of_systems():
     """The two files compile where headers of systems have taken words."""
     place = folder("words")
     (place / "taken.h").write_text("".join(f"#define {one}\n" for one in TAKEN))
@@ -100,7 +100,7 @@ def golden_hashes():
         r'"(\w+)", TF_RULE_PERSIST, MOREAU,\s*0x(\w+)u, 0x(\w+)u', golden)}
 
 
-def scene():
+def test_scene():
     """The header of each scene: without a warning, the golden hash of the
     scene, called from C++; it stands beside twofold.h in one program."""
     place = folder("scene")
@@ -124,7 +124,7 @@ def scene():
             place / "both.o")
 
 
-def two_scenes():
+def test_two_scenes():
     """The code of two scenes in one file, in C and in C++: each has its own
     golden hash."""
     place = folder("two-scenes")
@@ -147,7 +147,7 @@ def two_scenes():
               code.count("vfmadd"), 1)
 
 
-def cpp():
+def test_cpp():
     """A program in C++ uses the library; each public header stands alone."""
     need("g++", "g++")
     place = folder("cpp")
@@ -164,7 +164,7 @@ def cpp():
             "-fsyntax-only", "-x", "c++", "-include", header, "/dev/null")
 
 
-def castor():
+def test_castor():
     """The example of docs/USE.md says the same in C and in C++. It sticks
     until A < 0, behind cos(psi)^2 = m e (kappa - e)/J, psi = 161 degrees, where
     other modes are possible, too, and then slips to one side and the other."""
@@ -184,7 +184,3 @@ def castor():
             set(), ["stick-,", "only"], "160 deg stick-, of several".split()))
         *_, a, b, c, d = [float(row[0]) for row in rest if row[5] == "only"]
         check(b - a < d - c, f"windings end at {a, b, c, d} s")
-
-
-TESTS = {"two-files": two_files, "words": words_of_systems, "scene": scene,
-         "two-scenes": two_scenes, "cpp": cpp, "castor": castor}

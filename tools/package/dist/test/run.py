@@ -16,6 +16,7 @@ import in_python  # noqa: E402
 
 for real in REALS:
     ends_at(real)  # before tests that share it go their ways
-sys.exit(run([*in_c.TESTS.items(), *installed.TESTS.items(),
-              *in_python.TESTS.items(), *for_boards.TESTS.items()],
+sys.exit(run([(name[5:].replace("_", "-"), test)
+              for room in (in_c, installed, in_python, for_boards)
+              for name, test in vars(room).items() if name.startswith("test_")],
              jobs=len(os.sched_getaffinity(0))))

@@ -12,8 +12,7 @@ LANES = 16
 NO_MODE = 5
 # Steps of one call of the core; behind each, Python looks at its signals.
 SLICE = 2 ** 16
-LAYOUT = ("params", "law", "rule", "rest", "with_angle", "machine", "report",
-          "parameters", "scenes")
+LAYOUT = "machine", "report", "parameters", "scenes"
 _shared = ctypes.CDLL(str(Path(__file__).with_name("_twofold.so")))
 
 
@@ -43,9 +42,15 @@ class Core:
         Range = self._struct(
             "", ("name", c_char_p), ("unit", c_char_p), ("offset", c_uint16),
             ("laws", c_uint16), ("low", self.real), ("high", self.real))
+        self.ranges = {one.name.decode(): one for one in
+                       (Range * self.size["parameters"]).in_dll(
+                           _shared, f"tf_parameter_ranges_{self.suffix}")}
+        self.Params = self._struct(
+            " ".join(self.ranges), ("law", c_uint), ("rule", c_uint),
+            ("rest", c_uint), ("with_angle", c_bool))
         self.Scene = self._struct(
             "", ("name", c_char_p), ("shows", c_char_p), ("leaves", c_char_p),
-            ("params", c_char * self.size["params"]), ("start", 4 * self.real),
+            ("params", self.Params), ("start", 4 * self.real),
             ("v_is_given", c_bool), ("t_end", self.real))
         self.Motion = self._struct(
             "", ("machine", c_char * self.size["machine"]),
@@ -57,8 +62,6 @@ class Core:
         self.scenes = {one.contents.name.decode(): one.contents for one in
                        (POINTER(self.Scene) * self.size["scenes"]).in_dll(
                            _shared, f"tf_scenes_{self.suffix}")}
-        self.ranges = (Range * self.size["parameters"]).in_dll(
-            _shared, f"tf_parameter_ranges_{self.suffix}")
 
     def _dtype(self, reals, *others, first=(), lanes=()):
         """Of a row, or of a block of an ensemble."""
@@ -96,7 +99,6 @@ class Core:
                  (run, any_, c_size_t, input_, any_, *2 * [c_uint64])),
                 ("twofold_takes_law", c_int, (c_int, c_int)),
                 ("twofold_begin", c_int, (run, c_uint32, any_)),
-                ("twofold_row", None, (any_, any_)),
                 ("twofold_take", c_int, (run, input_, c_uint)),
                 ("twofold_folds", c_int, (run, any_, POINTER(c_int))),
                 ("twofold_regions", c_int, (run, any_, c_size_t)),
@@ -128,5 +130,5 @@ def scenes() -> dict[str, str]:
 
 def parameters() -> dict[str, tuple[str, float, float]]:
     """Name of each parameter: (unit, lowest, highest value)."""
-    return {one.name.decode(): (one.unit.decode(), one.low, one.high)
-            for one in CORES["double"].ranges}
+    return {name: (one.unit.decode(), one.low, one.high)
+            for name, one in CORES["double"].ranges.items()}

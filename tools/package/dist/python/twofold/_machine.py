@@ -22,7 +22,7 @@ SHORT_STEP = 1e-3
 INPUTS = {"omega0": "rad/s", "r0": "m", "force": "N", "torque": "N m",
           "alpha": "rad/s^2"}
 START = {"r": "m", "v": "m/s", "omega": "rad/s", "h": "m/s", "phi": "rad"}
-BUFFERS = "_motion", "_params"
+BUFFERS = {"_motion": "Motion", "_params": "Params"}
 # What else a mistyped setting may be; the command line selects by a rule.
 HINTS = {"select": "rule", **{name: name for name in (
     *START, "real", "law", "rule", "rest", "with_angle", "seed", "t_end",
@@ -61,55 +61,40 @@ class Machine:
         self.core = core
         self.scene = core.scenes[word("scene", scene, core.scenes)]
         self.name, self.seed = scene, seed
-        self._params = ctypes.create_string_buffer(
-            ctypes.string_at(byref(self.scene, core.Scene.params.offset),
-                             core.size["params"]), core.size["params"])
+        self._params = core.Params.from_buffer_copy(self.scene.params)
         for name, value in parameters.items():
-            one = self._range(name, HINTS)
+            one = core.ranges[word("name of a parameter", name, core.ranges,
+                                   HINTS)]
             rounded = core.real(number(name, value)).value
-            self._put(one.offset, core.real, number(
+            setattr(self._params, name, number(
                 name, rounded, one.low, one.high, one.unit.decode()))
         for name, given, kind in (("law", law, Law), ("rule", rule, Rule),
                                   ("rest", rest, Rest)):
             if given is not None:
-                self._put(core.size[name], ctypes.c_uint,
-                          member(name, given, kind))
+                setattr(self._params, name, member(name, given, kind))
         if with_angle is not None or phi is not None:
-            self._put(core.size["with_angle"], ctypes.c_bool, flag(
-                "with_angle", True if with_angle is None else with_angle))
+            self._params.with_angle = flag(
+                "with_angle", True if with_angle is None else with_angle)
         if v is not None and h is not None:
             raise ValueError("either v or h is to be given, not both")
         self._start = self._given(zip(START, (r, v, omega, h, phi)))
         self._motion = core.Motion()
         offender = c_int(-1)
-        if core.call_prepare_compensated(byref(self._motion), self._params,
-                                         byref(offender)) < 0:
-            bad = core.ranges[offender.value]
-            name = bad.name.decode()
+        if core.call_prepare_compensated(
+                byref(self._motion), byref(self._params), byref(offender)) < 0:
+            name, bad = [*core.ranges.items()][offender.value]
             refuse(name, self[name], bad.low, bad.high, bad.unit.decode())
         self.start()
 
-    def _put(self, offset, type_, value):
-        ctypes.memmove(byref(self._params, offset), byref(type_(value)),
-                       ctypes.sizeof(type_))
-
-    def _get(self, name, kind):
-        return kind(ctypes.c_uint.from_buffer(self._params,
-                                              self.core.size[name]).value)
-
-    def _range(self, name, hints={}):
-        known = {one.name.decode(): one for one in self.core.ranges}
-        return known[word("name of a parameter", name, known, hints)]
-
     def __getitem__(self, name: str) -> float:
         """Value of a parameter in SI units, by its name."""
-        return self.core.real.from_buffer(
-            self._params, self._range(name).offset).value
+        return getattr(self._params, word("name of a parameter", name,
+                                          self.core.ranges))
 
     def __repr__(self):
         x, t = self.state, self.state.tick * self["dt"]
-        return (f"Machine({self.name!r}, law={self._get('law', Law)}, "
-                f"rule={self._get('rule', Rule)}) at t={t:.6g} s: r={x.r:.6g} "
+        return (f"Machine({self.name!r}, law={Law(self._params.law)}, "
+                f"rule={Rule(self._params.rule)}) at t={t:.6g} s: r={x.r:.6g} "
                 f"m, v={x.v:.6g} m/s, omega={x.w:.6g} rad/s, "
                 f"{Mode(x.mode)}")
 
@@ -164,10 +149,9 @@ class Machine:
     def __setstate__(self, held):
         self.__dict__ = held
         self.scene = self.core.scenes[self.name]
-        for name in BUFFERS:
-            kind = {"_motion": self.core.Motion}.get(
-                name, ctypes.c_char * len(held[name]))
-            setattr(self, name, kind.from_buffer_copy(held[name]))
+        for name, kind in BUFFERS.items():
+            setattr(self, name, getattr(self.core, kind).from_buffer_copy(
+                held[name]))
 
     def input(self, **changed: float) -> Structure:
         """The inputs of a machine that nothing drives, with changes: omega0
@@ -218,7 +202,7 @@ class Machine:
         self.core.fail(self.core.call_regions(
             self._run(), rows.ctypes.data, rows.size),
             "regions needs law jump or coulomb and |sin(gamma)| in [1e-06, 1], "
-            f"not law {self._get('law', Law)} and gamma = {self['gamma']:g}")
+            f"not law {Law(self._params.law)} and gamma = {self['gamma']:g}")
         return rows.view(Table)
 
     def energy(self) -> float:
@@ -230,7 +214,7 @@ class Machine:
         if scheme is None:
             short = self.core is CORES["float"] and self["dt"] < SHORT_STEP
             return Scheme.COMPENSATED if short else Scheme.MOREAU
-        scheme, law = member("scheme", scheme, Scheme), self._get("law", Law)
+        scheme, law = member("scheme", scheme, Scheme), Law(self._params.law)
         if not self.core.call_takes_law(scheme, law):
             raise ValueError("scheme is located, which needs law jump, coulomb "
                              f"or none, not {law}; moreau takes every law")
@@ -295,14 +279,15 @@ class Machine:
         held = None if inputs is None else self._held(inputs)
         run = self._ready(scheme)
         rows = np.zeros(1 + -(-steps // every), self.core.row)
-        self.core.call_row(byref(self._motion), rows.ctypes.data)
         done, status = 0, c_int(0)
         # A step of located is slow where its tolerance is small.
         most = max(1, _core.SLICE >> 4 * (run.scheme == Scheme.LOCATED))
-        while done < steps and status.value >= 0:
+        while True:
             done = self.core.call_run(
                 run, held, done, most, steps, every,
-                rows[1:].ctypes.data, byref(status))
+                rows.ctypes.data, byref(status))
+            if done == steps or status.value < 0:
+                break
         kept = rows if status.value >= 0 else rows[:1 + done // every]
         return kept.view(Table), done, status.value
 
