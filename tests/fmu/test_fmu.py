@@ -28,7 +28,8 @@ def test_scenes_have_the_bits_of_the_command_line(fmu):
         wheel = instance(fmu.version, scene).begin()
         same_bits(wheel, expected, 25)
         listed = wheel.fmu.home / "documentation/twofold_ref.csv"
-        got, row = listed.read_text().splitlines()[101].split(","), expected[400]
+        got = listed.read_text().splitlines()[101].split(",")
+        row = expected[400]
         check([*map(float, got)] == [*row[:8], MODES.index(row[8]), row[9]],
               f"reference: {got}")
 
