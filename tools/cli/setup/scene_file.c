@@ -48,39 +48,34 @@ static int refuse(const reader_t *reader, const tf_parameter_range_t *range,
                      text, cli_must(range));
 }
 
-static int read_in(const reader_t *reader, const tf_parameter_range_t *range,
-                   const char *text, tf_real_t *value) {
-  CLI_TRY(cli_read_number(reader->place, range->name, text, value));
-  return cli_is_in(range, *value) ? CLI_DONE : refuse(reader, range, *value);
-}
-
-static int read_parameter(reader_t *reader, size_t key, const char *text) {
+// v and h: the one that is given is the start. Ranges of parameters are checked
+// later.
+static int read_number(reader_t *reader, size_t key, const char *text) {
+  tf_scene_t *scene = &reader->file->scene;
+  tf_real_t *const members[] = {&scene->r, &scene->v, &scene->omega, &scene->h,
+                                &scene->t_end};
   tf_real_t value = 0;
+  if (reader->given[CLI_V] != 0 && reader->given[CLI_H] != 0) {
+    return cli_message(CLI_USAGE,
+                       "%s %s: give h or v, each follows from the other",
+                       reader->place, reader->key);
+  }
+  if (key == CLI_V || key == CLI_H) {
+    scene->v_is_given = key == CLI_V;
+    scene->v = scene->h = 0;
+  }
   CLI_TRY(cli_read_number(reader->place, reader->key, text, &value));
   if (!cli_parameter_fits(key, value)) {
     return cli_message(CLI_REFUSED, "%s %s must be a whole number",
                        reader->place, reader->key);
   }
-  memcpy((char *)&reader->file->scene.params + cli_number(key)->offset, &value,
-         sizeof value);
-  return CLI_DONE;
-}
-
-// v and h: the one that is given is the start.
-static int read_number(reader_t *reader, size_t key, const char *text) {
-  tf_scene_t *scene = &reader->file->scene;
-  tf_real_t *const members[] = {&scene->r, &scene->v, &scene->omega, &scene->h,
-                                &scene->t_end};
-  if (key == CLI_V || key == CLI_H) {
-    if (reader->given[CLI_V] != 0 && reader->given[CLI_H] != 0) {
-      return cli_message(CLI_USAGE,
-                         "%s %s: give h or v, each follows from the other",
-                         reader->place, reader->key);
-    }
-    scene->v_is_given = key == CLI_V;
-    scene->v = scene->h = 0;
+  if (key >= TF_PARAMETERS && !cli_is_in(number_of(key), value)) {
+    return refuse(reader, number_of(key), value);
   }
-  return read_in(reader, number_of(key), text, members[key - CLI_R]);
+  memcpy(key < TF_PARAMETERS ? (char *)&scene->params + number_of(key)->offset
+                             : (char *)members[key - CLI_R],
+         &value, sizeof value);
+  return CLI_DONE;
 }
 
 // One knot, T:OMEGA0, not earlier than the one before; two of one time jump.
@@ -96,7 +91,10 @@ static int read_knot(reader_t *reader, char *text) {
                        reader->place, text);
   }
   *omega0++ = '\0';
-  CLI_TRY(read_in(reader, &times, text, &knot.t));
+  CLI_TRY(cli_read_number(reader->place, "profile", text, &knot.t));
+  if (!cli_is_in(&times, knot.t)) {
+    return refuse(reader, &times, knot.t);
+  }
   CLI_TRY(cli_read_number(reader->place, "profile", omega0, &knot.omega0));
   if (!cli_is_in(range, knot.omega0)) {
     return cli_message(CLI_REFUSED, "%s profile: omega0 = %s %s", reader->place,
@@ -251,9 +249,8 @@ static int read_line(reader_t *reader, char *line) {
   }
   reader->given[key] = reader->lines.line;
   reader->key = line;
-  CLI_TRY(key < TF_PARAMETERS ? read_parameter(reader, key, value)
-          : key < BASED_ON    ? read_number(reader, key, value)
-                              : words[key - BASED_ON].read(reader, value));
+  CLI_TRY(key < BASED_ON ? read_number(reader, key, value)
+                         : words[key - BASED_ON].read(reader, value));
   reader->has_keys = true;
   return CLI_DONE;
 }
