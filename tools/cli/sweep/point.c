@@ -51,15 +51,13 @@ typedef struct {
   char text[CLI_AXES][CLI_NAME_ROOM + CLI_REAL_ROOM]; // NAME=VALUE
   char select[CLI_REAL_ROOM];
   cli_setup_t setup;
-  cli_drive_t drive; // its tables are those of sweep
-  tf_input_t input;  // of the last step
-  motion_t motion;
+  cli_drive_t drive;   // its tables are those of sweep
+  tf_input_t input;    // of the last step
   cli_point_end_t end; // CLI_POINT_DONE while it goes on
   char reason[REASON_ROOM];
 
   // What was seen of the motion so far.
   uint64_t steps;
-  double t;           // [s], after them
   tf_report_t report; // of the last step
   tf_tally_t tally;
   cli_events_t events;
@@ -81,14 +79,26 @@ static struct {
 } group;
 
 static double energy_of(const point_t *point) {
-  return (double)tf_energy(&point->setup.machine, &point->motion.state,
+  return (double)tf_energy(&point->setup.machine, &point->setup.motion.state,
                            point->input.r0);
 }
 
-static void see(point_t *point, double t, const tf_report_t *report) {
-  const tf_state_t *x = &point->motion.state;
+// Sees step i.
+static void see(point_t *point, uint64_t i, const tf_input_t *input,
+                const tf_report_t *report) {
+  const double t = (double)i * (double)point->setup.machine.dt;
+  const double r = (double)point->setup.motion.state.r;
   const uint64_t arrivals = point->events.counts[CLI_TWO_FOLD];
-  cli_events_observe(&point->events, &point->report, report, x, t);
+  if (report->status < 0) {
+    (void)snprintf(point->reason, REASON_ROOM, "step %" PRIu64 ": %s", i,
+                   tf_status_name(report->status));
+    point->end = CLI_POINT_STOPPED;
+    group.going--;
+    return;
+  }
+  tf_tally_count(&point->tally, i, report->status);
+  cli_events_observe(&point->events, &point->report, report,
+                     &point->setup.motion.state, t);
   if (point->events.counts[CLI_TWO_FOLD] > arrivals) {
     point->first_arrival = arrivals == 0 ? t : point->first_arrival;
     point->last_arrival = t;
@@ -96,13 +106,13 @@ static void see(point_t *point, double t, const tf_report_t *report) {
   if (report->mode == TF_PINNED && point->report.mode != TF_PINNED) {
     point->pinned_since = t;
   }
-  point->steps++;
-  point->t = t;
+  point->steps = i;
+  point->input = *input;
   point->modes |= TF_MODE_BIT(report->mode);
   point->changes += report->mode != point->report.mode;
   point->stuck += !tf_mode_is_slip(report->mode);
-  point->r_low = fmin(point->r_low, (double)x->r);
-  point->r_high = fmax(point->r_high, (double)x->r);
+  point->r_low = fmin(point->r_low, r);
+  point->r_high = fmax(point->r_high, r);
   point->report = *report;
 }
 
@@ -122,7 +132,7 @@ static void add_outcomes(const point_t *point, cli_buffer_t *text) {
   const cli_args_t *args = point->sweep->args;
   const double none = (double)NAN, steps = (double)point->steps;
   const double arrivals = (double)point->events.counts[CLI_TWO_FOLD];
-  const tf_state_t *x = &point->motion.state;
+  const tf_state_t *x = &point->setup.motion.state;
   const double energy = energy_of(point);
   const double values[CLI_MEASURES] = {
       point->modes,
@@ -245,38 +255,22 @@ int cli_point_check(cli_sweep_t *sweep) {
 }
 
 static void begin(point_t *point) {
-  point->motion = point->setup.motion;
   point->input = point->setup.input;
-  point->report = point->motion.report;
+  point->report = point->setup.motion.report;
   point->modes = TF_MODE_BIT(point->report.mode);
-  point->r_low = point->r_high = (double)point->motion.state.r;
+  point->r_low = point->r_high = (double)point->setup.motion.state.r;
   point->energy_at_start = energy_of(point);
   cli_events_begin(&point->events, 0, &point->report);
   group.going++;
 }
 
-static void note(point_t *point, uint64_t i, const tf_input_t *input,
-                 const tf_report_t *report) {
-  const tf_status_t status = report->status;
-  if (status < 0) {
-    (void)snprintf(point->reason, REASON_ROOM, "step %" PRIu64 ": %s", i,
-                   tf_status_name(status));
-    point->end = CLI_POINT_STOPPED;
-    group.going--;
-  } else {
-    point->input = *input;
-    tf_tally_count(&point->tally, i, status);
-    see(point, (double)i * (double)point->setup.machine.dt, report);
-  }
-}
-
 static void step_alone(point_t *point, uint64_t i) {
   tf_input_t input;
-  const tf_status_t status =
-      cli_drive_take(&point->drive, &point->setup, &point->motion, &input);
-  tf_report_t report = point->motion.report;
+  const tf_status_t status = cli_drive_take(&point->drive, &point->setup,
+                                            &point->setup.motion, &input);
+  tf_report_t report = point->setup.motion.report;
   report.status = status;
-  note(point, i, &input, &report);
+  see(point, i, &input, &report);
 }
 
 // The lanes for AVX2, where the program was linked with them: a baseline x86-64
@@ -306,8 +300,8 @@ static void step_together(size_t count, uint64_t i) {
     point_t *point = &group.points[n];
     if (point->end == CLI_POINT_DONE) {
       const tf_report_t report = tf_ensemble_report(&group.reports, n);
-      point->motion.state = tf_ensemble_get(&group.states, n);
-      note(point, i, &input, &report);
+      point->setup.motion.state = tf_ensemble_get(&group.states, n);
+      see(point, i, &input, &report);
     }
   }
 }
@@ -315,7 +309,7 @@ static void step_together(size_t count, uint64_t i) {
 // Returns: whether the motions have come to their ends.
 static bool follow(size_t count, uint64_t steps) {
   for (size_t n = 0; n < TF_LANES; n++) { // nobody sees lanes beyond count
-    tf_ensemble_put(&group.states, n, &group.points[n].motion.state);
+    tf_ensemble_put(&group.states, n, &group.points[n].setup.motion.state);
   }
   for (uint64_t i = 1; i <= steps && group.going > 0; i++) {
     if (i % BATCH == 0 && cli_stop_asked()) {
@@ -379,7 +373,8 @@ cli_point_end_t cli_point_row(uint64_t index, size_t which,
   }
   cli_add_form(&text, ",%s,%s,", cli_point_status(point->end), point->reason);
   if (point->end != CLI_POINT_REFUSED) {
-    cli_add_real(&text, (tf_real_t)point->t);
+    cli_add_real(&text, (tf_real_t)((double)point->steps *
+                                    (double)point->setup.machine.dt));
     add_outcomes(point, &text);
   } else {
     for (size_t i = 0; i < args->measures; i++) cli_add(&text, ",");
