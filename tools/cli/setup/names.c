@@ -59,7 +59,12 @@ tf_real_t cli_parameter(const tf_params_t *params, size_t index) {
 }
 
 const char *cli_must(const tf_parameter_range_t *range) {
-  return cli_must_lie((double)range->low, (double)range->high, range->unit);
+  static char text[96];
+  const bool plain = strcmp(range->unit, "1") == 0;
+  (void)snprintf(text, sizeof text, "must lie in [%g, %g]%s%s",
+                 (double)range->low, (double)range->high, plain ? "" : " ",
+                 plain ? "" : range->unit);
+  return text;
 }
 
 size_t cli_parameter_out(const tf_params_t *params) {

@@ -116,14 +116,6 @@ size_t cli_write_real(char out[CLI_REAL_ROOM], tf_real_t value) {
                           sizeof(tf_real_t) == sizeof(float));
 }
 
-const char *cli_must_lie(double low, double high, const char *unit) {
-  static char text[96];
-  const bool plain = strcmp(unit, "1") == 0;
-  (void)snprintf(text, sizeof text, "must lie in [%g, %g]%s%s", low, high,
-                 plain ? "" : " ", plain ? "" : unit);
-  return text;
-}
-
 // Evenly spaced values. Each is computed from its number alone, so that a part
 // of a range has the values of the whole.
 

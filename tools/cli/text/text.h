@@ -105,10 +105,6 @@ size_t cli_write_real(char out[CLI_REAL_ROOM], tf_real_t value);
 /// built for.
 size_t cli_write_number(char out[CLI_REAL_ROOM], double value, bool is_float);
 
-/// "must lie in [low, high] unit", without a unit of "1".
-/// Returns: the text, which the next call writes over.
-const char *cli_must_lie(double low, double high, const char *unit);
-
 /// Reads a number that stands in the value `whole` of an option; both: in, for
 /// the message.
 int cli_read_number(const char *option, const char *whole, const char *text,
