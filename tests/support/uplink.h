@@ -17,7 +17,6 @@ typedef struct {
   tf_link_t link;
   uint32_t up, down;   /* sequence numbers */
   const uint8_t *lock; /* key of the board, or NULL */
-  const uint8_t *key;  /* of its commands, or NULL */
 } board_t;
 
 static inline void switch_on(board_t *board, const char *scene) {
@@ -73,8 +72,8 @@ static inline void send(board_t *board, tf_type_t type, uint64_t at,
   uint8_t wire[TF_FRAME_SIZE(TF_COMMAND_BYTES)];
   for (size_t i = 0; i < length; i++) wire[TF_COMMAND_AT + i] = data[i];
   uint32_t next = board->up;
-  const size_t size = tf_command_seal(
-      wire, (uint8_t)type, length, board->link.session, &next, at, board->key);
+  const size_t size = tf_command_seal(wire, (uint8_t)type, length,
+                                      board->link.session, &next, at, NULL);
   if (type != TF_UP_DESCRIBE) board->up = next;
   hear(board, wire, size);
 }
