@@ -209,10 +209,7 @@ static int write_json(const cli_args_t *args, bool finds_kappa,
   cli_buffer_t text = {room, 0, sizeof room, false};
   CLI_TRY(prepare(args, finds_kappa));
   CLI_TRY(describe(&text));
-  return text.truncated
-             ? cli_message(CLI_STOPPED, "%s: out of room", args->command)
-             : cli_output_write(&job.output, "--out", args->out, room,
-                                text.used);
+  return cli_output_write(&job.output, "--out", args->out, room, text.used);
 }
 
 int cli_singularities(const cli_args_t *args) {
