@@ -52,7 +52,7 @@ tools/package/       tools/board/
 tools/page/          tools/package/
 tools/study/         tools/page/ tests/reference/ tests/golden/population
 tools/bench/         tools/study/
-tools/verify/        tools/bench/ port/core port/port
+tools/verify/        tools/bench/ port/core port/port tests/support/same_state
 tests/reference/     src/ include/ tests/data/
 port/app
 port/choice

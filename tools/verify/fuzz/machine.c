@@ -3,6 +3,7 @@
 // operands behind it. Parameters that are refused stay as they were set, so
 // that several can change before the machine takes them; it keeps the last that
 // it took.
+#include "../../../tests/support/same_state.h"
 #include "verify/fuzz/fuzz.h"
 
 #define MAX_OPERATIONS 64
@@ -18,21 +19,6 @@ typedef struct {
   tf_input_t input;
   int steps;
 } subject_t;
-
-static int same_state(const tf_state_t *a, const tf_state_t *b) {
-  return fuzz_same(a->r, b->r) && fuzz_same(a->v, b->v) &&
-         fuzz_same(a->w, b->w) && fuzz_same(a->phi, b->phi) &&
-         a->tick == b->tick && a->seed == b->seed && a->mode == b->mode;
-}
-
-static int same_report(const tf_report_t *a, const tf_report_t *b) {
-  return a->mode == b->mode && a->set == b->set && a->choices == b->choices &&
-         a->status == b->status && fuzz_same(a->force.F, b->force.F) &&
-         fuzz_same(a->force.M, b->force.M) && fuzz_same(a->slip.h, b->slip.h) &&
-         fuzz_same(a->slip.g, b->slip.g) &&
-         fuzz_same(a->delassus, b->delassus) &&
-         fuzz_same(a->residual, b->residual);
-}
 
 // The members of a machine between two offsets, all of them reals.
 static int finite_between(const tf_machine_t *machine, size_t from, size_t to) {
