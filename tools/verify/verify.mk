@@ -75,13 +75,16 @@ FUZZ_REALS ?= double float
 FUZZ_RUNS := $(foreach t,$(FUZZ),$(if $(filter machine,$(t)),\
   $(FUZZ_REALS:%=%/$(t)),double/$(t)))
 fuzzdir := $(BUILD)/fuzz
-FUZZ_FLAGS := -g1 -O1 -fno-omit-frame-pointer -fno-sanitize-recover=all \
-  -fsanitize=address,undefined,float-cast-overflow
+FUZZ_FLAGS := -g1 -fno-omit-frame-pointer -fno-sanitize-recover=all \
+  -fsanitize=address,undefined,float-cast-overflow,fuzzer-no-link
 FUZZ_PARTS := $(ALL_FUZZ:%=tools/verify/fuzz/%.c) tools/verify/fuzz/analysis.c \
   $(filter tools/cli/%,$(CLI)) $(CORE)
 
 fuzz: ## random inputs, SECONDS=30 for each target (clang)
-fuzz: $(FUZZ_RUNS:%=$(fuzzdir)/%)
+fuzz: fuzz-clang
+	@MAKEFLAGS= MAKELEVEL= $(MAKE) -s --no-print-directory CC='$(FUZZ_CC)' \
+	  OPT=-O1 EXTRA='$(FUZZ_FLAGS)' BUILD='$(fuzzdir)' \
+	  $(FUZZ_RUNS:%=$(fuzzdir)/%)
 	@BUILD='$(BUILD)' tools/verify/fuzz/fuzz.sh $(or $(SECONDS),30) $(FUZZ_RUNS)
 
 fuzz-clang:
@@ -92,25 +95,17 @@ fuzz-clang:
 	  - 2>/dev/null || { echo 'make fuzz needs clang with libFuzzer' \
 	  '(Debian: apt-get install clang libclang-rt-dev)' >&2; exit 3; }
 
-# Of one real type: all parts in an archive, a door for each target.
+# All parts in an archive that needs no other, for it comes last; the replay as
+# a test; and a door for each target, in a build with those flags.
 define fuzz-rules
-$(fuzzdir)/$(1)/%.o: %.c $(BUILD)/$(1)/flags tools/verify/verify.mk | fuzz-clang
-	@mkdir -p $$(@D)
-	@echo '  CC    $$@'
-	@$(FUZZ_CC) $$(COMMON) -Itools $(FLAGS_$(1)) $$(FUZZ_FLAGS) \
-	  -fsanitize=fuzzer-no-link -MMD -MP -c $$< -o $$@
-$(fuzzdir)/$(1)/libparts.a: $(FUZZ_PARTS:%.c=$(fuzzdir)/$(1)/%.o)
-	$$(archive)
-$(ALL_FUZZ:%=$(fuzzdir)/$(1)/%): $(fuzzdir)/$(1)/%: tools/verify/fuzz/entry.c \
-    $(fuzzdir)/$(1)/libparts.a
-	@echo '  LINK  $$@'
-	@$(FUZZ_CC) $$(COMMON) -Itools $(FLAGS_$(1)) $$(FUZZ_FLAGS) \
-	  -DFUZZ=fuzz_$$* -fsanitize=fuzzer $$^ -lm -o $$@
-
-# The replay as a test: an archive that needs no other, for it comes last.
 $(BUILD)/$(1)/libcorpus.a: $(call objects_of_$(1),$(FUZZ_PARTS))
 	$$(archive)
 $(BUILD)/$(1)/tests/regress/test_corpus: $(BUILD)/$(1)/libcorpus.a
+$(ALL_FUZZ:%=$(BUILD)/$(1)/%): $(BUILD)/$(1)/%: tools/verify/fuzz/entry.c \
+    $(BUILD)/$(1)/libcorpus.a
+	@echo '  LINK  $$@'
+	@$(CC) $$(COMMON) -Itools $(FLAGS_$(1)) $$(EXTRA) -DFUZZ=fuzz_$$* \
+	  -fsanitize=fuzzer $$^ -lm -o $$@
 endef
 $(foreach v,$(REALS),$(eval $(call fuzz-rules,$(v))))
 
