@@ -150,21 +150,21 @@ static double time_since(const cli_canard_t *canard, cli_canard_node_t at) {
 
 // Follows stick from a point backward in time; ratio: of the eigenvalues, or of
 // the fastest rate on the way to that of the time that is left.
-// Returns: whether it comes from the two-fold, within the room for nodes.
-static bool comes_from_two_fold(cli_canard_t *canard, cli_canard_node_t at,
-                                double ratio) {
+// Returns: NULL, or why it does not come from the two-fold.
+static const char *trace_back(cli_canard_t *canard, cli_canard_node_t at,
+                              double ratio) {
   double left = time_since(canard, at);
   const double least = LINEAR * left;
   canard->nodes = 0;
   canard->steps = 2 + (int)(fmin(ratio, MOST_RATIO) / RATIO);
   while (left > least) {
     if (canard->nodes == CLI_CANARD_NODES) {
-      return false;
+      return does_not_enter;
     }
     canard->node[canard->nodes++] = at;
     for (int i = 0; i < canard->steps; i++) {
       if (!is_escaping(canard, at)) {
-        return false;
+        return does_not_enter;
       }
       at = step(canard, at, -left / NODES / canard->steps);
     }
@@ -175,11 +175,11 @@ static bool comes_from_two_fold(cli_canard_t *canard, cli_canard_node_t at,
   for (int i = 0; i < canard->nodes; i++) {
     canard->node[i].t += (at.r - canard->r) / v - at.t;
   }
-  return canard->nodes > 0 && left >= 0;
+  return canard->nodes > 0 && left >= 0 ? NULL : does_not_enter;
 }
 
 // Stick from the two-fold that tends to rest at r, a saddle.
-// Returns: does_not_enter where there is none.
+// Returns: NULL, or why it does not.
 static const char *tends_to(cli_canard_t *canard, double r, double ratio) {
   const double dr = LINEAR * (canard->r - r), dz = LINEAR * canard->z;
   const cli_canard_node_t up = rates(canard, r, dz), in = rates(canard, r, -dz);
@@ -198,7 +198,7 @@ static const char *tends_to(cli_canard_t *canard, double r, double ratio) {
   if (fastest > MOST_RATIO) {
     return stiff;
   }
-  return comes_from_two_fold(canard, at, fastest) ? NULL : does_not_enter;
+  return trace_back(canard, at, fastest);
 }
 
 // What is left of the moment where stick holds the slider at rest [N m]: a
@@ -244,14 +244,12 @@ const char *cli_canard_solve(const cli_wide_t *k,
     in = out;
     out += part;
   }
-  in = comes_from_two_fold(canard, tangent(canard, in), ratio) ? in : 0;
+  in = trace_back(canard, tangent(canard, in), ratio) == NULL ? in : 0;
   for (int i = 0; i < HALVINGS; i++) {
     const double t = 0.5 * (in + out);
-    *(comes_from_two_fold(canard, tangent(canard, t), ratio) ? &in : &out) = t;
+    *(trace_back(canard, tangent(canard, t), ratio) == NULL ? &in : &out) = t;
   }
-  return comes_from_two_fold(canard, tangent(canard, in), ratio)
-             ? NULL
-             : does_not_enter;
+  return trace_back(canard, tangent(canard, in), ratio);
 }
 
 bool cli_canard_after(const cli_canard_t *canard, double t, cli_point_t *at,

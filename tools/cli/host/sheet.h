@@ -1,7 +1,7 @@
 /// Files of rows that take long: a program that was stopped, even by SIGKILL,
 /// goes on with them and ends with the bytes of one that was not. FILE is plain
-/// CSV. While it is FILE.part, notes say how far it is right; those of all files
-/// of one work stand in FILE.resume, beside the first.
+/// CSV. While it is FILE.part, notes say how far it is right; one FILE.resume,
+/// beside the first file, holds those of all files of one work.
 #pragma once
 
 #include "output.h"

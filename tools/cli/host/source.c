@@ -36,12 +36,10 @@ static bool make_raw(int descriptor, uint64_t baud) {
   if (tcgetattr(descriptor, &line) != 0) {
     return false;
   }
-  line.c_iflag &= ~(tcflag_t)(IGNBRK | BRKINT | PARMRK | ISTRIP | INLCR |
-                              IGNCR | ICRNL | IXON | IXOFF);
-  line.c_oflag &= ~(tcflag_t)OPOST;
-  line.c_lflag &= ~(tcflag_t)(ECHO | ECHONL | ICANON | ISIG | IEXTEN);
-  line.c_cflag &= ~(tcflag_t)(CSIZE | PARENB | CSTOPB);
-  line.c_cflag |= (tcflag_t)(CS8 | CREAD | CLOCAL);
+  cfmakeraw(&line);
+  line.c_iflag &= ~(tcflag_t)IXOFF;
+  line.c_cflag &= ~(tcflag_t)CSTOPB;
+  line.c_cflag |= (tcflag_t)(CREAD | CLOCAL);
   line.c_cc[VMIN] = 1;
   line.c_cc[VTIME] = 0;
   size_t i = 0;
@@ -60,33 +58,26 @@ static bool make_raw(int descriptor, uint64_t baud) {
 
 bool cli_source_open(cli_source_t *source, const char *path, uint64_t baud,
                      bool both_ways) {
-  source->error = 0;
-  source->is_device = false;
+  struct stat status;
+  *source =
+      (cli_source_t){.name = "standard input", .descriptor = STDIN_FILENO};
   if (strcmp(path, "-") == 0) {
-    source->name = "standard input";
-    source->descriptor = STDIN_FILENO;
-  } else {
-    source->name = path;
-    // Opening a serial line must not block until there is a carrier; opening a
-    // named pipe has to block until there is a writer.
-    struct stat status;
-    const bool is_line = stat(path, &status) == 0 && S_ISCHR(status.st_mode);
-    source->descriptor = open(path, (both_ways ? O_RDWR : O_RDONLY) | O_NOCTTY |
-                                        (is_line ? O_NONBLOCK : 0));
+    return true;
   }
-  if (source->descriptor < 0) {
+  // Opening a serial line must not block until there is a carrier; opening a
+  // named pipe has to block until there is a writer.
+  const bool is_line = stat(path, &status) == 0 && S_ISCHR(status.st_mode);
+  source->name = path;
+  source->descriptor = open(path, (both_ways ? O_RDWR : O_RDONLY) | O_NOCTTY |
+                                      (is_line ? O_NONBLOCK : 0));
+  source->is_device =
+      source->descriptor >= 0 && isatty(source->descriptor) == 1;
+  if (source->descriptor < 0 ||
+      (source->is_device && !make_raw(source->descriptor, baud))) {
     source->error = errno;
-    return false;
+    cli_source_close(source);
   }
-  if (source->descriptor != STDIN_FILENO && isatty(source->descriptor) == 1) {
-    source->is_device = true;
-    if (!make_raw(source->descriptor, baud)) {
-      source->error = errno;
-      cli_source_close(source);
-      return false;
-    }
-  }
-  return true;
+  return source->error == 0;
 }
 
 cli_source_found_t cli_source_read(cli_source_t *source, uint8_t *bytes,
