@@ -57,44 +57,38 @@
 #define REFUSE_SOME(name, ...) \
   CALL(name, n > 0 ? 0u : FMU_ANY_PHASE, FMU_OK, void *instance, __VA_ARGS__)
 
-/// Reads or sets variables of one type.
-#define GET(Type, type_t)                                             \
-  FMI_EXPORT fmu_status_t FMI(Get##Type)(void *instance,              \
-                                         const uint32_t references[], \
-                                         size_t n, FMI_VALUES(type_t))
-#define SET(Type, type_t)                                             \
-  FMI_EXPORT fmu_status_t FMI(Set##Type)(void *instance,              \
-                                         const uint32_t references[], \
-                                         size_t n, FMI_VALUES(const type_t))
-
 /// A value of the interface as a number. Any but 0 is true.
 #define NUMBER(value) ((double)(value))
 #define TRUTH(value) ((value) != 0 ? 1.0 : 0.0)
 
-/// Reads variables; of those to be set checks all before it sets one, so that a
-/// refused call leaves the instance as it was.
-#define ACCESS(Type, type_t, kinds, number)                                   \
-  GET(Type, type_t) {                                                         \
-    ENTER("Get" #Type, READABLE);                                             \
-    fmu_status_t status =                                                     \
-        fmu_check_lists(fmu, n, FMI_COUNT, references, values);               \
-    for (size_t i = 0; i < n && status == FMU_OK; i++) {                      \
-      double value = 0;                                                       \
-      status = fmu_get(fmu, references[i], kinds, #Type, &value);             \
-      if (status == FMU_OK) values[i] = (type_t)value;                        \
-    }                                                                         \
-    return status;                                                            \
-  }                                                                           \
-  SET(Type, type_t) {                                                         \
-    ENTER("Set" #Type, SETTABLE);                                             \
-    fmu_status_t status =                                                     \
-        fmu_check_lists(fmu, n, FMI_COUNT, references, values);               \
-    for (size_t i = 0; i < n && status == FMU_OK; i++)                        \
-      status =                                                                \
-          fmu_check_set(fmu, references[i], kinds, #Type, number(values[i])); \
-    for (size_t i = 0; i < n && status == FMU_OK; i++)                        \
-      fmu_set(fmu, references[i], number(values[i]));                         \
-    return status;                                                            \
+/// Reads and sets variables of one type. All are checked before one is set, so
+/// that a refused call leaves the instance as it was.
+#define ACCESS(Type, type_t, kinds, number)                                    \
+  FMI_EXPORT fmu_status_t FMI(Get##Type)(void *instance,                       \
+                                         const uint32_t references[],          \
+                                         size_t n, FMI_VALUES(type_t)) {       \
+    ENTER("Get" #Type, READABLE);                                              \
+    fmu_status_t status =                                                      \
+        fmu_check_lists(fmu, n, FMI_COUNT, references, values);                \
+    for (size_t i = 0; i < n && status == FMU_OK; i++) {                       \
+      double value = 0;                                                        \
+      status = fmu_get(fmu, references[i], kinds, #Type, &value);              \
+      if (status == FMU_OK) values[i] = (type_t)value;                         \
+    }                                                                          \
+    return status;                                                             \
+  }                                                                            \
+  FMI_EXPORT fmu_status_t FMI(Set##Type)(void *instance,                       \
+                                         const uint32_t references[],          \
+                                         size_t n, FMI_VALUES(const type_t)) { \
+    ENTER("Set" #Type, SETTABLE);                                              \
+    fmu_status_t status =                                                      \
+        fmu_check_lists(fmu, n, FMI_COUNT, references, values);                \
+    for (size_t i = 0; i < n && status == FMU_OK; i++)                         \
+      status =                                                                 \
+          fmu_check_set(fmu, references[i], kinds, #Type, number(values[i]));  \
+    for (size_t i = 0; i < n && status == FMU_OK; i++)                         \
+      fmu_set(fmu, references[i], number(values[i]));                          \
+    return status;                                                             \
   }
 
 /// Types of which this FMU has no variable: every reference is refused. A text

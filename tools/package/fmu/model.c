@@ -152,13 +152,14 @@ fmu_status_t fmu_set_logging(fmu_t *fmu, bool on, size_t count,
                              const char *const categories[]) {
   unsigned chosen = count == 0 ? (1u << FMU_CATEGORIES) - 1 : 0;
   for (size_t i = 0; i < count; i++) {
+    const char *name = categories == NULL ? NULL : categories[i];
     size_t k = 0;
-    while (k < FMU_CATEGORIES && categories != NULL && categories[i] != NULL &&
-           strcmp(categories[i], fmu_categories[k]) != 0)
+    while (k < FMU_CATEGORIES &&
+           (name == NULL || strcmp(name, fmu_categories[k]) != 0))
       k++;
-    if (categories == NULL || categories[i] == NULL || k == FMU_CATEGORIES)
+    if (k == FMU_CATEGORIES)
       return fmu_error(fmu, "no log category is called %s",
-                       categories == NULL ? "NULL" : categories[i]);
+                       name == NULL ? "NULL" : name);
     chosen |= 1u << k;
   }
   fmu->logs = on ? fmu->logs | chosen : fmu->logs & ~chosen;
