@@ -1,5 +1,7 @@
 // The functions of C on text, byte by byte, and one on the parts of a number.
 // libc.mjs has those that read and print numbers.
+#include "libc.h"
+
 #include <stdbool.h>
 
 int errno;
