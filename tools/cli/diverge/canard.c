@@ -25,19 +25,10 @@
 #include "../../../src/model/rates.h"
 
 cli_field_t cli_field_at(const cli_wide_t *given, cli_point_t at) {
-  const tf_machine_t k = {.m = given->m,
-                          .d = given->d,
-                          .beta2 = given->beta2,
-                          .k2 = given->k2,
-                          .c1 = given->c1,
-                          .c2 = given->c2,
-                          .r0 = given->r0,
-                          .sin_gamma = given->sin_gamma,
-                          .cos_gamma = given->cos_gamma,
-                          .minus_sin_gamma = given->minus_sin_gamma,
+  const tf_machine_t k = {CLI_WIDE(given),
                           .contact.stick_kappa = given->stick_kappa};
-  const tf_input_t input = {.omega0 = given->omega0, .r0 = k.r0};
-  const rates_t a = rates_at(&k, &input, at.r, at.p, at.z, input.omega0);
+  const tf_input_t input = {.omega0 = k.omega0, .r0 = k.r0};
+  const rates_t a = rates_at(&k, &input, at.r, at.p, at.z, k.omega0);
   const tf_slip_t slip = slip_from_pq(&k, at.p, at.r * at.z);
   const double arm = at.r * k.cos_gamma;
   return (cli_field_t){

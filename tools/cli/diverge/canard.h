@@ -11,20 +11,17 @@ typedef struct {
   double sin_gamma, cos_gamma, minus_sin_gamma;
 } cli_wide_t;
 
+/// Those of one name in both, from either.
+#define CLI_WIDE(k)                                                         \
+  .m = (double)(k)->m, .d = (double)(k)->d, .beta2 = (double)(k)->beta2,    \
+  .k2 = (double)(k)->k2, .c1 = (double)(k)->c1, .c2 = (double)(k)->c2,      \
+  .r0 = (double)(k)->r0, .omega0 = (double)(k)->omega0,                     \
+  .sin_gamma = (double)(k)->sin_gamma, .cos_gamma = (double)(k)->cos_gamma, \
+  .minus_sin_gamma = (double)(k)->minus_sin_gamma
+
 static inline cli_wide_t cli_widen(const tf_machine_t *k) {
-  return (cli_wide_t){.m = (double)k->m,
-                      .d = (double)k->d,
-                      .beta2 = (double)k->beta2,
-                      .k2 = (double)k->k2,
-                      .c1 = (double)k->c1,
-                      .c2 = (double)k->c2,
-                      .r0 = (double)k->r0,
-                      .omega0 = (double)k->omega0,
-                      .mu = (double)k->contact.tyre.mu,
-                      .stick_kappa = (double)k->contact.stick_kappa,
-                      .sin_gamma = (double)k->sin_gamma,
-                      .cos_gamma = (double)k->cos_gamma,
-                      .minus_sin_gamma = (double)k->minus_sin_gamma};
+  return (cli_wide_t){CLI_WIDE(k), .mu = (double)k->contact.tyre.mu,
+                      .stick_kappa = (double)k->contact.stick_kappa};
 }
 
 /// A point of the phase space.
