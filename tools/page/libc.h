@@ -2,9 +2,9 @@
 /// where there is none; page.mk puts this file before each of them, and empty
 /// headers in the place of a library's. libc.c and port/arch/memory.c have the
 /// functions on bytes, the browser those that read and print numbers
-/// (libc.mjs). There are no files and no blocks of memory: what opens, prints or
-/// takes one is declared, so that its source compiles, and the linker leaves it
-/// out.
+/// (libc.mjs). There are no files and no blocks of memory: what opens, prints
+/// or takes one is declared, so that its source compiles, and the linker leaves
+/// it out.
 #pragma once
 
 #include <stdarg.h>
