@@ -1,5 +1,5 @@
 """A terminal to test with: a program behind a pseudo-terminal, and what its
-screen shows. It takes the ANSI codes that `--live` uses; any other one fails the
+screen shows. It takes the ANSI codes that `--live` uses; another one fails the
 test."""
 import codecs
 import fcntl

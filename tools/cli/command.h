@@ -62,8 +62,8 @@ typedef struct {
 extern const cli_option_t cli_options[];
 extern const size_t cli_option_count;
 
-/// A command; its page is in help.txt. Either it takes options (bit, of_source, check, perform), or it reads
-/// its words itself (raw).
+/// A command; its page is in help.txt. Either it takes options (bit, of_source,
+/// check, perform), or it reads its words itself (raw).
 typedef struct {
   const char *name;
   const char *words; ///< behind the name, as the help shows them

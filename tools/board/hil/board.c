@@ -199,8 +199,9 @@ static int await(hil_board_t *board, const bool *flag, double patience) {
   return CLI_DONE;
 }
 
-// Sends a command and waits until it has taken effect. It is sent again, with the same number, if no answer comes, whether
-// it was lost or its answer was: the board takes a number once.
+// Sends a command and waits until it has taken effect. Without an answer it is
+// sent again with the same number, whether it was lost or its answer was: the
+// board takes a number once.
 static int order(hil_board_t *board, tf_type_t type, const uint8_t *data,
                  size_t length) {
   board->ordered = type;
