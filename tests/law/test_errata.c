@@ -329,15 +329,14 @@ TEST(erratum_string_force_in_the_three_cases) {
     CHECK(zone == piece.zone + 1);
     CHECK_NEAR(by.F, F_sum, 1e-15L * (1 + fabsl(by.F)));
     CHECK_NEAR(by.M, M_sum, 1e-14L * (1 + fabsl(by.M)));
-    if (zone == 1) {
+    if (zone == 1)
       printed = -2 * q.a * q.k * (q.a + q.delta) * t;
-    } else if (zone == 2) {
+    else if (zone == 2)
       printed = q.delta * (2 * q.a + q.sigma) +
                 q.delta * q.delta / (2 * q.k) * (1 - 2 * q.rho) / t -
                 0.5L * q.k * q.sigma * q.sigma * t;
-    } else {
+    else
       printed = 2 * q.a * q.delta;
-    }
     CHECK(fabsl(printed - F_sum) > 0.01L);
     seen[zone]++;
   }

@@ -10,9 +10,7 @@ typedef ref_real_t real_t;
 static const real_t half_turn = REF_PI;
 
 static void add(ref_consistent_t *out, ref_way_t way) {
-  if (out->count < REF_MAX_WAYS) {
-    out->list[out->count++] = way;
-  }
+  if (out->count < REF_MAX_WAYS) out->list[out->count++] = way;
 }
 
 static bool holds(const ref_edge_t *edge) {
@@ -25,16 +23,13 @@ void ref_consistent_edge(const ref_machine_t *machine, ref_state_t x,
   memset(out, 0, sizeof *out);
   const int s = ref_slip(machine, x).g > 0 ? 1 : -1;
   const ref_edge_t edge = ref_edge(machine, x, s);
-  if (edge.plus > 0) {
+  if (edge.plus > 0)
     add(out, (ref_way_t){.mode = REF_SLIP_PLUS, .rate = edge.plus});
-  }
-  if (edge.minus < 0) {
+  if (edge.minus < 0)
     add(out, (ref_way_t){.mode = REF_SLIP_MINUS, .rate = -edge.minus});
-  }
-  if (holds(&edge)) {
+  if (holds(&edge))
     add(out, (ref_way_t){.mode = s > 0 ? REF_STICK_PLUS : REF_STICK_MINUS,
                          .attracting = edge.A > 0});
-  }
 }
 
 ref_polar_t ref_polar(const ref_machine_t *machine, const ref_affine_t *f,
@@ -57,11 +52,10 @@ static real_t bisect(const ref_machine_t *machine, const ref_affine_t *f,
   const bool rises = ref_polar(machine, f, high, side).turn > 0;
   for (int i = 0; i < HALVINGS; ++i) {
     const real_t mid = (low + high) / 2;
-    if ((ref_polar(machine, f, mid, side).turn > 0) == rises) {
+    if ((ref_polar(machine, f, mid, side).turn > 0) == rises)
       high = mid;
-    } else {
+    else
       low = mid;
-    }
   }
   return (low + high) / 2;
 }
@@ -117,9 +111,7 @@ static bool can_stick(const ref_machine_t *machine, const ref_edge_t *edge) {
 real_t ref_stick_growth(const ref_machine_t *machine, const ref_affine_t *f,
                         int s) {
   const ref_edge_t edge = ref_edge_of(machine, f, s);
-  if (!can_stick(machine, &edge)) {
-    return 0;
-  }
+  if (!can_stick(machine, &edge)) return 0;
   const ref_force_t force = ref_stick_force(machine, s, edge.N / edge.A);
   return ref_larger(0, s * (f->g + f->g_F * force.F + f->g_M * force.M));
 }
@@ -127,9 +119,7 @@ real_t ref_stick_growth(const ref_machine_t *machine, const ref_affine_t *f,
 // h' = g' = 0 solved for the force.
 ref_force_t ref_rest_force(const ref_affine_t *f) {
   const real_t det = f->h_F * f->g_M - f->h_M * f->g_F;
-  if (det == 0) {
-    return (ref_force_t){0, 0};
-  }
+  if (det == 0) return (ref_force_t){0, 0};
   return (ref_force_t){(f->h_M * f->g - f->h * f->g_M) / det,
                        (f->g_F * f->h - f->g * f->h_F) / det};
 }
@@ -140,9 +130,7 @@ real_t ref_rest_margin(const ref_machine_t *machine, ref_force_t force,
   const real_t F = ref_abs(force.F), M = ref_abs(force.M);
   const real_t kappa = q->law == REF_COULOMB ? 0 : q->kappa;
   real_t most = q->mu;
-  if (law == REF_HEXAGON && kappa > 0) {
-    most = 4 * q->mu / 3 - M / (3 * kappa);
-  }
+  if (law == REF_HEXAGON && kappa > 0) most = 4 * q->mu / 3 - M / (3 * kappa);
   return ref_smaller(most - F, kappa * (law == REF_BOW_TIE ? F : q->mu) - M);
 }
 
@@ -157,21 +145,19 @@ void ref_consistent_field(const ref_machine_t *machine,
     const ref_edge_t edge = ref_edge_of(machine, field, s);
     const real_t growth = ref_stick_growth(machine, field, s);
     winds = winds && !can_stick(machine, &edge);
-    if (growth > 0) {
+    if (growth > 0)
       add(out, (ref_way_t){.mode = s > 0 ? REF_STICK_PLUS : REF_STICK_MINUS,
                            .attracting = edge.A > 0,
                            .rate = growth,
                            .angle = s > 0 ? 0 : half_turn});
-    }
   }
   out->spiral = winds && winding > 0;
   if (ref_sticks(machine) &&
       field->h_F * field->g_M != field->h_M * field->g_F) {
     out->resting = ref_rest_force(field);
-    for (int law = 0; law < REF_RESTS; ++law) {
+    for (int law = 0; law < REF_RESTS; ++law)
       out->rests[law] =
           ref_rest_margin(machine, out->resting, (ref_rest_t)law) >= 0;
-    }
   }
 }
 
@@ -200,9 +186,8 @@ enum {
 };
 
 static int kind_of(const ref_way_t *way) {
-  if (way->mode <= REF_SLIP_MINUS) {
+  if (way->mode <= REF_SLIP_MINUS)
     return way->attracting ? ATTRACTING_SLIP : FAMILY;
-  }
   return way->attracting ? ATTRACTING_STICK : ESCAPING_STICK;
 }
 

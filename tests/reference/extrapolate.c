@@ -51,9 +51,8 @@ ref_state_t ref_extrapolate(ref_slope_t slope, void *context, ref_state_t x,
 
 real_t ref_step_factor(real_t e, int columns) {
   const real_t by_order = -1 / (real_t)(2 * columns - 1);
-  if (!(e <= 1)) {
+  if (!(e <= 1))
     return ref_larger((real_t)0.9L * ref_pow(e, by_order), (real_t)0.1L);
-  }
   e = ref_larger(e, (real_t)1e-12L);
   return ref_smaller(4, (real_t)0.9L * ref_pow(e, by_order));
 }
@@ -64,9 +63,7 @@ real_t ref_locate(ref_after_t after, void *context, real_t low, real_t high,
   real_t f_high = after(context, high, at);
   for (int i = 0; i < 120 && high - low > REF_EPSILON * high; ++i) {
     real_t mid = (low * f_high - high * f_low) / (f_high - f_low);
-    if (!(mid > low && mid < high) || i > 60) {
-      mid = (low + high) / 2;
-    }
+    if (!(mid > low && mid < high) || i > 60) mid = (low + high) / 2;
     const real_t f = after(context, mid, at);
     if (f > 0) {
       low = mid;
@@ -76,9 +73,7 @@ real_t ref_locate(ref_after_t after, void *context, real_t low, real_t high,
       high = mid;
       f_high = f;
       f_low /= 2;
-      if (f == 0) {
-        break;
-      }
+      if (f == 0) break;
     }
   }
   after(context, high, at);

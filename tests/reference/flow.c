@@ -34,12 +34,8 @@ static const real_t roundings = 256 * REF_EPSILON;
 
 ref_force_t ref_force(const ref_orbit_t *orbit, ref_state_t x) {
   const ref_machine_t *q = orbit->machine;
-  if (ref_slips(orbit)) {
-    return ref_slip_force(q, ref_slip(q, x), orbit->piece);
-  }
-  if (orbit->mode == REF_PINNED) {
-    return orbit->consistent.resting;
-  }
+  if (ref_slips(orbit)) return ref_slip_force(q, ref_slip(q, x), orbit->piece);
+  if (orbit->mode == REF_PINNED) return orbit->consistent.resting;
   const ref_edge_t edge = ref_edge(q, x, orbit->piece.roll);
   return ref_stick_force(q, orbit->piece.roll, edge.N / edge.A);
 }
@@ -67,9 +63,7 @@ static ref_state_t stick_slope(const ref_orbit_t *orbit, ref_state_t x) {
 }
 
 static real_t slip_pace(const ref_orbit_t *orbit, ref_slip_t slip) {
-  if (!ref_by_angle(orbit->machine)) {
-    return 1;
-  }
+  if (!ref_by_angle(orbit->machine)) return 1;
   const real_t rho = ref_hypot(slip.h, slip.g);
   return rho / (orbit->pace_slip + rho);
 }
@@ -77,12 +71,8 @@ static real_t slip_pace(const ref_orbit_t *orbit, ref_slip_t slip) {
 ref_state_t ref_slope(ref_orbit_t *orbit, ref_state_t x) {
   const ref_machine_t *q = orbit->machine;
   ++orbit->evaluations;
-  if (orbit->mode == REF_PINNED) {
-    return (ref_state_t){.t = 1};
-  }
-  if (!ref_slips(orbit)) {
-    return stick_slope(orbit, x);
-  }
+  if (orbit->mode == REF_PINNED) return (ref_state_t){.t = 1};
+  if (!ref_slips(orbit)) return stick_slope(orbit, x);
   const ref_slip_t slip = ref_slip(q, x);
   const ref_rate_t f = ref_rate(q, x, ref_slip_force(q, slip, orbit->piece));
   const real_t pace = slip_pace(orbit, slip);
@@ -98,11 +88,10 @@ static real_t error(const ref_orbit_t *orbit, ref_state_t a, ref_state_t end) {
   const real_t rho0 = ref_hypot(before.h, before.g);
   const real_t rho1 = ref_hypot(after.h, after.g);
   real_t rho = ref_larger(rho0, rho1);
-  if (!ref_by_angle(q)) {
+  if (!ref_by_angle(q))
     rho += ref_speed_scale(q, end);
-  } else if (ref_slips(orbit) && rho0 > 0) {
+  else if (ref_slips(orbit) && rho0 > 0)
     rho = ref_smaller(rho0, rho1);
-  }
   const real_t reach = ref_abs(end.r) + q->beta;
   const real_t in_r = ref_abs(a.r - end.r) / reach;
   const real_t in_p = ref_abs(a.p - end.p) / rho;
@@ -148,9 +137,7 @@ static void watch_slip(const ref_orbit_t *orbit, ref_state_t x,
   const real_t H = orbit->piece.side * slip.h, G = orbit->piece.roll * slip.g;
   const int zone = orbit->piece.zone;
   watch(out, REF_AT_H, H);
-  if (ref_has_kink(q)) {
-    watch(out, REF_AT_G, G);
-  }
+  if (ref_has_kink(q)) watch(out, REF_AT_G, G);
   if (q->law == REF_STRING) {
     const real_t none = q->delta * G - q->k * (2 * q->a + q->sigma) * H;
     const real_t full = q->k * q->sigma * H - q->delta * G;
@@ -168,9 +155,8 @@ static void watch_stick(const ref_orbit_t *orbit, ref_state_t x,
   const ref_edge_t edge = ref_edge(q, x, roll);
   const int side = stretches(q) ? orbit->piece.side : ref_sign(edge.A);
   watch(out, REF_AT_G, roll * ref_slip(q, x).g);
-  if (stretches(q)) {
+  if (stretches(q))
     watch(out, REF_AT_FOLD, side * edge.A - near_fold * orbit->pace_A);
-  }
   watch(out, REF_AT_PLUS, -side * edge.plus);
   watch(out, REF_AT_MINUS, side * edge.minus);
 }
@@ -188,13 +174,12 @@ static watched_t watched(const ref_orbit_t *orbit, ref_state_t x,
                          real_t until) {
   watched_t out = {.count = 0};
   watch(&out, REF_AT_TIME, until - x.t);
-  if (ref_slips(orbit)) {
+  if (ref_slips(orbit))
     watch_slip(orbit, x, &out);
-  } else if (orbit->mode != REF_PINNED) {
+  else if (orbit->mode != REF_PINNED)
     watch_stick(orbit, x, &out);
-  } else if (orbit->machine->knots > 0) {
+  else if (orbit->machine->knots > 0)
     watch_rest(orbit, x, &out);
-  }
   return out;
 }
 
@@ -217,9 +202,7 @@ static real_t off_zero(watching_t *at, real_t length) {
   ref_state_t near;
   for (int k = 0; k < 60; ++k) {
     length /= 2;
-    if (value_after(at, length, &near) > 0) {
-      break;
-    }
+    if (value_after(at, length, &near) > 0) break;
   }
   return length;
 }
@@ -231,9 +214,7 @@ static bool dips(real_t f0, real_t d0, real_t f1, real_t d1, real_t H) {
     const real_t u = i / (real_t)16, w = 1 - u;
     const real_t f = w * w * (f0 * (1 + 2 * u) + H * d0 * u) +
                      u * u * (f1 * (1 + 2 * w) - H * d1 * w);
-    if (f < 0) {
-      return true;
-    }
+    if (f < 0) return true;
   }
   return false;
 }
@@ -254,11 +235,8 @@ static bool hides_an_event(ref_orbit_t *orbit, real_t until, real_t H,
     ref_state_t half;
     trial(orbit, H / 2, &half);
     const watched_t mid = watched(orbit, half, until);
-    for (int i = 0; i < mid.count; ++i) {
-      if (at_end.value[i] > 0 && mid.value[i] < 0) {
-        return true;
-      }
-    }
+    for (int i = 0; i < mid.count; ++i)
+      if (at_end.value[i] > 0 && mid.value[i] < 0) return true;
     return false;
   }
   const int side = orbit->piece.side, roll = orbit->piece.roll;
@@ -299,36 +277,28 @@ ref_at_t ref_advance(ref_orbit_t *orbit, real_t until) {
   ref_state_t end;
   for (int tries = 0;; ++tries) {
     e = trial(orbit, H, &end);
-    if (e > 1) {
+    if (e > 1)
       H *= ref_step_factor(e, columns);
-    } else if (tries < 40 && hides_an_event(orbit, until, H, end)) {
+    else if (tries < 40 && hides_an_event(orbit, until, H, end))
       H /= 2;
-    } else {
+    else
       break;
-    }
-    if (orbit->evaluations > orbit->limit) {
-      return REF_AT_NONE;
-    }
+    if (orbit->evaluations > orbit->limit) return REF_AT_NONE;
   }
   orbit->step = H * ref_step_factor(e, columns);
   const watched_t start = watched(orbit, orbit->x, until);
   ref_at_t event = REF_AT_NONE;
   for (int i = 0; i < start.count; ++i) {
     const real_t f = watched(orbit, end, until).value[i];
-    if (start.at[i] == REF_AT_TIME && ref_abs(f) <= roundings * until) {
+    if (start.at[i] == REF_AT_TIME && ref_abs(f) <= roundings * until)
       event = REF_AT_TIME;
-    }
-    if (f >= 0 || event == start.at[i]) {
-      continue;
-    }
+    if (f >= 0 || event == start.at[i]) continue;
     watching_t at = {orbit, until, i};
     const real_t low = start.value[i] > 0 ? 0 : off_zero(&at, H);
     H = ref_locate(value_after, &at, low, H, &end);
     event = start.at[i];
   }
   orbit->x = ref_in_stick(orbit) ? ref_on_surface(orbit->machine, end) : end;
-  if (event == REF_AT_TIME) {
-    orbit->x.t = until;
-  }
+  if (event == REF_AT_TIME) orbit->x.t = until;
   return event;
 }

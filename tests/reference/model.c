@@ -17,9 +17,7 @@ const ref_knot_t *ref_knot(const ref_machine_t *machine, int i) {
 
 ref_input_t ref_input(const ref_machine_t *machine, real_t t, int piece) {
   const int last = machine->knots - 1;
-  if (last < 0) {
-    return (ref_input_t){machine->omega0, 0, 0, 0};
-  }
+  if (last < 0) return (ref_input_t){machine->omega0, 0, 0, 0};
   const ref_knot_t *a = ref_knot(machine, piece > 0 ? piece - 1 : 0);
   const ref_knot_t *b = ref_knot(machine, piece > last ? last : piece);
   ref_input_t u = {a->omega0, 0, a->force, a->torque};
@@ -153,9 +151,8 @@ ref_piece_t ref_piece_at(const ref_machine_t *machine, ref_slip_t slip,
   const ref_machine_t *q = machine;
   const real_t H = q->k * ref_abs(slip.h), G = q->delta * ref_abs(slip.g);
   ref_piece_t piece = {side, ref_sign(slip.g), 0};
-  if (q->law == REF_STRING && G < (2 * q->a + q->sigma) * H) {
+  if (q->law == REF_STRING && G < (2 * q->a + q->sigma) * H)
     piece.zone = G > q->sigma * H ? 1 : 2;
-  }
   return piece;
 }
 
@@ -163,13 +160,10 @@ ref_piece_t ref_piece_at(const ref_machine_t *machine, ref_slip_t slip,
 static ref_force_t string_force(const ref_machine_t *q, int zone, real_t H,
                                 real_t G) {
   const real_t k = q->k, a = q->a, sigma = q->sigma, delta = q->delta;
-  if (zone == 0) {
+  if (zone == 0)
     return (ref_force_t){2 * a * k * (a + sigma) * (H / G),
                          2 * a * a * a * k / 3 * (H / G)};
-  }
-  if (zone == 2) {
-    return (ref_force_t){2 * a * q->rho * delta, 0};
-  }
+  if (zone == 2) return (ref_force_t){2 * a * q->rho * delta, 0};
   const real_t tangent = H / G, cotangent = G / H;
   const real_t x_s = a + sigma - delta / k * cotangent;
   return (ref_force_t){
@@ -189,9 +183,7 @@ static ref_force_t angle_force(const ref_machine_t *q, real_t H, real_t G) {
   const real_t y = q->share * ref_atan2(G, H);
   const real_t last = REF_PI / 4 * (1 + q->share);
   real_t T = ref_tan(ref_smaller(y, last));
-  if (y > last) {
-    T += (1 + T * T) * (y - last);
-  }
+  if (y > last) T += (1 + T * T) * (y - last);
   return (ref_force_t){(real_t)4 / 3 - T / (18 * q->kappa), T / 6};
 }
 
@@ -199,16 +191,14 @@ ref_force_t ref_slip_force(const ref_machine_t *machine, ref_slip_t slip,
                            ref_piece_t piece) {
   const ref_machine_t *q = machine;
   const real_t side = (real_t)piece.side, roll = (real_t)piece.roll;
-  if (!ref_has_kink(q)) {
+  if (!ref_has_kink(q))
     return (ref_force_t){q->law == REF_COULOMB ? side * q->mu : 0, 0};
-  }
   const real_t H = side * slip.h, G = roll * slip.g;
   const ref_force_t f = q->law == REF_STRING ? string_force(q, piece.zone, H, G)
                                              : angle_force(q, H, G);
   real_t size = side * q->mu;
-  if (q->law == REF_SMOOTH) {
+  if (q->law == REF_SMOOTH)
     size = q->mu * slip.h / ref_hypot(slip.h, q->epsilon);
-  }
   return (ref_force_t){size * f.F, roll * size * f.M};
 }
 

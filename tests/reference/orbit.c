@@ -22,9 +22,7 @@ const char *ref_stop_name(ref_stop_t stop) {
 static void announce(ref_orbit_t *orbit, ref_event_t event) {
   ++orbit->events;
   orbit->codim2_count += event == REF_CODIM2;
-  if (orbit->watch) {
-    orbit->watch(orbit, event);
-  }
+  if (orbit->watch) orbit->watch(orbit, event);
 }
 
 static void enter(ref_orbit_t *orbit, ref_mode_t mode) {
@@ -99,12 +97,10 @@ static void reach_codim2(ref_orbit_t *orbit, real_t delay) {
   const ref_mode_t from = orbit->mode;
   x->p = 0;
   if (ref_abs(x->r) < (real_t)1e-12L * orbit->machine->beta &&
-      ref_abs(x->z) >
-          (real_t)1e-9L * ref_abs(ref_w(orbit->machine, *x) - x->z)) {
+      ref_abs(x->z) > (real_t)1e-9L * ref_abs(ref_w(orbit->machine, *x) - x->z))
     x->r = 0;
-  } else {
+  else
     x->z = 0;
-  }
   ref_state_t later = *x;
   later.t += delay;
   ref_consistent_codim2(orbit->machine, later, &orbit->consistent);
@@ -113,9 +109,8 @@ static void reach_codim2(ref_orbit_t *orbit, real_t delay) {
   orbit->arrived = from;
   orbit->at = *x;
   leave(orbit, index, starts_at_once(orbit, *x, index, delay) ? 0 : delay);
-  if (from != REF_PINNED || orbit->mode != REF_PINNED) {
+  if (from != REF_PINNED || orbit->mode != REF_PINNED)
     announce(orbit, stands ? REF_CODIM2 : REF_TURNS);
-  }
 }
 
 // The rest of the way to h = g = 0 along a straight line. False where the slip
@@ -124,15 +119,12 @@ static bool fall(ref_orbit_t *orbit) {
   const ref_machine_t *q = orbit->machine;
   const ref_slip_t slip = ref_slip(q, orbit->x);
   const real_t rho = ref_hypot(slip.h, slip.g);
-  if (!ref_by_angle(q) || rho > falls * ref_speed_scale(q, orbit->x)) {
+  if (!ref_by_angle(q) || rho > falls * ref_speed_scale(q, orbit->x))
     return false;
-  }
   if (rho > 0) {
     const ref_rate_t f = ref_rate(q, orbit->x, ref_force(orbit, orbit->x));
     const real_t speed = (slip.h * f.h + slip.g * f.g) / rho;
-    if (speed > 0) {
-      return false;
-    }
+    if (speed > 0) return false;
     orbit->x.t -= rho / speed;
   }
   reach_codim2(orbit, 0);
@@ -217,9 +209,7 @@ static void change_zone(ref_orbit_t *orbit) {
 }
 
 static void react(ref_orbit_t *orbit, ref_at_t at) {
-  if (ref_slips(orbit) && fall(orbit)) {
-    return;
-  }
+  if (ref_slips(orbit) && fall(orbit)) return;
   switch (at) {
     case REF_AT_G:
       meet_g(orbit);
@@ -304,18 +294,15 @@ static void pass_break(ref_orbit_t *orbit) {
     settle(orbit, orbit->mode);
   }
   if (before != orbit->mode && before != REF_PINNED &&
-      orbit->mode != REF_PINNED) {
+      orbit->mode != REF_PINNED)
     announce(orbit, ref_slips(orbit)
                         ? before <= REF_SLIP_MINUS ? REF_CROSSES : REF_LEAVES
                         : REF_ENTERS);
-  }
 }
 
 ref_stop_t ref_run(ref_orbit_t *orbit, real_t end) {
   const ref_machine_t *q = orbit->machine;
-  if (orbit->limit == 0) {
-    orbit->limit = 20000000;
-  }
+  if (orbit->limit == 0) orbit->limit = 20000000;
   while (orbit->stop == REF_REACHED && orbit->x.t < end) {
     const bool breaks =
         orbit->x.piece < q->knots && ref_knot(q, orbit->x.piece)->t <= end;
@@ -332,9 +319,8 @@ ref_stop_t ref_run(ref_orbit_t *orbit, real_t end) {
       }
       react(orbit, at);
     }
-    if (breaks && orbit->stop == REF_REACHED && orbit->x.t >= until) {
+    if (breaks && orbit->stop == REF_REACHED && orbit->x.t >= until)
       pass_break(orbit);
-    }
   }
   return orbit->stop;
 }

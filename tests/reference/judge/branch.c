@@ -43,9 +43,7 @@ static real_t quiet(const ref_orbit_t *at, real_t span) {
 
 static bool make_fork(const ref_orbit_t *at, fork_t *fork) {
   const real_t span = quiet(at, 0.05L);
-  if (span < 0.002L || at->stop != REF_REACHED) {
-    return false;
-  }
+  if (span < 0.002L || at->stop != REF_REACHED) return false;
   fork->t = ceil((double)(at->x.t + span) / 3e-4) * 3e-4;
   fork->count = at->consistent.count;
   fork->chosen = at->chosen == REF_REST ? fork->count : at->chosen;
@@ -78,9 +76,8 @@ static int nearest(const ref_machine_t *q, const fork_t *fork,
   }
   least = row_difference(q, fork->end[best], row);
   double apart = 0;
-  for (int i = 0; i <= fork->count; ++i) {
+  for (int i = 0; i <= fork->count; ++i)
     apart = fmax(apart, state_difference(q, fork->end[best], fork->end[i]));
-  }
   return least < fmax(0.003, 0.3 * apart) ? best : -1;
 }
 
@@ -96,9 +93,7 @@ static void compare(trial_t *trial, const ref_machine_t *q,
     trial->machine.dt = dts[k];
     const int outcome = lib_f64.run(&trial->machine, (lib_scheme_t)scheme,
                                     fork->t, &row, NULL, NULL);
-    if (outcome < 0) {
-      return;
-    }
+    if (outcome < 0) return;
     const bool wrong = nearest(q, fork, &row) != fork->chosen;
     count_try(silent[scheme][k], trial, wrong && outcome == 0);
     count_try(flagged[scheme][k], trial, wrong && outcome != 0);

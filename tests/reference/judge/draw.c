@@ -45,9 +45,7 @@ static double damping(draw_t *draw) {
 }
 
 static double angle(draw_t *draw) {
-  if (one_in(draw, 4)) {
-    return floor(draw_uniform(draw, -4, 5)) * pi / 4;
-  }
+  if (one_in(draw, 4)) return floor(draw_uniform(draw, -4, 5)) * pi / 4;
   return (float)draw_uniform(draw, -pi, pi);
 }
 
@@ -56,12 +54,8 @@ static double at_an_end(draw_t *draw, const char *name, double wide) {
   double low = 0, high = 0;
   lib_range(name, &low, &high);
   const double kind = draw_uniform(draw, 0, 8);
-  if (kind < 4) {
-    return wide;
-  }
-  if (kind < 5) {
-    return kind < 4.5 ? low : high;
-  }
+  if (kind < 4) return wide;
+  if (kind < 5) return kind < 4.5 ? low : high;
   return draw_log(draw, low > 0 ? low : 1e-9, high);
 }
 
@@ -115,9 +109,8 @@ lib_machine_t draw_machine(draw_t *draw, bool extreme) {
   }
   place(draw, &q);
   const double gamma = q.gamma, dt = q.dt;
-  for (int i = 0; i < NUMBERS; ++i) {
+  for (int i = 0; i < NUMBERS; ++i)
     *number_at(&q, i) = (float)*number_at(&q, i);
-  }
   q.gamma = gamma;
   q.dt = dt;
   return q;
@@ -151,9 +144,7 @@ static void number(const char *before, double value) {
   char text[40];
   for (int digits = 6; digits <= 17; ++digits) {
     snprintf(text, sizeof text, "%.*g", digits, value);
-    if (strtod(text, NULL) == value) {
-      break;
-    }
+    if (strtod(text, NULL) == value) break;
   }
   printf("%s%s", before, text);
 }
@@ -173,9 +164,7 @@ static void print_inputs(const lib_machine_t *q) {
 void draw_print(const lib_machine_t *machine, double t_end,
                 const char *scheme) {
   lib_machine_t q = *machine;
-  if (q.knots > 0) {
-    print_inputs(&q);
-  }
+  if (q.knots > 0) print_inputs(&q);
   printf("twofold run chaos%s", q.coulomb ? " --set law=coulomb" : "");
   for (int i = 0; i < NUMBERS - q.on_surface; ++i) {
     if (!q.coulomb || strcmp(numbers[i].name, "kappa") != 0) {

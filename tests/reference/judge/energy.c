@@ -67,9 +67,7 @@ static void enter(void *context, int status, const lib_row_t *row) {
     const double rounding = noise(a->machine, row, a->epsilon) +
                             noise(a->machine, &a->before, a->epsilon);
     const double over = energy_of(a->machine, row) - E - put_in;
-    if (status == 0 && over > rounding) {
-      a->sum += over / (E + put_in + 1e-12);
-    }
+    if (status == 0 && over > rounding) a->sum += over / (E + put_in + 1e-12);
   }
   a->before = *row;
   a->begun = true;
@@ -87,9 +85,8 @@ static void judge(trial_t *trial) {
     account_t account = {.machine = &trial->machine, .epsilon = real->epsilon};
     real->run(&trial->machine, (lib_scheme_t)scheme, trial->t_end, &row, enter,
               &account);
-    if (account.begun) {
+    if (account.begun)
       count_try(creates[kind][scheme][i % REALS], trial, account.sum > 1e-2);
-    }
   }
 }
 

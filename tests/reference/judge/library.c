@@ -46,13 +46,10 @@ static tf_status_t place(run_t *run) {
                     .v = (tf_real_t)q->v,
                     .w = (tf_real_t)q->omega,
                     .mode = TF_NO_MODE};
-  if (!q->on_surface) {
-    return TF_OK;
-  }
-  if (run->scheme == LIB_COMPENSATED) {
+  if (!q->on_surface) return TF_OK;
+  if (run->scheme == LIB_COMPENSATED)
     return tf_speed_for_slip_compensated(&run->machine, x, &run->compensation,
                                          run->input.omega0, 0);
-  }
   return tf_speed_for_slip(&run->machine.machine, x->r, x->w, run->input.omega0,
                            0, &x->v);
 }
@@ -66,12 +63,10 @@ static tf_status_t begin(run_t *run) {
     drive(run, 0, 0);
     status = place(run);
   }
-  if (status == TF_OK) {
+  if (status == TF_OK)
     status = tf_begin(&run->machine.machine, &run->state, &run->input, &report);
-  }
-  for (size_t i = 0; i < TF_LANES; ++i) {
+  for (size_t i = 0; i < TF_LANES; ++i)
     tf_ensemble_put(&run->lanes, i, &run->state);
-  }
   return status;
 }
 
@@ -109,12 +104,8 @@ static int run_to(const lib_machine_t *q, lib_scheme_t scheme, double t_end,
     end->v = (double)run.state.v + (double)run.compensation.v;
     end->w = (double)run.state.w + (double)run.compensation.w;
     flagged |= status > TF_OK;
-    if (watch) {
-      watch(context, (int)status, end);
-    }
-    if (n == steps) {
-      return flagged;
-    }
+    if (watch) watch(context, (int)status, end);
+    if (n == steps) return flagged;
     drive(&run, (double)n * q->dt, (double)(n + 1) * q->dt);
     status = step(&run);
   }

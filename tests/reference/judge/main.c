@@ -62,9 +62,7 @@ void judge_machines(const options_t *options, void (*judge)(trial_t *trial)) {
     trial.machine = draw_machine(&trial.draw, false);
     judge(&trial);
   }
-  for (int i = 0; i < count_of_counts; ++i) {
-    count_print(&counts[i]);
-  }
+  for (int i = 0; i < count_of_counts; ++i) count_print(&counts[i]);
 }
 
 double row_difference(const ref_machine_t *q, ref_state_t x,
@@ -91,30 +89,28 @@ static int usage(void) {
       "  [--machines N] [--seed S] [--show N]; --first I --machines 1 shows "
       "one "
       "case\n");
-  for (int i = 0; i < COMMANDS; ++i) {
+  for (int i = 0; i < COMMANDS; ++i)
     printf("  %-12s %s\n", commands[i]->name, commands[i]->about);
-  }
   return 2;
 }
 
 static bool take(options_t *options, const char *name, const char *value) {
-  if (strcmp(name, "--machines") == 0) {
+  if (strcmp(name, "--machines") == 0)
     options->machines = atol(value);
-  } else if (strcmp(name, "--seed") == 0) {
+  else if (strcmp(name, "--seed") == 0)
     options->seed = strtoull(value, NULL, 10);
-  } else if (strcmp(name, "--first") == 0) {
+  else if (strcmp(name, "--first") == 0)
     options->first = atol(value);
-  } else if (strcmp(name, "--t-end") == 0) {
+  else if (strcmp(name, "--t-end") == 0)
     options->t_end = atof(value);
-  } else if (strcmp(name, "--show") == 0) {
+  else if (strcmp(name, "--show") == 0)
     options->show = atol(value);
-  } else if (strcmp(name, "--class") == 0) {
+  else if (strcmp(name, "--class") == 0)
     options->row = value;
-  } else if (strcmp(name, "--dt") == 0) {
+  else if (strcmp(name, "--dt") == 0)
     options->dts = value;
-  } else {
+  else
     return false;
-  }
   return true;
 }
 
@@ -132,16 +128,11 @@ int main(int argc, char **argv) {
   bool good = command && argc % 2 == 0;
   for (int i = 2; good && i < argc; i += 2) {
     good = take(&options, argv[i], argv[i + 1]);
-    if (!good) {
-      printf("unknown: %s %s\n", argv[i], argv[i + 1]);
-    }
+    if (!good) printf("unknown: %s %s\n", argv[i], argv[i + 1]);
   }
-  if (!good) {
-    return usage();
-  }
-  if (command->machines > 0) {
+  if (!good) return usage();
+  if (command->machines > 0)
     printf("reference %s --machines %ld --seed %llu --first %ld\n", argv[1],
            options.machines, (unsigned long long)options.seed, options.first);
-  }
   return command->run(&options);
 }

@@ -7,9 +7,8 @@
 static const double pi = 3.14159265358979323846;
 
 static void add(lib_machine_t *q, double t, double omega0) {
-  if (q->knots < LIB_KNOTS) {
+  if (q->knots < LIB_KNOTS)
     q->knot[q->knots++] = (lib_knot_t){.t = t, .omega0 = (float)omega0};
-  }
 }
 
 // A jump or several, and what is between them: held, or ramps.
@@ -27,9 +26,8 @@ static void add_jumps(draw_t *draw, lib_machine_t *q, double time, double size,
 
 // Up and down, starting in the middle.
 static void add_triangle(lib_machine_t *q, double period, double size) {
-  for (int i = 1; i < LIB_KNOTS; ++i) {
+  for (int i = 1; i < LIB_KNOTS; ++i)
     add(q, period * (2 * i - 1) / 4, q->omega0 + (i % 2 ? size : -size));
-  }
 }
 
 static void add_kinks(draw_t *draw, lib_machine_t *q, double time,
@@ -154,9 +152,7 @@ int moving_table(const lib_machine_t *q, long steps, ref_knot_t *table,
       }
     }
     if (!goes_on) {
-      if (count + 2 > most) {
-        return 0;
-      }
+      if (count + 2 > most) return 0;
       table[count++] = (ref_knot_t){from, start, u.force, u.torque};
       ++count;
     }

@@ -87,9 +87,8 @@ static void extreme(draw_t *draw, lib_machine_t *q) {
   double low = 0, high = 0;
   *q = draw_machine(draw, true);
   lib_range("kappa", &low, &high);
-  if (draw_uniform(draw, 0, 3) < 1) {
+  if (draw_uniform(draw, 0, 3) < 1)
     q->kappa = (float)draw_log(draw, fmax(low, 1e-9), high);
-  }
 }
 
 static void large_kappa(draw_t *draw, lib_machine_t *q) {
@@ -107,9 +106,7 @@ static bool passes_axis(const met_t *met) { return met->passed_r; }
 lib_machine_t row_machine(draw_t *draw, const row_t *row, bool moves) {
   lib_machine_t q = draw_machine(draw, false);
   const double rest = draw_uniform(draw, 0, 8);
-  if (row->place) {
-    row->place(draw, &q);
-  }
+  if (row->place) row->place(draw, &q);
   if (moves || row->moves != MOVE_HALF) {
     const double shape = row->moves == MOVE_RAMP ? MOVING_RAMP
                          : row->moves == MOVE_THROUGH_ZERO

@@ -115,9 +115,7 @@ static void margins(const phase_t *phase, real_t t, const real_t x[3],
 static bool next(phase_t *phase, real_t t, const real_t x[3]) {
   const paper_t p = paper_at(phase, t);
   const real_t h = paper_h(&p, x), g = paper_g(&p, x);
-  if (fabsl(h) + fabsl(g) < 2 * nearby) {
-    return false;
-  }
+  if (fabsl(h) + fabsl(g) < 2 * nearby) return false;
   if (phase->mode != 0 && fabsl(g) < fabsl(h)) {
     phase->sign_g = -phase->sign_g;
     return true;
@@ -151,9 +149,7 @@ static int rhs(sunrealtype t, N_Vector y, N_Vector dy, void *phase) {
   const real_t x[3] = {at[0], at[1], at[2]};
   real_t out[3];
   slope(phase, t, x, out);
-  for (int i = 0; i < 3; ++i) {
-    N_VGetArrayPointer(dy)[i] = (double)out[i];
-  }
+  for (int i = 0; i < 3; ++i) N_VGetArrayPointer(dy)[i] = (double)out[i];
   return 0;
 }
 
@@ -176,9 +172,7 @@ static double integrate(const ref_machine_t *q, real_t x[3], double end,
   double *at = N_VGetArrayPointer(y);
   void *cvode = CVodeCreate(CV_ADAMS, context);
   SUNNonlinearSolver solver = SUNNonlinSol_FixedPoint(y, 0, context);
-  for (int i = 0; i < 3; ++i) {
-    at[i] = (double)x[i];
-  }
+  for (int i = 0; i < 3; ++i) at[i] = (double)x[i];
   CVodeInit(cvode, rhs, 0, y);
   CVodeSStolerances(cvode, 1e-13, 1e-15);
   CVodeSetNonlinearSolver(cvode, solver);
@@ -197,16 +191,13 @@ static double integrate(const ref_machine_t *q, real_t x[3], double end,
       CVodeSetStopTime(cvode, until);
       status = CVode(cvode, until, y, &t, CV_NORMAL);
     }
-    for (int i = 0; i < 3; ++i) {
-      x[i] = at[i];
-    }
+    for (int i = 0; i < 3; ++i) x[i] = at[i];
     if (status == CV_ROOT_RETURN) {
       goes_on = ++*events < TOO_MANY && next(&phase, t, x);
     } else if (status >= 0 && breaks) {
       while (phase.piece < q->knots &&
-             (double)ref_knot(q, phase.piece)->t <= until) {
+             (double)ref_knot(q, phase.piece)->t <= until)
         ++phase.piece;
-      }
       begin(&phase, t, x);
     } else {
       goes_on = false;

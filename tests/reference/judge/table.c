@@ -43,9 +43,8 @@ static bool watches_ties(const ref_consistent_t *f, const ref_way_t *taken) {
         (way->mode > REF_SLIP_MINUS) == (taken->mode > REF_SLIP_MINUS) &&
         way->attracting == taken->attracting;
     if (way != taken && alike &&
-        fabsl(way->rate - taken->rate) < 0.01L * taken->rate) {
+        fabsl(way->rate - taken->rate) < 0.01L * taken->rate)
       return true;
-    }
   }
   return false;
 }
@@ -53,24 +52,19 @@ static bool watches_ties(const ref_consistent_t *f, const ref_way_t *taken) {
 static void on_event(const ref_orbit_t *orbit, ref_event_t event) {
   met_t *met = orbit->context;
   const ref_consistent_t *f = &orbit->consistent;
-  if (event == REF_ENTERS) {
-    met->stick_since = orbit->x.t;
-  }
+  if (event == REF_ENTERS) met->stick_since = orbit->x.t;
   if (event == REF_CODIM2) {
     const ref_way_t *taken =
         orbit->chosen >= 0 ? &f->list[orbit->chosen] : NULL;
     ++met->through;
-    if (orbit->arrived >= REF_STICK_PLUS && met->stick_since >= 0) {
+    if (orbit->arrived >= REF_STICK_PLUS && met->stick_since >= 0)
       met->stuck = fmin(met->stuck, (double)(orbit->at.t - met->stick_since));
-    }
     met->several |= taken && (!taken->attracting || watches_ties(f, taken));
     met->left_rest |= orbit->arrived == REF_PINNED;
   }
   // A wheel along the slot has A = N = 0 on the axis: rounding decides there.
   met->several |= event == REF_LEAVES && fabsl(orbit->x.r) < 1e-6L;
-  if (event != REF_ENTERS) {
-    met->stick_since = -1;
-  }
+  if (event != REF_ENTERS) met->stick_since = -1;
   met->rested |= orbit->mode == REF_PINNED;
   ++met->events;
 }
@@ -132,14 +126,10 @@ static bool draw_case(const row_t *row, uint64_t seed, long index,
     met_t met;
     ref_state_t other;
     ++count->n[DRAWN];
-    if (row->rests && slides_off(&c->machine, &c->q)) {
-      continue;
-    }
+    if (row->rests && slides_off(&c->machine, &c->q)) continue;
     const ref_stop_t stop =
         follow(&c->machine, &c->q, 0, row->t_end, &c->met, &c->end);
-    if (row->takes && !row->takes(&c->met)) {
-      continue;
-    }
+    if (row->takes && !row->takes(&c->met)) continue;
     const bool reached =
         stop == REF_REACHED && follow(&c->machine, &c->q, beside, row->t_end,
                                       &met, &other) == REF_REACHED;
@@ -149,9 +139,7 @@ static bool draw_case(const row_t *row, uint64_t seed, long index,
                    : c->moved < sure   ? JUDGED
                                        : BORDER;
     ++count->n[is];
-    if (is == JUDGED) {
-      return true;
-    }
+    if (is == JUDGED) return true;
   }
   return false;
 }
@@ -166,9 +154,7 @@ static bool driven_end(const case_t *c, ref_state_t *end) {
   const int knots =
       machine->knots > 0 ? moving_table(machine, steps, table, KNOTS) : 0;
   *end = c->end;
-  if (knots == 0) {
-    return true;
-  }
+  if (knots == 0) return true;
   ref_machine_t q = c->q;
   q.knots = knots;
   q.table = table;
@@ -186,9 +172,8 @@ static bool driven_end(const case_t *c, ref_state_t *end) {
   ref_state_t x, other;
   const double time = c->row->t_end;
   if (follow(&started, &q, beside, time, &met, &other) != REF_REACHED ||
-      follow(&started, &q, 0, time, &met, &x) != REF_REACHED) {
+      follow(&started, &q, 0, time, &met, &x) != REF_REACHED)
     return false;
-  }
   end->r = x.r;
   end->z += ref_w(&q, x) - ref_w(&c->q, c->end);
   end->p = ref_v(&q, x) - q.d * end->z;
@@ -205,12 +190,8 @@ static void tally(tally_t *t, const case_t *c, long index, int outcome,
                           outcome > 0 && wrong,
                           outcome > 0 && !wrong,
                           outcome < 0};
-  if (silent && t->n[SILENT] < SHOWN) {
-    t->shown[t->n[SILENT]] = index;
-  }
-  for (int i = 0; i < KINDS; ++i) {
-    t->n[i] += is[i];
-  }
+  if (silent && t->n[SILENT] < SHOWN) t->shown[t->n[SILENT]] = index;
+  for (int i = 0; i < KINDS; ++i) t->n[i] += is[i];
   if (error < HUGE_VAL) {
     t->log_error += log10(fmax(error, 1e-16));
     ++t->measured;
@@ -238,9 +219,7 @@ typedef struct {
 } driven_t;
 
 static const driven_t *driven_by(const case_t *c, driven_t *driven) {
-  while (driven->dt != 0 && driven->dt != c->machine.dt) {
-    ++driven;
-  }
+  while (driven->dt != 0 && driven->dt != c->machine.dt) ++driven;
   if (driven->dt == 0) {
     driven->dt = c->machine.dt;
     driven->known = driven_end(c, &driven->end);
@@ -257,9 +236,8 @@ static bool judges(const case_t *c, const model_t *model, double step) {
   const bool located = model->scheme == LIB_LOCATED;
   const bool f64 = model->real == &lib_f64;
   if (step == 0 || (c->row->plain && model->scheme != LIB_STEP && f64) ||
-      ((located || model->scheme == LIB_LANES) && step < c->row->least)) {
+      ((located || model->scheme == LIB_LANES) && step < c->row->least))
     return false;
-  }
   return c->moved < (!f64 ? sure_f32 : located ? sharp : sure);
 }
 
@@ -272,14 +250,10 @@ static void judge_case(case_t *c, const double *steps, const options_t *options,
   for (int i = 0; i < ROW_STEPS * ROW_MODELS; ++i) {
     const int k = i / ROW_MODELS, m = i % ROW_MODELS;
     const model_t *model = &row_models[m];
-    if (!judges(c, model, steps[k])) {
-      continue;
-    }
+    if (!judges(c, model, steps[k])) continue;
     c->machine.dt = dt_of(row, model, steps[k]);
     const driven_t *ref = driven_by(c, driven);
-    if (!ref->known) {
-      continue;
-    }
+    if (!ref->known) continue;
     lib_row_t at = {0, 0, 0};
     const int outcome = model->real->run(&c->machine, model->scheme, row->t_end,
                                          &at, NULL, NULL);
@@ -295,9 +269,8 @@ static void judge_case(case_t *c, const double *steps, const options_t *options,
       before[m] = error;
     }
     tally(&count->tally[k][m], c, index, outcome, wrong, error);
-    if (options->machines == 1) {
+    if (options->machines == 1)
       show(c, model, c->machine.dt, outcome, error, &ref->end, &at);
-    }
   }
 }
 
@@ -306,9 +279,7 @@ static void judge_row(const row_t *row, const double *steps,
   for (long i = 0; i < options->machines; ++i) {
     const long index = options->first + i;
     case_t c;
-    if (!draw_case(row, options->seed, index, count, &c)) {
-      continue;
-    }
+    if (!draw_case(row, options->seed, index, count, &c)) continue;
     if (options->machines == 1) {
       draw_print(&c.machine, row->t_end, "SCHEME");
       printf(
@@ -331,19 +302,14 @@ static void print_row(const row_t *row, const double *steps,
     const int k = i % ROW_STEPS, m = i / ROW_STEPS;
     const model_t *model = &row_models[m];
     const tally_t *t = &count->tally[k][m];
-    if (t->n[TRIED] == 0) {
-      continue;
-    }
+    if (t->n[TRIED] == 0) continue;
     printf("  %-3s %-11s %-6s %6.0e", row->name,
            lib_scheme_names[model->scheme], model->real->name,
            dt_of(row, model, steps[k]));
-    for (int j = 0; j < KINDS; ++j) {
-      printf(" %7ld", t->n[j]);
-    }
+    for (int j = 0; j < KINDS; ++j) printf(" %7ld", t->n[j]);
     printf(" %8.1e", pow(10, t->log_error / fmax(1, t->measured)));
-    for (long j = 0; j < t->n[SILENT] && j < SHOWN && j < options->show; ++j) {
+    for (long j = 0; j < t->n[SILENT] && j < SHOWN && j < options->show; ++j)
       printf("%s%ld", j ? "," : "  first ", t->shown[j]);
-    }
     printf("\n");
   }
 }
@@ -374,9 +340,7 @@ static int run(const options_t *options) {
       print_row(&rows[i], steps, options, &count);
     }
   }
-  if (!known) {
-    printf("no class %s\n", options->row);
-  }
+  if (!known) printf("no class %s\n", options->row);
   return known ? 0 : 2;
 }
 

@@ -47,9 +47,7 @@ static void equations(void) {
     field = fmaxl(field, apart(rate.r, dx[0]));
     field = fmaxl(field, apart(rate.p + q.d * rate.z, dx[1]));
     field = fmaxl(field, apart(rate.z, dx[2]));
-    if (fabsl(q.sine) < 1e-3L) {
-      continue;
-    }
+    if (fabsl(q.sine) < 1e-3L) continue;
     at = ref_with_h(&q, at, 0);
     x[1] = ref_v(&q, at);
     const int s = ref_sign(ref_slip(&q, at).g);
@@ -110,9 +108,8 @@ static void course(const reference_t *ref) {
   real_t off = 0;
   for (int i = 0; i < ref->states; ++i) {
     const reference_state_t *wanted = &ref->state[i];
-    while (orbit.x.t < wanted->t - step / 2 && orbit.stop == REF_REACHED) {
+    while (orbit.x.t < wanted->t - step / 2 && orbit.stop == REF_REACHED)
       ref_run(&orbit, step * ++stops);
-    }
     off = fmaxl(off, fabsl(orbit.x.r - wanted->r));
     off = fmaxl(off, fabsl(ref_v(&q, orbit.x) - wanted->v));
     off = fmaxl(off, fabsl(ref_w(&q, orbit.x) - wanted->w));
@@ -143,23 +140,16 @@ static void carried(void) {
     q.knots = 2;
     q.knot[0] = (ref_knot_t){.omega0 = q.omega0};
     q.knot[1] = (ref_knot_t){.t = end, .omega0 = q.omega0 + alpha * end};
-    if (fabsl(q.sine) < 0.1L) {
-      continue;
-    }
+    if (fabsl(q.sine) < 0.1L) continue;
     ref_orbit_t orbit = {
         .tolerance = 1e-13L, .law = REF_HEXAGON, .limit = 1000000};
     ref_state_t x = ref_state(&q, (real_t)machine.r, 0, q.omega0);
     x.piece = 1;
     ref_begin(&orbit, &q, x, REF_MODES);
-    if (orbit.mode != REF_PINNED) {
-      continue;
-    }
-    for (int n = 1; n < 900 && orbit.mode == REF_PINNED; ++n) {
+    if (orbit.mode != REF_PINNED) continue;
+    for (int n = 1; n < 900 && orbit.mode == REF_PINNED; ++n)
       ref_run(&orbit, n * 0.01L);
-    }
-    if (orbit.mode == REF_PINNED) {
-      continue;
-    }
+    if (orbit.mode == REF_PINNED) continue;
     const real_t t = orbit.at.t, r = orbit.at.r, w = q.omega0 + alpha * t;
     const real_t F =
         (q.k2 * (r - q.r0) - q.m * (r * w * w + q.d * alpha)) / q.sine;
@@ -183,9 +173,7 @@ static int run(const options_t *options) {
   (void)options;
   equations();
   two_fold();
-  for (int i = 0; i < REF_PROBLEMS; ++i) {
-    course(&references[i]);
-  }
+  for (int i = 0; i < REF_PROBLEMS; ++i) course(&references[i]);
   carried();
   printf("%d of %d bad\n", failures, checks);
   return failures > 0;
