@@ -10,15 +10,11 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../host/host.h"
-#include "../host/sheet.h"
 #include "../text/summary.h"
 #include "../text/text.h"
 
-#define IN_SLIP 1e-3   // [s], longest step of random motions in slip
-#define BATCH 4096     // steps between two checks for a signal
-#define NOTE_EVERY 0.5 // [s]
-#define ROW_ROOM 512
+#define IN_SLIP 1e-3 // [s], longest step of random motions in slip
+#define BATCH 4096   // steps between two checks for a signal
 
 // What all samples share: the machine, its two-fold and the canard through it,
 // and the start.
@@ -113,8 +109,9 @@ static int prepare(cli_job_t *job) {
   return prepare_two_fold(job);
 }
 
-size_t cli_job_provenance(const cli_job_t *job, const char *units,
-                          char out[CLI_PROVENANCE_ROOM]) {
+// What the rows are of, as the comment lines of --provenance.
+static size_t provenance(const cli_job_t *job, const char *units,
+                         char out[CLI_PROVENANCE_ROOM]) {
   const cli_args_t *args = job->args;
   const double dt = (double)job->machine.dt;
   char how[CLI_PROVENANCE_ROOM / 4];
@@ -170,6 +167,7 @@ static void add_return(cli_buffer_t *text, const cli_cycle_t *cycle) {
                cycle->windings);
 }
 
+// Files of rows, and what stands in them.
 typedef struct {
   const char *option, *header, *units;
   bool leaves; ///< a row only of a cycle that left the surface
@@ -185,18 +183,20 @@ static const kind_t returns = {
     "windings\n",
     "time s, arrived s, exit_r m, landing_time s, landing_r m", false,
     add_return};
+static const kind_t branches = {
+    "--branches",
+    "node,depth,kind,r,omega,mode,stick_time,exit_r,exit_omega,end,to,time,"
+    "end_r,landing_r,windings\n",
+    "r m, omega rad/s, stick_time s, exit_r m, exit_omega rad/s, time s, "
+    "end_r m, landing_r m",
+    false, NULL};
 
 typedef struct {
   const cli_job_t *job;
-  cli_sheets_t sheets;
+  cli_sheets_t sheets;            ///< done: samples that have ended
   const kind_t *kind[CLI_SHEETS]; ///< of their rows
   cli_motion_t motion;
-  uint64_t first, samples; ///< of this shard
-  cli_done_t done;         ///< samples that have ended, and their cycles
-  uint64_t in_sample;      ///< cycles of the present one that have ended
-  uint64_t kept;           ///< cycles of the run that was stopped
-  double noted;            ///< cli_now() of the last note
-  cli_progress_t progress;
+  uint64_t in_sample; ///< cycles of the present one that have ended
 } work_t;
 
 // What is counted beside the samples: each outcome, and all cycles.
@@ -205,7 +205,7 @@ enum { CYCLES = CLI_OUTCOMES };
 static void write_rows(work_t *work, uint64_t sample, uint64_t number) {
   const cli_cycle_t *cycle = &work->motion.tracker.cycle;
   for (int i = 0; i < work->sheets.count; i++) {
-    char row[ROW_ROOM];
+    char row[CLI_DIVERGE_ROW];
     cli_buffer_t text = {row, 0, sizeof row, false};
     if (cycle->left || !work->kind[i]->leaves) {
       cli_add_form(&text, "%" PRIu64 ",%" PRIu64 ",", sample, number);
@@ -215,33 +215,29 @@ static void write_rows(work_t *work, uint64_t sample, uint64_t number) {
   }
 }
 
-static void show_progress(work_t *work, double now) {
-  const uint64_t *count = work->done.count;
-  const double share =
-      ((double)work->done.done +
-       (double)work->in_sample / (double)work->job->args->cycles) /
-      (double)work->samples;
-  cli_progress_say(
-      &work->progress, now, share,
-      "%" PRIu64 " of %" PRIu64 " samples, %" PRIu64 " cycles, %" PRIu64
-      " returned, %.3g cycles/s",
-      work->done.done, work->samples, count[CYCLES], count[CLI_CYCLE_RETURNED],
-      (double)(count[CYCLES] - work->kept) / (now - work->progress.started));
+// Cycles that this call has followed.
+static double cycles_of(const work_t *work) {
+  return (double)(work->sheets.done.count[CYCLES] -
+                  work->sheets.kept.count[CYCLES]);
 }
 
 // between: no sample is under way. Until the next note, rows go to the system
 // cycle by cycle.
 // Returns: whether to go on: no stop is asked for, and rows can be written.
 static bool check_clock(work_t *work, bool between) {
+  cli_sheets_t *sheets = &work->sheets;
   const double now = cli_now();
-  bool written = true;
-  show_progress(work, now);
-  if (now - work->noted >= NOTE_EVERY) {
-    work->noted = between ? now : work->noted;
-    written = between ? cli_sheets_note(&work->sheets, &work->done)
-                      : cli_sheets_flush(&work->sheets);
-  }
-  return written && !cli_stop_asked();
+  const double in_sample =
+      (double)work->in_sample / (double)work->job->args->cycles;
+  cli_progress_say(
+      &sheets->progress, now,
+      ((double)sheets->done.done + in_sample) / (double)sheets->total,
+      "%" PRIu64 " of %" PRIu64 " samples, %" PRIu64 " cycles, %" PRIu64
+      " returned, %.3g cycles/s",
+      sheets->done.done, sheets->total, sheets->done.count[CYCLES],
+      sheets->done.count[CLI_CYCLE_RETURNED],
+      cycles_of(work) / (now - sheets->progress.started));
+  return cli_sheets_save(sheets, between) && !cli_stop_asked();
 }
 
 // Follows one cycle. Returns: whether it ended.
@@ -266,8 +262,8 @@ static bool do_sample(work_t *work, uint64_t sample) {
     const bool returned = outcome == CLI_CYCLE_RETURNED;
     if (cycle > 0) {
       write_rows(work, sample, cycle);
-      work->done.count[CYCLES]++;
-      work->done.count[outcome]++;
+      work->sheets.done.count[CYCLES]++;
+      work->sheets.done.count[outcome]++;
       work->in_sample = cycle;
       if (!returned || cycle == job->args->cycles) {
         return true;
@@ -284,17 +280,13 @@ static bool do_sample(work_t *work, uint64_t sample) {
 }
 
 static void do_samples(work_t *work) {
+  cli_sheets_t *sheets = &work->sheets;
   bool goes_on = true;
-  work->noted = cli_now();
-  work->progress = cli_progress_start(work->noted, -1);
-  while (goes_on && work->done.done < work->samples &&
-         do_sample(work, work->first + work->done.done)) {
-    work->done.done++;
+  while (goes_on && sheets->done.done < sheets->total &&
+         do_sample(work, sheets->first + sheets->done.done)) {
+    sheets->done.done++;
     work->in_sample = 0;
     goes_on = check_clock(work, true);
-  }
-  if (work->done.done == work->samples) {
-    (void)cli_sheets_note(&work->sheets, &work->done);
   }
 }
 
@@ -303,52 +295,50 @@ static const char *mechanism_of(const work_t *work) {
 }
 
 static void summarise(const work_t *work, double seconds) {
-  const uint64_t *count = work->done.count;
+  const cli_done_t *done = &work->sheets.done;
+  const double cycles = cycles_of(work);
   cli_say("samples    %" PRIu64 " of %" PRIu64 ", by %s\ncycles     %" PRIu64,
-          work->done.done, work->samples, mechanism_of(work), count[CYCLES]);
+          done->done, work->sheets.total, mechanism_of(work),
+          done->count[CYCLES]);
   for (int i = 1; i < CLI_OUTCOMES; i++) {
-    if (count[i] > 0) {
-      cli_say(", %s %" PRIu64, outcomes[i], count[i]);
+    if (done->count[i] > 0) {
+      cli_say(", %s %" PRIu64, outcomes[i], done->count[i]);
     }
   }
-  const uint64_t cycles = count[CYCLES] - work->kept;
   cli_say("\ncost       %.3g s, %.3g ms a cycle\n", seconds,
-          cycles > 0 ? 1e3 * seconds / (double)cycles : 0.0);
+          cycles > 0 ? 1e3 * seconds / cycles : 0.0);
 }
 
 // The same for a program: one line, the last one on standard error.
 static void summarise_json(const work_t *work, double seconds, int code) {
   const cli_args_t *args = work->job->args;
+  const cli_done_t *done = &work->sheets.done;
   cli_put_begin("diverge");
   cli_put_word("scene", args->scene->name);
   cli_put_word("by", mechanism_of(work));
   cli_put_count("seed", args->seed);
-  cli_put_count("samples", work->samples);
-  cli_put_count("done", work->done.done);
-  cli_put_count("cycles", work->done.count[CYCLES]);
+  cli_put_count("samples", work->sheets.total);
+  cli_put_count("done", done->done);
+  cli_put_count("cycles", done->count[CYCLES]);
   for (int i = 1; i < CLI_OUTCOMES; i++) {
-    cli_put_count(outcomes[i], work->done.count[i]);
+    cli_put_count(outcomes[i], done->count[i]);
   }
   cli_put_end(seconds, code);
 }
 
 // What the rows follow from: program, machine, start and options.
-static void describe(const work_t *work, cli_buffer_t *about) {
+static void describe(work_t *work) {
   const cli_args_t *args = work->job->args;
   const double numbers[] = {args->codim2,           (double)args->samples,
                             (double)args->cycles,   (double)args->shard.index,
                             (double)args->shard.of, args->size,
                             args->spread,           args->patience,
                             work->job->refinement,  args->fine};
-  char lines[CLI_PROVENANCE_ROOM];
-  (void)cli_job_provenance(work->job, "SI", lines);
-  for (char *end = lines; (end = strchr(end, '\n')) != NULL;) {
-    *end = ' ';
-  }
-  cli_add(about, lines);
+  cli_buffer_t about = {work->sheets.about, 0, CLI_SHEET_ABOUT, false};
+  about.used = provenance(work->job, "SI", about.text);
   for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
-    cli_add(about, " ");
-    cli_add_number(about, numbers[i], false);
+    cli_add(&about, " ");
+    cli_add_number(&about, numbers[i], false);
   }
 }
 
@@ -364,44 +354,20 @@ static void add_sheet(work_t *work, const kind_t *kind, const char *path) {
   sheet->option = kind->option;
   sheet->path = path;
   if (args->header || args->shard.index == 1) {
-    begin.used = args->provenance
-                     ? cli_job_provenance(work->job, kind->units, sheet->begin)
-                     : 0;
+    begin.used =
+        args->provenance ? provenance(work->job, kind->units, sheet->begin) : 0;
     cli_add(&begin, kind->header);
   }
 }
 
-static int open_sheets(work_t *work, bool *whole) {
+static int follow_samples(work_t *work) {
   const cli_args_t *args = work->job->args;
   cli_sheets_t *sheets = &work->sheets;
-  cli_buffer_t about = {sheets->about, 0, sizeof sheets->about, false};
-  uint64_t end = 0;
-  cli_shard_range(&args->shard, args->samples, &work->first, &end);
-  work->samples = end - work->first;
-  sheets->what = "run";
-  sheets->resume = sheets->noted = args->resume;
-  describe(work, &about);
-  add_sheet(work, &exits, args->exits);
-  add_sheet(work, &returns, args->returns);
-  CLI_TRY(cli_sheets_open(sheets, work->samples, &work->done, whole));
-  work->kept = work->done.count[CYCLES];
-  return CLI_DONE;
-}
-
-static int perform(work_t *work, const cli_args_t *args) {
-  bool whole = false;
-  CLI_TRY(open_sheets(work, &whole));
-  if (whole) {
-    return cli_message(CLI_DONE, "all of the %" PRIu64 " samples are there",
-                       work->samples);
-  }
   do_samples(work);
   // Where the output failed, the message is that of cli_sheets_close.
-  const bool all = work->done.done == work->samples;
-  const int code =
-      cli_sheets_close(&work->sheets, all ? CLI_DONE : CLI_STOPPED);
-  const double seconds = cli_now() - work->progress.started;
-  cli_progress_clear(&work->progress);
+  const bool all = sheets->done.done == sheets->total;
+  const int code = cli_sheets_close(sheets, all ? CLI_DONE : CLI_STOPPED);
+  const double seconds = cli_now() - sheets->progress.started;
   if (args->summary == 0) {
     summarise(work, seconds);
   }
@@ -409,7 +375,7 @@ static int perform(work_t *work, const cli_args_t *args) {
     (void)cli_message(CLI_STOPPED,
                       "stopped by a signal after %" PRIu64
                       " samples; what has ended is written",
-                      work->done.done);
+                      sheets->done.done);
     if (args->resume) {
       (void)cli_message(CLI_STOPPED, "the same command goes on");
     }
@@ -440,7 +406,10 @@ int cli_diverge_check(cli_args_t *args) {
                        "--size %g: --by random has a --rate and no size",
                        args->size);
   }
-  if (args->exits == NULL && args->returns == NULL) {
+  if (args->exhaustive && args->branches == NULL) {
+    args->branches = "-";
+  } else if (!args->exhaustive && args->exits == NULL &&
+             args->returns == NULL) {
     args->returns = "-";
   }
   if (args->resume && (args->exhaustive || is_standard(args->exits) ||
@@ -454,11 +423,21 @@ int cli_diverge_check(cli_args_t *args) {
 int cli_diverge(const cli_args_t *args) {
   static cli_job_t job;
   static work_t work;
+  cli_sheets_t *sheets = &work.sheets;
   job.args = args;
-  CLI_TRY(prepare(&job));
-  if (args->exhaustive) {
-    return cli_exhaustive(&job);
-  }
   work.job = &job;
-  return perform(&work, args);
+  sheets->what = "run";
+  sheets->resume = sheets->noted = args->resume;
+  CLI_TRY(prepare(&job));
+  describe(&work);
+  add_sheet(&work, &exits, args->exits);
+  add_sheet(&work, &returns, args->returns);
+  add_sheet(&work, &branches, args->branches);
+  CLI_TRY(cli_sheets_open(sheets, &args->shard, args->samples));
+  if (sheets->whole) {
+    return cli_message(CLI_DONE, "all of the %" PRIu64 " samples are there",
+                       sheets->total);
+  }
+  return args->exhaustive ? cli_exhaustive(&job, sheets)
+                          : follow_samples(&work);
 }

@@ -2,6 +2,7 @@
 /// of it from one arrival at the two-fold to the next.
 #pragma once
 
+#include "../host/sheet.h"
 #include "../setup/args.h"
 #include "canard.h"
 
@@ -36,14 +37,11 @@ typedef struct {
 /// Returns: whether there is one.
 bool cli_find_two_fold(const tf_machine_t *machine, cli_two_fold_t *out);
 
-/// What the rows are of, as the comment lines of --provenance. units: in, of
-/// the columns.
-size_t cli_job_provenance(const cli_job_t *job, const char *units,
-                          char out[CLI_PROVENANCE_ROOM]);
+#define CLI_DIVERGE_ROW 512 ///< room for a row
 
-/// `diverge --exhaustive`: follows all branches instead of samples, and writes
-/// them.
-int cli_exhaustive(const cli_job_t *job);
+/// `diverge --exhaustive`: follows all branches instead of samples, writes them
+/// to the sheet that is open, and closes it.
+int cli_exhaustive(const cli_job_t *job, cli_sheets_t *sheets);
 
 /// An instant of a motion.
 typedef struct {

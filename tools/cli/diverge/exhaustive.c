@@ -15,14 +15,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "../host/host.h"
-#include "../host/output.h"
 #include "../text/summary.h"
 #include "../text/text.h"
 #include "diverge.h"
 
 #define JOIN 1e-6 // [m]
-#define ROW_ROOM 512
 
 typedef struct {
   tf_state_t state;
@@ -33,24 +30,20 @@ typedef struct {
 
 typedef struct {
   const cli_job_t *job;
-  cli_output_t output;
-  node_t *nodes; ///< args->nodes of them at most
+  cli_sheets_t *sheets;
+  node_t *nodes; ///< from the heap, args->nodes of them at most
+  size_t room;
   uint64_t used, branches, joined, dropped;
   uint64_t visited, open; ///< nodes that are done, and that are to be left
   double part; ///< of the present one, by the times at which it is left
   cli_motion_t motion;
-  cli_progress_t progress;
 } search_t;
-
-static const char header[] =
-    "node,depth,kind,r,omega,mode,stick_time,exit_r,exit_omega,end,to,time,"
-    "end_r,landing_r,windings\n";
 
 // What is left is that of the known nodes: branches may lead to further ones.
 static void show_progress(search_t *search) {
   const double done = (double)search->visited + search->part;
   const double all = (double)search->visited + (double)search->open;
-  cli_progress_say(&search->progress, cli_now(), done / all,
+  cli_progress_say(&search->sheets->progress, cli_now(), done / all,
                    "%" PRIu64 " branches, %" PRIu64 " of %" PRIu64
                    " known nodes are done",
                    search->branches, search->visited, search->used);
@@ -72,10 +65,15 @@ static uint64_t node_at(search_t *search, const node_t *node) {
       return i;
     }
   }
-  if (search->used == search->job->args->nodes) {
+  node_t *nodes =
+      search->used == search->job->args->nodes
+          ? NULL
+          : cli_grow(search->nodes, search->used, &search->room, sizeof *nodes);
+  if (nodes == NULL) {
     search->dropped++;
     return UINT64_MAX;
   }
+  search->nodes = nodes;
   search->open += node->depth < search->job->args->depth;
   search->nodes[search->used] = *node;
   return search->used++;
@@ -90,7 +88,8 @@ static void follow(search_t *search, uint64_t index, unsigned mode,
   const cli_cycle_t *cycle = &motion->tracker.cycle;
   const node_t from = search->nodes[index];
   const tf_state_t left = motion->state;
-  char row[ROW_ROOM], to[CLI_REAL_ROOM] = "", landing[CLI_REAL_ROOM] = "";
+  char row[CLI_DIVERGE_ROW], to[CLI_REAL_ROOM] = "",
+                             landing[CLI_REAL_ROOM] = "";
   node_t next = {.depth = from.depth + 1};
   const cli_branch_t end = cli_random_branch(motion, mode, &next.set);
   const bool rests = end == CLI_BRANCH_TIME && motion->tracker.last.rests;
@@ -116,11 +115,11 @@ static void follow(search_t *search, uint64_t index, unsigned mode,
       to, motion->t, (double)motion->state.r, landing, cycle->windings);
   search->branches++;
   show_progress(search);
-  (void)cli_output_lines(&search->output, row, (size_t)length);
+  (void)cli_sheet_put(search->sheets->sheet, row, (size_t)length);
 }
 
 static bool has_to_stop(const search_t *search) {
-  return search->output.error != 0 || cli_stop_asked();
+  return search->sheets->sheet->output.error != 0 || cli_stop_asked();
 }
 
 // All branches that leave the canard.
@@ -166,65 +165,38 @@ static void visit_all(search_t *search) {
                         .set = job->setup.motion.report.set,
                         .two_fold = job->at_two_fold};
   (void)node_at(search, &first);
-  search->progress =
-      cli_progress_start(cli_now(), search->output.to.descriptor);
   for (; search->visited < search->used && !has_to_stop(search);
        search->visited++) {
     search->part = 0;
     visit(search, search->visited);
   }
-  cli_progress_clear(&search->progress);
 }
 
-static void summarise(const search_t *search, int code) {
-  if (search->job->args->summary != 0) {
-    cli_put_begin("diverge --exhaustive");
-    cli_put_word("scene", search->job->setup.scene->name);
-    cli_put_count("nodes", search->used);
-    cli_put_count("branches", search->branches);
-    cli_put_count("joined", search->joined);
-    cli_put_count("dropped", search->dropped);
-    cli_put_end(cli_now() - search->progress.started, code);
-    return;
-  }
-  cli_say("nodes      %" PRIu64 "\nbranches   %" PRIu64 ", of which %" PRIu64
-          " joined a known node, %" PRIu64 " found no room (--count)\n",
-          search->used, search->branches, search->joined, search->dropped);
-}
-
-// Writes all branches to the output that is open.
-static int write_all(search_t *search) {
-  const char *units =
-      "r m, omega rad/s, stick_time s, exit_r m, exit_omega rad/s, time s, "
-      "end_r m, landing_r m";
-  char lines[CLI_PROVENANCE_ROOM];
-  if (search->job->args->provenance) {
-    const size_t length = cli_job_provenance(search->job, units, lines);
-    (void)cli_output_lines(&search->output, lines, length);
-  }
-  (void)cli_output_lines(&search->output, header, sizeof header - 1);
-  visit_all(search);
-  const int code = cli_stop_asked()
-                       ? cli_message(CLI_STOPPED,
-                                     "stopped by a signal; the branches that "
-                                     "have ended are written")
-                       : CLI_DONE;
-  return cli_output_end(&search->output, code);
-}
-
-int cli_exhaustive(const cli_job_t *job) {
+int cli_exhaustive(const cli_job_t *job, cli_sheets_t *sheets) {
   static search_t search;
   search.job = job;
-  search.nodes = calloc((size_t)job->args->nodes, sizeof *search.nodes);
-  if (search.nodes == NULL) {
-    return cli_message(CLI_STOPPED, "out of memory");
-  }
-  int code = cli_output_begin(&search.output, "--branches", job->args->branches,
-                              false);
-  if (code == CLI_DONE) {
-    code = write_all(&search);
-    summarise(&search, code);
-  }
+  search.sheets = sheets;
+  visit_all(&search);
   free(search.nodes);
+  int code = CLI_DONE;
+  if (cli_stop_asked()) {
+    code = cli_message(
+        CLI_STOPPED,
+        "stopped by a signal; the branches that have ended are written");
+  }
+  code = cli_sheets_close(sheets, code);
+  if (job->args->summary != 0) {
+    cli_put_begin("diverge --exhaustive");
+    cli_put_word("scene", job->setup.scene->name);
+    cli_put_count("nodes", search.used);
+    cli_put_count("branches", search.branches);
+    cli_put_count("joined", search.joined);
+    cli_put_count("dropped", search.dropped);
+    cli_put_end(cli_now() - sheets->progress.started, code);
+  } else {
+    cli_say("nodes      %" PRIu64 "\nbranches   %" PRIu64 ", of which %" PRIu64
+            " joined a known node, %" PRIu64 " found no room (--count)\n",
+            search.used, search.branches, search.joined, search.dropped);
+  }
   return code;
 }

@@ -20,7 +20,8 @@
 #include "../text/text.h"
 
 #define LINE (CLI_SHEET_ABOUT + 16)
-#define END_ROOM 11 // a blank, the CRC, newline and zero
+#define SAVE_EVERY 0.2 // [s], so at most so much work is lost by a kill
+#define END_ROOM 11    // a blank, the CRC, newline and zero
 
 static const char *notes_of(const cli_sheets_t *sheets) {
   static char name[CLI_PATH_ROOM + 8];
@@ -89,8 +90,7 @@ static bool reaches(FILE *file, cli_extent_t from, cli_extent_t to) {
 }
 
 // Goes to a note, if it fits the rows.
-static bool go_to(cli_sheets_t *sheets, const char *note, FILE *const rows[],
-                  cli_done_t *work) {
+static bool go_to(cli_sheets_t *sheets, const char *note, FILE *const rows[]) {
   cli_extent_t next[CLI_SHEETS];
   for (int i = 0; i < sheets->count; i++) {
     next[i].bytes = next_number(&note, 10);
@@ -102,9 +102,9 @@ static bool go_to(cli_sheets_t *sheets, const char *note, FILE *const rows[],
   for (int i = 0; i < sheets->count; i++) {
     sheets->sheet[i].rows = next[i];
   }
-  work->done = next_number(&note, 10);
+  sheets->done.done = next_number(&note, 10);
   for (int i = 0; i < CLI_SHEET_COUNTS; i++) {
-    work->count[i] = next_number(&note, 10);
+    sheets->done.count[i] = next_number(&note, 10);
   }
   return true;
 }
@@ -118,7 +118,7 @@ static int refuse_other(const cli_sheets_t *sheets, const char *path) {
 
 // Goes to the last note that fits the rows. name: in, one of the files.
 static int read_notes(cli_sheets_t *sheets, FILE *notes, FILE *const rows[],
-                      const char *name, cli_done_t *work) {
+                      const char *name) {
   static char line[LINE];
   uint32_t chain = sheets->chain;
   if (fgets(line, sizeof line, notes) == NULL || !cut_line(&chain, line) ||
@@ -137,12 +137,12 @@ static int read_notes(cli_sheets_t *sheets, FILE *notes, FILE *const rows[],
                          "another file",
                          notes_of(sheets), name);
     }
-  } while (go_to(sheets, line, rows, work));
+  } while (go_to(sheets, line, rows));
   return CLI_DONE;
 }
 
 // Looks how far the files are right; without notes they are of something else.
-static int look(cli_sheets_t *sheets, const char *name, cli_done_t *work) {
+static int look(cli_sheets_t *sheets, const char *name) {
   FILE *rows[CLI_SHEETS];
   FILE *notes = fopen(notes_of(sheets), "r");
   bool opened = notes != NULL;
@@ -150,7 +150,7 @@ static int look(cli_sheets_t *sheets, const char *name, cli_done_t *work) {
     rows[i] = fopen(name_of(&sheets->sheet[i]), "r");
     opened = opened && rows[i] != NULL;
   }
-  const int code = opened ? read_notes(sheets, notes, rows, name, work)
+  const int code = opened ? read_notes(sheets, notes, rows, name)
                           : refuse_other(sheets, name);
   for (int i = 0; i <= sheets->count; i++) {
     FILE *file = i < sheets->count ? rows[i] : notes;
@@ -173,13 +173,14 @@ static bool open_notes(cli_sheets_t *sheets) {
 }
 
 // Goes on behind the rows that are right. A FILE that is whole stays.
-static int go_on(cli_sheets_t *sheets, bool all, bool *whole) {
-  *whole = true;
+static int go_on(cli_sheets_t *sheets) {
+  const bool all = sheets->done.done == sheets->total;
+  sheets->whole = true;
   for (int i = 0; i < sheets->count; i++) {
     cli_sheet_t *sheet = &sheets->sheet[i];
     const cli_destination_t *to = &sheet->output.to;
     if (!sheets->noted || !sheets->resume || name_of(sheet) == to->part) {
-      *whole = false;
+      sheets->whole = false;
       cli_output_go_on(&sheet->output, (size_t)sheet->rows.bytes);
     } else if (all && sheet->rows.bytes == size_of(to->path)) {
       (void)cli_output_close(&sheet->output, false);
@@ -187,7 +188,7 @@ static int go_on(cli_sheets_t *sheets, bool all, bool *whole) {
       return refuse_other(sheets, to->path);
     }
   }
-  if (sheets->noted && !*whole && !open_notes(sheets)) {
+  if (sheets->noted && !sheets->whole && !open_notes(sheets)) {
     return cli_message(CLI_STOPPED, "%s: cannot be written", notes_of(sheets));
   }
   for (int i = 0; i < sheets->count; i++) {
@@ -199,8 +200,7 @@ static int go_on(cli_sheets_t *sheets, bool all, bool *whole) {
   return CLI_DONE;
 }
 
-static int open_all(cli_sheets_t *sheets, uint64_t total, cli_done_t *work,
-                    bool *whole) {
+static int open_all(cli_sheets_t *sheets) {
   const char *found = NULL; // rows, better those of a part
   bool in_part = false;
   for (; sheets->count < CLI_SHEETS; sheets->count++) {
@@ -224,14 +224,24 @@ static int open_all(cli_sheets_t *sheets, uint64_t total, cli_done_t *work,
                        found, sheets->what);
   }
   if (sheets->noted && found != NULL && sheets->resume) {
-    CLI_TRY(look(sheets, found, work));
+    CLI_TRY(look(sheets, found));
   }
-  return go_on(sheets, work->done == total, whole);
+  return go_on(sheets);
 }
 
-int cli_sheets_open(cli_sheets_t *sheets, uint64_t total, cli_done_t *work,
-                    bool *whole) {
-  const int code = open_all(sheets, total, work, whole);
+int cli_sheets_open(cli_sheets_t *sheets, const cli_shard_t *shard,
+                    uint64_t count) {
+  uint64_t end = 0;
+  cli_shard_range(shard, count, &sheets->first, &end);
+  sheets->total = end - sheets->first;
+  for (char *at = sheets->about; (at = strchr(at, '\n')) != NULL;) {
+    *at = ' ';
+  }
+  const int code = open_all(sheets);
+  sheets->kept = sheets->done;
+  sheets->saved = cli_now();
+  sheets->progress =
+      cli_progress_start(sheets->saved, sheets->sheet->output.to.descriptor);
   for (int i = 0; i < sheets->count && code != CLI_DONE; i++) {
     (void)cli_output_close(&sheets->sheet[i].output, false);
   }
@@ -244,7 +254,7 @@ bool cli_sheet_put(cli_sheet_t *sheet, const char *rows, size_t length) {
   return cli_output_lines(&sheet->output, rows, length);
 }
 
-bool cli_sheets_flush(cli_sheets_t *sheets) {
+static bool flush(cli_sheets_t *sheets) {
   bool written = true;
   for (int i = 0; i < sheets->count; i++) {
     written = cli_output_flush(&sheets->sheet[i].output) && written;
@@ -252,19 +262,19 @@ bool cli_sheets_flush(cli_sheets_t *sheets) {
   return written;
 }
 
-bool cli_sheets_note(cli_sheets_t *sheets, const cli_done_t *work) {
+static bool note(cli_sheets_t *sheets) {
   char text[512];
-  cli_buffer_t note = {text, 0, sizeof text, false};
+  cli_buffer_t line = {text, 0, sizeof text, false};
   for (int i = 0; i < sheets->count; i++) {
-    cli_add_form(&note, "%" PRIu64 " ", sheets->sheet[i].rows.bytes);
-    cli_add_hash(&note, sheets->sheet[i].rows.crc);
-    cli_add(&note, " ");
+    cli_add_form(&line, "%" PRIu64 " ", sheets->sheet[i].rows.bytes);
+    cli_add_hash(&line, sheets->sheet[i].rows.crc);
+    cli_add(&line, " ");
   }
-  cli_add_count(&note, work->done);
+  cli_add_count(&line, sheets->done.done);
   for (int i = 0; i < CLI_SHEET_COUNTS; i++) {
-    cli_add_form(&note, " %" PRIu64, work->count[i]);
+    cli_add_form(&line, " %" PRIu64, sheets->done.count[i]);
   }
-  if (!cli_sheets_flush(sheets)) {
+  if (!flush(sheets)) {
     return false;
   }
   if (sheets->noted && !write_line(sheets, text)) {
@@ -274,10 +284,21 @@ bool cli_sheets_note(cli_sheets_t *sheets, const cli_done_t *work) {
   return true;
 }
 
+bool cli_sheets_save(cli_sheets_t *sheets, bool between) {
+  const double now = cli_now();
+  if (now - sheets->saved < SAVE_EVERY) {
+    return true;
+  }
+  sheets->saved = between ? now : sheets->saved;
+  return between ? note(sheets) : flush(sheets);
+}
+
 int cli_sheets_close(cli_sheets_t *sheets, int code) {
   bool left = false;
+  cli_progress_clear(&sheets->progress);
   // None gets its name where the rows of another could not be written.
-  code = cli_sheets_flush(sheets) ? code : CLI_STOPPED;
+  const bool all = sheets->done.done == sheets->total;
+  code = (all ? note(sheets) : flush(sheets)) ? code : CLI_STOPPED;
   if (sheets->noted) {
     (void)fsync(sheets->notes);
     (void)close(sheets->notes);

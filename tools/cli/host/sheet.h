@@ -4,6 +4,7 @@
 /// beside the first file, holds those of all files of one work.
 #pragma once
 
+#include "host.h"
 #include "output.h"
 
 #define CLI_SHEETS 2
@@ -37,29 +38,31 @@ typedef struct {
   char about[CLI_SHEET_ABOUT];   ///< one line: what the rows follow from
   cli_sheet_t sheet[CLI_SHEETS]; ///< those without a path come last
   int count;                     ///< of those that are open
-  int notes;                     ///< descriptor, 0: none are made
-  long noted_end;                ///< bytes of the notes
-  uint32_t chain;                ///< CRC of their lines
+  uint64_t first, total;         ///< pieces of work: those of the shard
+  cli_done_t done, kept;         ///< so far; and when the files were opened
+  bool whole; ///< when opened, all had name and rows: none is open
+  cli_progress_t progress;
+  double saved;   ///< cli_now() of the last note
+  int notes;      ///< descriptor, 0: none are made
+  long noted_end; ///< bytes of the notes
+  uint32_t chain; ///< CRC of their lines
 } cli_sheets_t;
 
 /// Opens the files behind the rows that are there: under resume those of the
 /// work that is done in all files, otherwise none. Rows of another command or
 /// build are refused.
-/// total: in, pieces of the work. work: out, what is done. whole: out, the
-/// files have their names and all rows, and none is open.
-int cli_sheets_open(cli_sheets_t *sheets, uint64_t total, cli_done_t *work,
-                    bool *whole);
+/// count: in, pieces of the work in all shards.
+int cli_sheets_open(cli_sheets_t *sheets, const cli_shard_t *shard,
+                    uint64_t count);
 
 /// Appends whole rows to a file.
 /// Returns: whether everything so far could be written.
 bool cli_sheet_put(cli_sheet_t *sheet, const char *rows, size_t length);
 
-/// Hands all rows to the operating system. Returns: likewise.
-bool cli_sheets_flush(cli_sheets_t *sheets);
+/// Now and then hands all rows to the operating system; between two pieces of
+/// work it notes what is done, too. Returns: likewise.
+bool cli_sheets_save(cli_sheets_t *sheets, bool between);
 
-/// The same, and notes the work that is in them. Returns: likewise.
-bool cli_sheets_note(cli_sheets_t *sheets, const cli_done_t *work);
-
-/// Closes the files; under CLI_DONE they get their names.
+/// Closes the files; under CLI_DONE they get their names. Ends the progress.
 /// Returns: the code, or CLI_STOPPED in place of CLI_DONE.
 int cli_sheets_close(cli_sheets_t *sheets, int code);

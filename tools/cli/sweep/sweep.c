@@ -7,70 +7,58 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../host/host.h"
 #include "../host/sheet.h"
 #include "../text/summary.h"
 #include "../text/text.h"
 #include "point.h"
 
-#define FLUSH_EVERY 0.2 // [s], so at most so much work is lost by a kill
-
 typedef struct {
   cli_sweep_t sweep;
   cli_sheets_t *sheets;
-  uint64_t first, points; ///< of this shard
-  uint64_t kept;          ///< rows that were there before
-  cli_done_t work;        ///< points with a row, in this call or before
   uint64_t ends[CLI_POINT_ENDS];
-  cli_progress_t progress;
 } work_t;
 
-// Returns: whether the rows of so many points could be written.
-static bool write_rows(work_t *work, uint64_t index, size_t count) {
-  char row[CLI_SWEEP_ROW];
-  size_t length = 0;
-  cli_sheet_t *sheet = work->sheets->sheet;
-  for (size_t i = 0; i < count; i++) {
-    work->ends[cli_point_row(index, i, row, &length)]++;
-    work->work.done++;
-    if (!cli_sheet_put(sheet, row, length)) {
-      return false;
-    }
-  }
-  return cli_now() - sheet->output.flushed < FLUSH_EVERY ||
-         cli_sheets_note(work->sheets, &work->work);
+// Points with a row that this call has made.
+static double done_of(const work_t *work) {
+  return (double)(work->sheets->done.done - work->sheets->kept.done);
 }
 
-// Returns: CLI_DONE, or CLI_STOPPED; where the output failed, the message is
-// that of cli_sheets_close.
-static int do_points(work_t *work) {
-  while (work->work.done < work->points) {
-    const uint64_t left = work->points - work->work.done;
-    const uint64_t index = work->first + work->work.done;
+static void do_points(work_t *work) {
+  cli_sheets_t *sheets = work->sheets;
+  uint64_t *done = &sheets->done.done;
+  bool goes_on = true;
+  while (goes_on && *done < sheets->total) {
+    char row[CLI_SWEEP_ROW];
+    size_t length = 0;
+    const uint64_t left = sheets->total - *done;
+    const uint64_t index = sheets->first + *done;
     const size_t count =
         left < work->sweep.together ? (size_t)left : work->sweep.together;
     if (cli_stop_asked() || !cli_points_follow(&work->sweep, index, count)) {
-      return cli_message(CLI_STOPPED, "interrupted at point %" PRIu64, index);
+      return;
     }
-    if (!write_rows(work, index, count)) {
-      return CLI_STOPPED;
+    for (size_t i = 0; i < count && goes_on; i++) {
+      work->ends[cli_point_row(index, i, row, &length)]++;
+      goes_on = cli_sheet_put(sheets->sheet, row, length);
+      ++*done;
     }
+    goes_on = goes_on && cli_sheets_save(sheets, true);
     const double now = cli_now();
-    const double done = (double)(work->work.done - work->kept);
     cli_progress_say(
-        &work->progress, now, done / (double)(work->points - work->kept),
-        "%" PRIu64 " of %" PRIu64 " points, %.3g points/s", work->work.done,
-        work->points, done / (now - work->progress.started));
+        &sheets->progress, now,
+        done_of(work) / (double)(sheets->total - sheets->kept.done),
+        "%" PRIu64 " of %" PRIu64 " points, %.3g points/s", *done,
+        sheets->total, done_of(work) / (now - sheets->progress.started));
   }
-  return CLI_DONE;
 }
 
 static void summarise(const work_t *work, double seconds) {
   const char *separator = "\nstatus     ";
-  const double done = (double)(work->work.done - work->kept);
-  cli_say("points     %" PRIu64 " of %" PRIu64, work->work.done, work->points);
-  if (work->kept > 0) {
-    cli_say(", of which %" PRIu64 " were there", work->kept);
+  const cli_sheets_t *sheets = work->sheets;
+  cli_say("points     %" PRIu64 " of %" PRIu64, sheets->done.done,
+          sheets->total);
+  if (sheets->kept.done > 0) {
+    cli_say(", of which %" PRIu64 " were there", sheets->kept.done);
   }
   for (int i = 0; i < CLI_POINT_ENDS; i++) {
     if (work->ends[i] > 0) {
@@ -80,7 +68,7 @@ static void summarise(const work_t *work, double seconds) {
     }
   }
   cli_say("\ncost       %.3g s, %.3g points/s, %s\n", seconds,
-          seconds > 0 ? done / seconds : 0.0,
+          seconds > 0 ? done_of(work) / seconds : 0.0,
           work->sweep.together > 1 ? "in lanes of an ensemble" : "one by one");
 }
 
@@ -88,8 +76,8 @@ static void summarise_json(const work_t *work, double seconds, int code) {
   cli_put_begin("sweep");
   cli_put_word("scene", work->sweep.args->scene->name);
   cli_put_word("scheme", motion_scheme_name(work->sweep.scheme));
-  cli_put_count("points", work->points);
-  cli_put_count("kept", work->kept);
+  cli_put_count("points", work->sheets->total);
+  cli_put_count("kept", work->sheets->kept.done);
   for (int i = 0; i < CLI_POINT_ENDS; i++) {
     cli_put_count(cli_point_status((cli_point_end_t)i), work->ends[i]);
   }
@@ -97,18 +85,15 @@ static void summarise_json(const work_t *work, double seconds, int code) {
   cli_put_end(seconds, code);
 }
 
-// What the rows of all shards follow from: program, scene, options. newline:
-// what stands between these.
-static void add_about(const cli_sweep_t *sweep, const char *newline,
-                      cli_buffer_t *text) {
+// What the rows of all shards follow from: program, scene, options; and units.
+static void add_provenance(const cli_sweep_t *sweep, cli_buffer_t *text) {
   const cli_args_t *args = sweep->args;
-  cli_add_form(text, "twofold %s, commit %s, numbers are %s%sscene %s, hash ",
-               TF_VERSION, cli_commit, CLI_NUMBER_TYPE, newline,
-               args->scene->name);
+  cli_add_form(text,
+               "# twofold %s, commit %s, numbers are %s\n# scene %s, hash ",
+               TF_VERSION, cli_commit, CLI_NUMBER_TYPE, args->scene->name);
   cli_add_hash(text, sweep->hash);
-  cli_add_form(text, "%ssweep %s --scheme %s --t-end %g", newline,
-               args->scene->name, motion_scheme_name(sweep->scheme),
-               (double)cli_end_of(args));
+  cli_add_form(text, "\n# sweep %s --scheme %s --t-end %g", args->scene->name,
+               motion_scheme_name(sweep->scheme), (double)cli_end_of(args));
   if (args->select != NULL) {
     cli_add_form(text, " --select %s", args->select);
   }
@@ -130,12 +115,6 @@ static void add_about(const cli_sweep_t *sweep, const char *newline,
   for (size_t i = 0; i < args->measures; i++) {
     cli_add_form(text, " --outcome %s", cli_measures[args->measure[i]].name);
   }
-}
-
-static void add_provenance(const cli_sweep_t *sweep, cli_buffer_t *text) {
-  const cli_args_t *args = sweep->args;
-  cli_add(text, "# ");
-  add_about(sweep, "\n# ", text);
   cli_add(text, "\n# units:");
   for (size_t i = 0; i < args->axes; i++) {
     const size_t number = cli_number_index(args->axis[i].name);
@@ -165,22 +144,17 @@ static void add_header(const cli_args_t *args, cli_buffer_t *text) {
 
 // The shards of a sweep have header and comments once, so that their files, one
 // after the other, are the file of the whole.
-static int open_sheet(work_t *work, bool *whole) {
+static int open_sheet(work_t *work) {
   const cli_args_t *args = work->sweep.args;
   cli_sheets_t *sheets = work->sheets;
   cli_buffer_t begin = {sheets->sheet->begin, 0, CLI_SHEET_BEGIN, false};
   cli_buffer_t about = {sheets->about, 0, CLI_SHEET_ABOUT, false};
-  uint64_t end = 0;
-  cli_shard_range(&args->shard, args->points, &work->first, &end);
-  work->points = end - work->first;
-  if (args->shard.index == 1 && args->provenance) {
-    add_provenance(&work->sweep, &begin);
-  }
+  add_provenance(&work->sweep, &about);
   if (args->shard.index == 1) {
+    cli_add(&begin, args->provenance ? sheets->about : "");
     add_header(args, &begin);
   }
-  add_about(&work->sweep, "; ", &about);
-  cli_add_form(&about, "; shard %" PRIu64 "/%" PRIu64, args->shard.index,
+  cli_add_form(&about, "shard %" PRIu64 "/%" PRIu64, args->shard.index,
                args->shard.of);
   if (begin.truncated || about.truncated) {
     return cli_message(CLI_USAGE, "sweep: the command line is too long");
@@ -190,36 +164,33 @@ static int open_sheet(work_t *work, bool *whole) {
   sheets->noted = true;
   sheets->sheet->option = "--out";
   sheets->sheet->path = args->out != NULL ? args->out : "-";
-  CLI_TRY(cli_sheets_open(sheets, work->points, &work->work, whole));
-  work->kept = work->work.done;
-  return CLI_DONE;
+  return cli_sheets_open(sheets, &args->shard, args->points);
 }
 
 static int perform(work_t *work) {
   const cli_args_t *args = work->sweep.args;
-  const cli_output_t *output = &work->sheets->sheet->output;
-  bool whole = false;
-  CLI_TRY(open_sheet(work, &whole));
-  if (whole) {
+  cli_sheets_t *sheets = work->sheets;
+  int code = CLI_DONE;
+  double seconds = 0;
+  CLI_TRY(open_sheet(work));
+  if (sheets->whole) {
     (void)cli_message(CLI_DONE, "%s has all of its %" PRIu64 " points",
-                      args->out, work->kept);
-    if (args->summary != 0) {
-      summarise_json(work, 0, CLI_DONE);
+                      args->out, sheets->total);
+  } else {
+    do_points(work);
+    if (sheets->done.done < sheets->total) {
+      code = cli_stop_asked()
+                 ? cli_message(CLI_STOPPED, "interrupted at point %" PRIu64,
+                               sheets->first + sheets->done.done)
+                 : CLI_STOPPED; // cli_sheets_close has the message
     }
-    return CLI_DONE;
+    code = cli_sheets_close(sheets, code);
+    seconds = cli_now() - sheets->progress.started;
   }
-  work->progress = cli_progress_start(cli_now(), output->to.descriptor);
-  int code = do_points(work);
-  cli_progress_clear(&work->progress);
-  if (!cli_sheets_note(work->sheets, &work->work)) {
-    code = CLI_STOPPED;
-  }
-  code = cli_sheets_close(work->sheets, code);
-  const double seconds = cli_now() - work->progress.started;
-  if (args->summary == 0) {
+  if (args->summary == 0 && !sheets->whole) {
     summarise(work, seconds);
   }
-  if (code != CLI_DONE && output->to.left) {
+  if (code != CLI_DONE && sheets->sheet->output.to.left) {
     (void)cli_message(code, "the same command with --resume goes on");
   }
   if (args->summary != 0) {
