@@ -202,7 +202,9 @@ TEST(each_number_begins_a_session_of_its_own) {
       for (uint32_t i = 0; i < n; i++) CHECK(seen[k][i] != seen[k][n]);
       CHECK(k == 0 || seen[0][n] != seen[1][n]);
     }
-  /* It is there before anybody asks, and a question does not change it. */
+  /* It is there before anybody asks, and a question, which has no tag, does not
+   * change it. */
+  board.lock = key;
   send_plain(&board, TF_UP_DESCRIBE);
   CHECK(board.link.session == seen[1][1999]);
   /* Of the number that would have session 0 under the key of zeros it is that

@@ -254,9 +254,13 @@ TEST(start_stop_reset_and_rule) {
   tick(&board);
   CHECK(code_of(&board) == 0);
   uint8_t wire[TF_FRAME_SIZE(1)];
-  wire[TF_FRAME_AT] = 0;
-  board.link.describe = false;
-  hear(&board, wire, tf_frame_seal(wire, TF_UP_DESCRIBE, 1, &board.down, 0));
-  tick(&board);
-  CHECK(code_of(&board) == TF_ANSWER_LENGTH && !board.link.describe);
+  const uint8_t type[2] = {TF_UP_DESCRIBE, TF_UP_STOP};
+  for (unsigned i = 0; i < 2; i++) { /* too long, too short for a session */
+    wire[TF_FRAME_AT] = 0;
+    board.link.describe = false;
+    hear(&board, wire, tf_frame_seal(wire, type[i], 1, &board.down, 0));
+    CHECK(answer_of(&board).length == 0); /* before the boundary */
+    tick(&board);
+    CHECK(code_of(&board) == TF_ANSWER_LENGTH && !board.link.describe);
+  }
 }
