@@ -74,7 +74,7 @@ static void judge(double dt) {
     const tf_state_t from = motion.state;
     const double t = motion.t;
     if (cli_motion_advance(&motion)) {
-      CHECK(motion.tracker.cycle.outcome == CLI_CYCLE_RETURNED);
+      CHECK(motion.cycle.outcome == CLI_CYCLE_RETURNED);
       cli_motion_next(&motion);
     }
     const bool rested = from.mode == TF_PINNED;

@@ -7,8 +7,8 @@
 //   monitor/   the command `monitor`; takes only row.h of run/
 //   run/       the command `run`: loop, rows, frames, events, summary
 //   analysis/  singularities, regions, design, atlas and tyre
-//   diverge/   the command `diverge`. Bottom up: canard, tracker, motion (with
-//              noise), random, exhaustive, diverge
+//   diverge/   the command `diverge`. Bottom up: canard, motion (with noise),
+//              random, exhaustive, diverge
 //   sweep/     the command `sweep`; takes only events.h of run/
 //   setup/     a scene, by its name or from a file, with --set and --select
 //              becomes a machine with its initial state; schemes, names; what a

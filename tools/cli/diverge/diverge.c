@@ -147,12 +147,13 @@ static void add_field(cli_buffer_t *text, bool exists, double value) {
 }
 
 static void add_exit(cli_buffer_t *text, const cli_cycle_t *cycle) {
+  const bool in_slip = !isnan(cycle->phase); // at the section
   cli_add_form(text, "%g,%g,%g,%g,%s", cycle->exit_t - cycle->arrived,
                cycle->exit_r, cycle->exit_omega, cycle->exit_g,
                cycle->side < 0 ? "slip-" : "slip+");
-  add_field(text, cycle->phase >= 0, cycle->phase);
+  add_field(text, in_slip, cycle->phase);
   cli_add(text, cycle->released ? ",released" : ",left");
-  add_field(text, cycle->phase >= 0, cycle->section_t - cycle->arrived);
+  add_field(text, in_slip, cycle->section_t - cycle->arrived);
   cli_add(text, "\n");
 }
 
@@ -161,8 +162,8 @@ static void add_return(cli_buffer_t *text, const cli_cycle_t *cycle) {
                cycle->ended - (cycle->left ? cycle->exit_t : cycle->arrived),
                cycle->arrived);
   add_field(text, cycle->left, cycle->exit_r);
-  add_field(text, cycle->landed, cycle->land_t - cycle->exit_t);
-  add_field(text, cycle->landed, cycle->land_r);
+  add_field(text, cycle->landings > 0, cycle->land_t - cycle->exit_t);
+  add_field(text, cycle->landings > 0, cycle->land_r);
   cli_add_form(text, ",%" PRIu64 ",%" PRIu64 "\n", cycle->landings,
                cycle->windings);
 }
@@ -203,7 +204,7 @@ typedef struct {
 enum { CYCLES = CLI_OUTCOMES };
 
 static void write_rows(work_t *work, uint64_t sample, uint64_t number) {
-  const cli_cycle_t *cycle = &work->motion.tracker.cycle;
+  const cli_cycle_t *cycle = &work->motion.cycle;
   for (int i = 0; i < work->sheets.count; i++) {
     char row[CLI_DIVERGE_ROW];
     cli_buffer_t text = {row, 0, sizeof row, false};
@@ -258,7 +259,7 @@ static bool do_sample(work_t *work, uint64_t sample) {
   // Under noise it starts before the two-fold, and first arrives.
   const bool arrives = job->at_two_fold && !motion->passes;
   for (uint64_t cycle = arrives ? 0 : 1; follow(work); cycle++) {
-    const cli_outcome_t outcome = motion->tracker.cycle.outcome;
+    const cli_outcome_t outcome = motion->cycle.outcome;
     const bool returned = outcome == CLI_CYCLE_RETURNED;
     if (cycle > 0) {
       write_rows(work, sample, cycle);

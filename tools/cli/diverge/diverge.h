@@ -63,52 +63,36 @@ typedef enum {
   CLI_OUTCOMES
 } cli_outcome_t;
 
-/// One cycle. Times are since the start of the sample.
+/// One cycle. Times are since the start of the sample [s].
 typedef struct {
-  double arrived; ///< [s]; 0 where the sample starts elsewhere
+  double arrived; ///< 0 where the sample starts elsewhere
   bool left;      ///< the surface was left
   bool released;  ///< stick ended with the escaping region, not by a draw
   double exit_t, exit_r, exit_omega, exit_g;
   int side;          ///< of the exit, +1 or -1
-  double phase;      ///< at the section [windings]; < 0: not there in slip
-  double section_t;  ///< passage of the section in slip [s]; < 0: not yet
-  double up_last;    ///< last change from slip- to slip+ [s], < 0: none
+  double phase;      ///< at the section [windings]; NAN: not there in slip
+  double section_t;  ///< passage of the section in slip; NAN: not yet
+  double up_last;    ///< last change from slip- to slip+, NAN: none
   bool upper;        ///< on the upper sliding region at present
-  bool landed;       ///< on the upper sliding region
-  double land_t;     ///< first time [s]
-  double land_r;     ///< [m]
   uint64_t landings; ///< on the upper sliding region
+  double land_t;     ///< first time
+  double land_r;     ///< [m]
   uint64_t windings; ///< changes of slip until the first landing
-  double ended;      ///< [s]
+  double ended;
   cli_outcome_t outcome;
 } cli_cycle_t;
 
 typedef struct {
   const cli_job_t *job;
+  uint32_t sample, drawn; ///< its number; random numbers so far
+  cli_cycle_t cycle;      ///< the present one
   cli_instant_t before, last;
-  cli_cycle_t cycle;
   double on_since; ///< start of the present stay on the surface
   double on_r;     ///< where it began [m]
   int slip_side;   ///< of the last slip
-} cli_tracker_t;
-
-/// Starts at the first instant of a sample.
-void cli_track_start(cli_tracker_t *tracker, const cli_job_t *job,
-                     const cli_instant_t *at);
-
-/// Returns: whether the next instant ends the cycle.
-bool cli_track(cli_tracker_t *tracker, const cli_instant_t *at);
-
-/// Goes on to the next cycle.
-void cli_track_next(cli_tracker_t *tracker);
-
-typedef struct {
-  const cli_job_t *job;
-  uint32_t sample, drawn; ///< its number; random numbers so far
-  cli_tracker_t tracker;
-  double size; ///< of the noise, in this sample
-  double band; ///< noise: |h| <= band is on the surface [m/s]
-  double near; ///< longest step near the two-fold, or in slip [s]
+  double size;     ///< of the noise, in this sample
+  double band;     ///< noise: |h| <= band is on the surface [m/s]
+  double near;     ///< longest step near the two-fold, or in slip [s]
   tf_state_t state;
   tf_report_t report;
   double t;
@@ -136,6 +120,12 @@ double cli_draw_uniform(cli_motion_t *motion);
 bool cli_step_of(cli_motion_t *motion, double dt);
 
 cli_instant_t cli_instant(const cli_motion_t *motion);
+
+/// Begins the first cycle, where the motion is.
+void cli_track_start(cli_motion_t *motion);
+
+/// Returns: whether the next instant ends the cycle.
+bool cli_track(cli_motion_t *motion, const cli_instant_t *at);
 
 /// Ends the cycle with a step that was refused. Returns: true.
 bool cli_refuse_cycle(cli_motion_t *motion);

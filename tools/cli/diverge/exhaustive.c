@@ -85,14 +85,14 @@ static void follow(search_t *search, uint64_t index, unsigned mode,
   static const char *const ends[] = {"two-fold", "codim2", "escaping",
                                      "unfinished"};
   cli_motion_t *motion = &search->motion;
-  const cli_cycle_t *cycle = &motion->tracker.cycle;
+  const cli_cycle_t *cycle = &motion->cycle;
   const node_t from = search->nodes[index];
   const tf_state_t left = motion->state;
   char row[CLI_DIVERGE_ROW], to[CLI_REAL_ROOM] = "",
                              landing[CLI_REAL_ROOM] = "";
   node_t next = {.depth = from.depth + 1};
   const cli_branch_t end = cli_random_branch(motion, mode, &next.set);
-  const bool rests = end == CLI_BRANCH_TIME && motion->tracker.last.rests;
+  const bool rests = end == CLI_BRANCH_TIME && motion->last.rests;
   next.state = motion->state;
   next.two_fold = end == CLI_BRANCH_TWO_FOLD;
   if (next.two_fold || end == CLI_BRANCH_CODIM2) {
@@ -101,7 +101,7 @@ static void follow(search_t *search, uint64_t index, unsigned mode,
       (void)snprintf(to, sizeof to, "%" PRIu64, found);
     }
   }
-  if (cycle->landed) {
+  if (cycle->landings > 0) {
     (void)snprintf(landing, sizeof landing, "%.12g", cycle->land_r);
   }
   const int length = snprintf(

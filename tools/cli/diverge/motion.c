@@ -1,5 +1,12 @@
 // The motion of one sample: its random numbers, where it starts, how it is
-// stepped under noise, and when it is on the surface.
+// stepped under noise, and what happens between one arrival at the two-fold and
+// the next, in the same way for random exits and under noise.
+//
+// "On the surface" means stick if the stepper has modes, otherwise |h| within a
+// band for the dwell time. The phase of the outgoing spiral is the fraction of
+// a winding, from one change from slip- to slip+ to the next, that is completed
+// when r passes the section. It says where on the spiral the motion is, and
+// does not depend on how the exit is defined.
 //
 // Noise is added to the set-valued law, stepped by tf_step_located. After every
 // step a normally distributed number of standard deviation size sqrt(dt) is
@@ -27,6 +34,10 @@
 #define BEFORE 4e-3 // [m], distance of a start before the two-fold
 #define NEAR 0.011  // steps are short where r differs by less than this part
 #define SEVERAL_STEPS 4 // whose rounding slip_rounding is
+
+// A motion that lands this often without coming back is in a small cycle.
+#define SMALL_LANDINGS 3
+#define SECTION 1e-3 // [m], behind the two-fold
 
 bool cli_find_two_fold(const tf_machine_t *k, cli_two_fold_t *out) {
   const tf_input_t input = tf_input_default(k);
@@ -102,9 +113,167 @@ cli_instant_t cli_instant(const cli_motion_t *motion) {
       .t = motion->t, .at = at, .h = h, .g = g, .on = stays, .rests = rests};
 }
 
+// Whether g has the sign that it has at the two-fold.
+static bool two_fold_side(const cli_motion_t *motion, double g) {
+  return motion->job->two_fold.g < 0 ? g < 0 : g > 0;
+}
+
+// Begins a cycle where the one before ended.
+static void begin_cycle(cli_motion_t *motion) {
+  const double none = (double)NAN;
+  motion->cycle = (cli_cycle_t){.arrived = motion->cycle.ended,
+                                .phase = none,
+                                .section_t = none,
+                                .up_last = none};
+}
+
+void cli_track_start(cli_motion_t *motion) {
+  motion->before = motion->last = cli_instant(motion);
+  motion->on_since = motion->cycle.ended = motion->t;
+  motion->on_r = motion->last.at.r;
+  begin_cycle(motion);
+}
+
+// When r passes a value between two instants: bisection of the cubic that has r
+// and v of both.
+static double passage(const cli_motion_t *motion, const cli_instant_t *a,
+                      const cli_instant_t *b, double r) {
+  const double d = motion->job->wide.d;
+  const double dt = b->t - a->t;
+  const double va = (a->at.p + d * a->at.z) * dt;
+  const double vb = (b->at.p + d * b->at.z) * dt;
+  const double rise = b->at.r - a->at.r;
+  const bool down = a->at.r > r;
+  double low = 0, high = 1;
+  for (int i = 0; i < 50; i++) {
+    const double x = (low + high) / 2, y = 1 - x;
+    const double at =
+        a->at.r + rise * x * x * (3 - 2 * x) + x * y * (va * y - vb * x);
+    *((at > r) == down ? &low : &high) = x;
+  }
+  return a->t + dt * (low + high) / 2;
+}
+
+static bool has_arrived(cli_motion_t *motion, const cli_instant_t *at) {
+  const cli_instant_t *last = &motion->last;
+  const double side = motion->job->two_fold.g;
+  const cli_wide_t *k = &motion->job->wide;
+  if (!isfinite(motion->job->two_fold.r) || !last->on || !at->on ||
+      !two_fold_side(motion, last->g) || !two_fold_side(motion, at->g) ||
+      at->t - motion->on_since < motion->job->dwell ||
+      cli_delassus(k, last->at.r, side) <= 0 ||
+      cli_delassus(k, at->at.r, side) > 0) {
+    return false;
+  }
+  motion->cycle.ended = passage(motion, last, at, motion->job->two_fold.r);
+  motion->cycle.outcome = CLI_CYCLE_RETURNED;
+  return true;
+}
+
+static void watch_exit(cli_motion_t *motion, const cli_instant_t *at) {
+  cli_cycle_t *cycle = &motion->cycle;
+  const cli_instant_t *last = &motion->last;
+  if (cycle->left || !last->on || at->on) {
+    return;
+  }
+  cycle->left = true;
+  cycle->exit_t = last->t;
+  cycle->exit_r = last->at.r;
+  cycle->exit_omega = last->at.z + motion->job->wide.omega0;
+  cycle->exit_g = last->g;
+  cycle->side = at->h < 0 ? -1 : 1;
+  motion->slip_side = cycle->side;
+}
+
+// When h changed its sign between two instants, by linear interpolation.
+static double crossing(const cli_instant_t *a, const cli_instant_t *b) {
+  return (a->h < 0) == (b->h < 0) ? a->t
+                                  : a->t - (b->t - a->t) * a->h / (b->h - a->h);
+}
+
+static void watch_windings(cli_motion_t *motion, const cli_instant_t *at) {
+  cli_cycle_t *cycle = &motion->cycle;
+  const cli_instant_t *last = &motion->last;
+  const double section =
+      motion->job->two_fold.r + copysign(SECTION, motion->job->two_fold.v);
+  if (!cycle->left || cycle->landings > 0) {
+    return;
+  }
+  if ((last->at.r > section) != (at->at.r > section) &&
+      isnan(cycle->section_t)) {
+    cycle->section_t = passage(motion, last, at, section);
+  }
+  const int side = at->h < 0 ? -1 : 1;
+  if (at->on || side == motion->slip_side) {
+    return;
+  }
+  cycle->windings++;
+  motion->slip_side = side;
+  if (side < 0) {
+    return;
+  }
+  const double up = crossing(last, at);
+  if (cycle->up_last <= cycle->section_t && cycle->section_t <= up) {
+    cycle->phase = (cycle->section_t - cycle->up_last) / (up - cycle->up_last);
+  }
+  cycle->up_last = up;
+}
+
+// When and where h became 0 between two instants, the first of which is in
+// slip, by extrapolation of h from before them.
+static void reach_surface(cli_motion_t *motion, const cli_instant_t *at) {
+  const cli_instant_t *last = &motion->last, *before = &motion->before;
+  const double v = last->at.p + motion->job->wide.d * last->at.z;
+  const double fall = (before->h - last->h) / (last->t - before->t);
+  double dt = at->t - last->t;
+  motion->on_since = at->t;
+  motion->on_r = at->at.r;
+  if (!before->on && before->t < last->t && before->h * last->h > 0 &&
+      last->h / fall > 0) {
+    dt = fmin(dt, last->h / fall);
+    motion->on_since = last->t + dt;
+    motion->on_r = last->at.r + v * dt;
+  }
+}
+
+static void watch_landing(cli_motion_t *motion, const cli_instant_t *at) {
+  cli_cycle_t *cycle = &motion->cycle;
+  if (at->on && !motion->last.on) {
+    reach_surface(motion, at);
+  }
+  cycle->upper = cycle->upper && at->on;
+  if (!at->on || cycle->upper || at->g == 0 || two_fold_side(motion, at->g) ||
+      at->rests || at->t - motion->on_since < motion->job->dwell) {
+    return;
+  }
+  cycle->upper = true;
+  if (cycle->landings++ == 0) {
+    cycle->land_t = motion->on_since;
+    cycle->land_r = motion->on_r;
+  }
+}
+
+bool cli_track(cli_motion_t *motion, const cli_instant_t *at) {
+  cli_cycle_t *cycle = &motion->cycle;
+  if (!has_arrived(motion, at)) {
+    watch_exit(motion, at);
+    watch_windings(motion, at);
+    watch_landing(motion, at);
+    if (at->t - cycle->arrived > motion->job->args->patience) {
+      cycle->ended = at->t;
+      cycle->outcome = at->rests                           ? CLI_CYCLE_REST
+                       : cycle->landings >= SMALL_LANDINGS ? CLI_CYCLE_SMALL
+                                                           : CLI_CYCLE_TIMEOUT;
+    }
+  }
+  motion->before = motion->last;
+  motion->last = *at;
+  return cycle->outcome != CLI_CYCLE_OPEN;
+}
+
 bool cli_refuse_cycle(cli_motion_t *motion) {
-  motion->tracker.cycle.ended = motion->t;
-  motion->tracker.cycle.outcome = CLI_CYCLE_REFUSED;
+  motion->cycle.ended = motion->t;
+  motion->cycle.outcome = CLI_CYCLE_REFUSED;
   return true;
 }
 
@@ -168,12 +337,11 @@ void cli_motion_begin(cli_motion_t *motion, const cli_job_t *job,
   } else if (job->at_two_fold) {
     put_into_stick(motion, job->canard.r, job->canard.z);
   }
-  const cli_instant_t start = cli_instant(motion);
-  cli_track_start(&motion->tracker, job, &start);
+  cli_track_start(motion);
 }
 
 void cli_motion_next(cli_motion_t *motion) {
-  cli_track_next(&motion->tracker);
+  begin_cycle(motion);
   motion->passes = motion->job->args->mechanism == CLI_BY_RANDOM;
 }
 
@@ -234,7 +402,7 @@ static bool advance_noise(cli_motion_t *motion) {
   motion->length = dt;
   now.t = motion->t += dt;
   add_noise(motion, dt);
-  return cli_track(&motion->tracker, &now);
+  return cli_track(motion, &now);
 }
 
 bool cli_motion_advance(cli_motion_t *motion) {

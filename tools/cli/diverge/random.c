@@ -48,7 +48,7 @@ static bool leave_stick(cli_motion_t *motion) {
   cli_instant_t now = cli_instant(motion);
   now.on = false;
   now.h = motion->state.mode == TF_SLIP_PLUS ? 1e-300 : -1e-300;
-  return cli_track(&motion->tracker, &now);
+  return cli_track(motion, &now);
 }
 
 // From the two-fold along the canard, then slip to a random side.
@@ -57,7 +57,7 @@ static bool pass_two_fold(cli_motion_t *motion) {
   cli_point_t at;
   double reached = 0;
   const double stay = fmin(draw_time(motion), job->args->patience);
-  cli_cycle_t *cycle = &motion->tracker.cycle;
+  cli_cycle_t *cycle = &motion->cycle;
   cycle->released = !cli_canard_after(&job->canard, stay, &at, &reached);
   motion->passes = false;
   motion->t += reached;
@@ -66,8 +66,8 @@ static bool pass_two_fold(cli_motion_t *motion) {
   const cli_instant_t on = cli_instant(motion);
   // To go on from the two-fold is no arrival there, wherever the sign of A is
   // that of its rounding.
-  motion->tracker.last = on;
-  return cli_track(&motion->tracker, &on) || leave_stick(motion);
+  motion->last = on;
+  return cli_track(motion, &on) || leave_stick(motion);
 }
 
 // Every mode that may follow from where the motion is.
@@ -162,13 +162,13 @@ static bool leave_codim2(cli_motion_t *motion, unsigned mode) {
     motion->t += OFF;
   }
   const cli_instant_t now = cli_instant(motion);
-  return cli_track(&motion->tracker, &now);
+  return cli_track(motion, &now);
 }
 
 static bool at_codim2(cli_motion_t *motion, unsigned set) {
   cli_instant_t now = cli_instant(motion);
   now.on = false;
-  return cli_track(&motion->tracker, &now) ||
+  return cli_track(motion, &now) ||
          leave_codim2(motion, draw_mode(motion, set));
 }
 
@@ -181,7 +181,7 @@ static bool leave_pinned(cli_motion_t *motion) {
 // Passes the state after a step to the tracker. Stick that passed the two-fold
 // and ended within the same step ended after the two-fold.
 static bool track(cli_motion_t *motion, const tf_state_t *from) {
-  const cli_instant_t *before = &motion->tracker.last;
+  const cli_instant_t *before = &motion->last;
   cli_instant_t now = cli_instant(motion);
   const double side = cli_stick_sign(from->mode);
   const cli_wide_t *k = &motion->job->wide;
@@ -192,11 +192,11 @@ static bool track(cli_motion_t *motion, const tf_state_t *from) {
     now.on = true;
     now.g = before->g;
   }
-  if (!cli_track(&motion->tracker, &now)) {
+  if (!cli_track(motion, &now)) {
     return false;
   }
-  if (motion->tracker.cycle.outcome == CLI_CYCLE_RETURNED) {
-    motion->t = motion->tracker.cycle.ended;
+  if (motion->cycle.outcome == CLI_CYCLE_RETURNED) {
+    motion->t = motion->cycle.ended;
     motion->wait = -1;
   }
   return true;
@@ -254,7 +254,7 @@ bool cli_random_advance(cli_motion_t *motion) {
   }
   motion->t += time_to_rest(motion, &from, length);
   if (track(motion, &from) || !stays || motion->wait > 0) {
-    return motion->tracker.cycle.outcome != CLI_CYCLE_OPEN;
+    return motion->cycle.outcome != CLI_CYCLE_OPEN;
   }
   return from.mode == TF_PINNED ? leave_pinned(motion) : leave_stick(motion);
 }
@@ -266,11 +266,11 @@ cli_branch_t cli_random_branch(cli_motion_t *motion, unsigned mode,
   motion->wait = -1;
   motion->state.mode = (uint8_t)mode;
   cli_instant_t now = cli_instant(motion);
-  cli_track_start(&motion->tracker, motion->job, &now);
+  cli_track_start(motion);
   if (tf_mode_is_slip(mode)) {
-    motion->tracker.last.on = true;
+    motion->last.on = true;
     now.h = mode == TF_SLIP_PLUS ? 1e-300 : -1e-300;
-    (void)cli_track(&motion->tracker, &now);
+    (void)cli_track(motion, &now);
   }
   if (!cli_step_of(motion, OFF)) {
     return CLI_BRANCH_TIME;
@@ -286,9 +286,8 @@ cli_branch_t cli_random_branch(cli_motion_t *motion, unsigned mode,
     }
     motion->t += dt;
     if (track(motion, &from)) {
-      return motion->tracker.cycle.outcome == CLI_CYCLE_RETURNED
-                 ? CLI_BRANCH_TWO_FOLD
-                 : CLI_BRANCH_TIME;
+      return motion->cycle.outcome == CLI_CYCLE_RETURNED ? CLI_BRANCH_TWO_FOLD
+                                                         : CLI_BRANCH_TIME;
     }
   }
   return motion->state.mode == TF_PINNED ? CLI_BRANCH_TIME
