@@ -17,31 +17,32 @@ endef
 $(foreach v,$(VARIANTS),$(eval $(call bench_rules,$(v))))
 
 # What is not the project's own may use all that the processor has, but for
-# AVX-512, which valgrind does not know. SUNDIALS, Siconos and SciPy are used or
-# left out by bench.py.
+# AVX-512, which valgrind does not know. Peers of libraries race where these are
+# installed, as bench.py does with SciPy.
 PEER_CPU = -march=native -ffp-contract=fast \
   $(if $(filter x86_64,$(shell uname -m)),-mno-avx512f)
 PEER_FLAGS = $(TOOL_FLAGS) $(PEER_CPU)
-PEERS := $(addprefix $(BUILD)/peers/,hand check)
+PEERS := $(BUILD)/peers/hand
 PEER_LIBRARY := $(BUILD)/peers/shared.so
+LIBRARY_PEERS := $(addprefix $(BUILD)/peers/,\
+  $(if $(wildcard /usr/include/cvode/cvode.h),sundials) \
+  $(if $(wildcard /usr/include/siconos/kernel/SiconosKernel.hpp),siconos))
 $(BUILD)/peers/%.o: tools/bench/peers/%.c $(BUILD)/double/flags
 	$(call compile,$(PEER_FLAGS))
 $(BUILD)/peers/bench-%.o: tools/bench/%.c $(BUILD)/double/flags
 	$(call compile,$(PEER_FLAGS))
-$(PEERS): %: %.o $(BUILD)/peers/bench-harness.o $(BUILD)/peers/bench-problem.o \
-    $(BUILD)/double/libsupport.a $(BUILD)/double/libtwofold.a
+HARNESS := $(addprefix $(BUILD)/peers/bench-,harness.o problem.o) \
+  $(BUILD)/double/libtwofold.a
+$(PEERS): %: %.o $(HARNESS)
 	$(link)
 
-LIBRARY_PEER := $(addprefix $(BUILD)/peers/bench-,harness.o problem.o) \
-  $(BUILD)/double/libtwofold.a
 link_peer = @$(1) -O3 $(PEER_CPU) -Iinclude -Itools $(filter-out %.h,$^) $(2) \
   -lm -o $@
-$(BUILD)/peers/sundials: tools/bench/peers/sundials.c $(LIBRARY_PEER) \
-    $(wildcard tools/bench/peers/*.h)
+$(LIBRARY_PEERS): $(HARNESS) $(wildcard tools/bench/peers/*.h)
+$(BUILD)/peers/sundials: tools/bench/peers/sundials.c
 	$(call link_peer,$(CC) -std=c99,$(addprefix -lsundials_,cvode arkode \
 	  nvecserial sunmatrixdense sunlinsoldense sunnonlinsolfixedpoint))
-$(BUILD)/peers/siconos: tools/bench/peers/siconos.cpp $(LIBRARY_PEER) \
-    $(wildcard tools/bench/peers/*.h)
+$(BUILD)/peers/siconos: tools/bench/peers/siconos.cpp
 	$(call link_peer,$(CXX) -w $(addprefix -I/usr/include/siconos,/ /kernel \
 	  /numerics),-lsiconos_kernel -lsiconos_numerics)
 
@@ -71,7 +72,7 @@ run_bench = @BUILD='$(BUILD)' CC='$(CC)' OPT='$(OPT)' EXTRA='$(EXTRA)' \
   QUICK='$(QUICK)' ROUNDS='$(ROUNDS)' tools/run bench
 bench: ## error against cost, peers, stability (or ONLY=...)
 stability: ## stiff and extreme cases: where a run is stable
-bench stability: $(BENCH_NEEDS) $(BENCH_PYTHON)
+bench stability: $(BENCH_NEEDS) $(LIBRARY_PEERS) $(BENCH_PYTHON)
 	$(run_bench) $(if $(filter bench,$@),$(ONLY),$@)
 size: ## flash, RAM, stack, cost of every board (or ONLY=uno)
 	$(run_bench) sizes $(ONLY)

@@ -1,20 +1,18 @@
 // Throughput of tf_ensemble_step against a loop of tf_step over the same
-// states, in turns in the same run. Prints for each ensemble a line
-//   NAME,step NS,ensemble NS,ratio,its 10 %,its 90 %,alone
+// states, in turns in the same run. Prints for each ensemble and round a line
+//   NAME,step [ns],ensemble [ns],alone
 // both times for one step of one state, `alone` the share of lanes that left
 // the common path. The ensembles:
 //   spread   one motion of scene chaos at N times of its 10 s, shuffled: every
 //            block has all phases of the motion in it
 //   seeds    N seeds of rule `random`, 3 s after one common start
 // The two ways have to end in the same bits, or the race would be void.
-#define _POSIX_C_SOURCE 200809L
-
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #include "own.h"
-#include "timing.h"
 
 #define N 256     // states and reports of both ways stay within 64 KiB
 #define STEPS 100 // a round, short enough that few are interrupted
@@ -57,14 +55,19 @@ static void begin_seeds(ensemble_t *e) {
   }
 }
 
+// [ns] of a step of a state, since a time of the processor.
+static double since(clock_t begin) {
+  return 1e9 * (double)(clock() - begin) / CLOCKS_PER_SEC / STEPS / N;
+}
+
 static double time_steps(ensemble_t *e) {
   memcpy(e->states, e->start, sizeof e->states);
-  const double begin = timing_process();
+  const clock_t begin = clock();
   for (int n = 0; n < STEPS; n++)
     for (size_t i = 0; i < N; i++)
       tf_step(&e->chaos.machine.machine, &e->states[i], &e->chaos.input,
               &e->reports[i]);
-  return (timing_process() - begin) / STEPS / N;
+  return since(begin);
 }
 
 // Returns how many lanes left the common path.
@@ -83,9 +86,9 @@ static void begin_ensemble(ensemble_t *e) {
 
 static double time_ensemble(ensemble_t *e) {
   begin_ensemble(e);
-  const double begin = timing_process();
+  const clock_t begin = clock();
   run_ensemble(e, STEPS);
-  return (timing_process() - begin) / STEPS / N;
+  return since(begin);
 }
 
 static double share_alone(ensemble_t *e) {
@@ -107,27 +110,18 @@ static void compare(const ensemble_t *e) {
 }
 
 static void race(const char *name, ensemble_t *e) {
-  double step[ROUNDS], lanes[ROUNDS], ratio[ROUNDS];
   time_steps(e); // warms up
   time_ensemble(e);
   compare(e);
+  const double alone = share_alone(e);
   for (int i = 0; i < ROUNDS; i++) {
-    step[i] = time_steps(e);
-    lanes[i] = time_ensemble(e);
-    ratio[i] = step[i] / lanes[i];
+    const double step = time_steps(e);
+    printf("%s,%.2f,%.2f,%.6f\n", name, step, time_ensemble(e), alone);
   }
-  timing_sort(step, ROUNDS);
-  timing_sort(lanes, ROUNDS);
-  timing_sort(ratio, ROUNDS);
-  printf("%s,%.1f,%.1f,%.2f,%.2f,%.2f,%.6f\n", name, 1e9 * step[ROUNDS / 2],
-         1e9 * lanes[ROUNDS / 2], ratio[ROUNDS / 2], ratio[ROUNDS / 10],
-         ratio[ROUNDS - 1 - ROUNDS / 10], share_alone(e));
 }
 
-int ensemble_main(int argc, char **argv) {
+int ensemble_main(void) {
   const problem_t problem = problem_number(0);
-  (void)argc;
-  (void)argv;
   if (run_begin(&ensemble.chaos, &problem, MOREAU, 10000, 0, 0) != TF_OK)
     return 1;
   begin_spread(&ensemble);

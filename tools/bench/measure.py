@@ -13,6 +13,7 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
+from typing import Iterable
 
 import pandas as pd
 
@@ -85,17 +86,8 @@ def put(name: str, of: str, rows: pd.DataFrame) -> None:
 
 def problems() -> pd.DataFrame:
     """Of each problem the length, and where it ends."""
-    return csv(bench("double", "sweep", "problems"),
+    return csv(bench("double", "problems"),
                ["problem", "length", "r", "v", "w"]).set_index("problem")
-
-
-def timed(text: str) -> pd.DataFrame:
-    """Rows as harness.c prints them; settings that were met several times have
-    the median of their times."""
-    rows = csv(text, [*KEY, "error", "ns", "verdict"])
-    whole = rows.groupby(KEY, sort=False).agg(
-        {"error": "first", "ns": "median", "verdict": "first"})
-    return whole.reset_index()
 
 
 def counts_here(what: str) -> bool:
@@ -106,9 +98,10 @@ def counts_here(what: str) -> bool:
     return False
 
 
-def counted(function: str, *command: object) -> list[tuple[str, int]]:
+def counted(function: str, *command: object, lines: Iterable[str] = ()
+            ) -> list[tuple[str, int]]:
     """Each line that a program printed, with the instructions of the call of
-    the function before it."""
+    the function before it. The program reads lines."""
     place = BUILD / f"dumps-{os.getpid()}"
     shutil.rmtree(place, ignore_errors=True)
     place.mkdir(parents=True)
@@ -117,7 +110,7 @@ def counted(function: str, *command: object) -> list[tuple[str, int]]:
          f"--callgrind-out-file={place / 'out'}",
          f"--toggle-collect={function}", f"--zero-before={function}",
          f"--dump-after={function}", *map(str, command)],
-        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, check=False)
+        input="\n".join(lines), capture_output=True, text=True, check=False)
     if done.returncode:
         sys.exit(f"{done.stderr}{command[0]} fails under valgrind")
     found = []
@@ -129,12 +122,3 @@ def counted(function: str, *command: object) -> list[tuple[str, int]]:
         found.append((line, int(total[1])))
     shutil.rmtree(place)
     return found
-
-
-def swept(program: Path, *command: str) -> pd.DataFrame:
-    """The instructions of every setting of a program with harness_main."""
-    if not counts_here("instructions"):
-        return pd.DataFrame(columns=[*KEY, "instructions"])
-    lines = counted("solve_counted", program, *command, "count")
-    return pd.DataFrame([[*line.split(","), count] for line, count in lines],
-                        columns=[*KEY, "instructions"]).drop_duplicates(KEY)

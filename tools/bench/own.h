@@ -17,7 +17,7 @@ typedef struct {
   tf_report_t report;
 } run_t;
 
-/// Begins a run of a problem in n steps.
+/// Begins a run of a problem in n steps; SCHEMES is refused.
 /// tolerance, segments: of LOCATED; 0 is the default. A tolerance above the
 /// range of the parameter is put into the prepared machine, so that the step
 /// alone sets the error.
@@ -42,7 +42,6 @@ static inline tf_status_t run_step(run_t *run) {
 /// The scheme of that name; SCHEMES where there is none.
 scheme_t scheme_named(const char *name);
 
-/// The commands of the program, each with the arguments that follow its name.
-#define BENCH_COMMANDS(X) X(sweep) X(single) X(ensemble)
-#define BENCH_MAIN(name) int name##_main(int argc, char **argv);
-BENCH_COMMANDS(BENCH_MAIN)
+/// The commands `single` and `ensemble`. Return: an exit code.
+int single_main(int argc, char **argv);
+int ensemble_main(void);

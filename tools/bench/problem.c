@@ -124,7 +124,7 @@ problem_t problem_number(int i) {
                  .mode = mode_at(ref, from),
                  .mode_at_end = mode_at(ref, to),
                  .branch_error = windows[i].branch_error};
-  if (i >= STIFF && i < PEER_PROBLEMS) {
+  if (strncmp(p.name, "stiff", 5) == 0) {
     stiffen(&p, windows[i].scene);
   } else if (strcmp(p.name, "driven") == 0) {
     p.alpha = 1; // it reverses

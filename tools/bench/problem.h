@@ -17,14 +17,6 @@ typedef struct {
 } problem_t;
 
 #define PROBLEMS 12
-#define PEER_PROBLEMS 7 // the first ones, which peers solve as well
-#define STIFF 4     // the first stiff one; the last one is the last of peers
-#define ONE_FIELD 5 // the first of a law without a jump
-// Sets of problems, a bit each.
-#define UP_TO(i) ((1u << (i)) - 1)
-#define EVERY UP_TO(PROBLEMS)
-#define JUMPING UP_TO(ONE_FIELD)
-#define FROM(i) (UP_TO(PEER_PROBLEMS) - UP_TO(i))
 
 /// The problem number i, 0 <= i < PROBLEMS.
 problem_t problem_number(int i);
@@ -35,9 +27,3 @@ int problem_named(const char *name, problem_t *problem);
 /// Largest error of (r, v, w) [m, m/s, rad/s]; infinite where x is not a
 /// number.
 double problem_error(const problem_t *problem, const double x[3]);
-
-/// Sign of the slip speed at the start, 0 in stick.
-static inline int problem_side(const problem_t *problem) {
-  if (problem->mode > TF_SLIP_MINUS) return 0;
-  return problem->mode == TF_SLIP_PLUS ? 1 : -1;
-}

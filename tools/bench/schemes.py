@@ -1,23 +1,133 @@
 """The sections of the bench that run on this machine: each returns its rows."""
+import math
 import os
 import re
 import subprocess
 import sys
 from importlib.util import find_spec
 from pathlib import Path
+from typing import NamedTuple
 
+import numpy as np
 import pandas as pd
 
 import driven
-from measure import (BUILD, CC, COLUMNS, KEY, QUICK, REALS, bench, counted,
-                     counts_here, say, swept, timed)
+from measure import (BUILD, CC, COLUMNS, KEY, QUICK, REALS, counted,
+                     counts_here, csv, problems, say)
 
-HERE = Path("tools/bench/peers")
 WORK = BUILD / "peers"
-SICONOS = [f"-I/usr/include/siconos{part}"
-           for part in ("", "/kernel", "/numerics")]
 # What the sections of this run did without.
 missing: list[str] = []
+
+SEED = 20240607
+TOO_LONG = 2e7  # [ns]: under callgrind a second
+OFF = 1e-6      # an error that a peer of the same equations goes below
+SWITCHED = ["chaos", "crossings", "stickslip", "driven"]
+JUMPING = [*SWITCHED, "stiff-spring"]
+ONE_FIELD = ["stiff-smooth", "stiff-string"]
+HELD = [*JUMPING, "smooth", "stick", "approach", "cycle", "rolling"]
+EVERY = HELD + ONE_FIELD
+
+
+class Solver(NamedTuple):
+    """What is swept of a solver."""
+    name: str
+    dial: str           # what a setting is: "dt" [s] or "tol"
+    coarse: float       # first and last setting, about
+    fine: float
+    factor: float       # between neighbours
+    problems: list[str]
+    line: str           # for its program: the setting's place is {}
+
+    def settings(self, number: int) -> np.ndarray:
+        """Neighbours differ by a constant factor and a random shift, the same
+        in every run, so that no grid is lucky: a fixed step may end on a switch
+        by chance, and then looks better than it is."""
+        if self.coarse == self.fine:
+            return np.array([self.coarse])
+        count = 1 + int(math.log(self.coarse / self.fine, self.factor))
+        shift = np.random.default_rng([SEED, number]).random(count) - 0.5
+        return (self.coarse * self.factor ** -(np.arange(count) + shift)
+                )[::4 if QUICK else 1]
+
+
+def own(real: str) -> list[Solver]:
+    """The project's schemes. The located step takes part with its tolerance as
+    the dial at several lengths of the step, with its step as the dial at the
+    tolerance 1e-8 and, `order`, at one that never splits it; and within budgets
+    of segments. Numbers of a line: dt, tolerance, segments, theta."""
+    fixed, least = "moreau {} 0 0 0.5", 2e-14 if real == "double" else 1e-5
+    return [
+        Solver("moreau", "dt", 0.1, 1e-6, 1.3, EVERY, fixed),
+        Solver("compensated", "dt", 0.1, 3e-6, 1.8, EVERY,
+               "compensated {} 0 0 0.5"),
+        Solver("moreau-1", "dt", 0.1, 1e-6, 1.3, ["stiff-spring", *ONE_FIELD],
+               "moreau {} 0 0 1"),
+        Solver("located", "dt", 0.5, 1e-4, 1.25, HELD, "located {} 1e-8 0 0.5"),
+        Solver("located order", "dt", 0.1, 3e-4, 1.25, HELD,
+               "located {} 0.1 0 0.5"),
+        *(Solver(f"located step={dt}", "tol", 1e-3, least, 1.8, HELD,
+                 f"located {dt} {{}} 0 0.5")
+          for dt in (1, 0.2, 0.1, 0.05, 0.02, 0.005)),
+        *(Solver("moreau", "dt", dt, dt, 1, EVERY, fixed)
+          for dt in (1e-3, 1e-3 / 3, 1e-4)),
+        *(Solver(f"located {name}", "dt", 1e-3, 1e-3, 1, HELD,
+                 f"located {{}} 1e-9 {segments} 0.5")
+          for name, segments in (("segments=1", 1), ("segments=2", 2),
+                                 ("segments=8", 8), ("1 kHz", 0)))]
+
+
+# By their programs. The second number of SUNDIALS is the width of a smoothed
+# law.
+PEERS = {
+    "hand": [
+        Solver("events-rk4", "dt", 0.1, 3e-5, 1.3, JUMPING, "rk4 {}"),
+        Solver("events-dp5", "tol", 1e-4, 4e-13, 1.8, JUMPING, "dp5 {}")],
+    "sundials": [
+        *(Solver(name, "tol", 1e-3, 1e-13, 1.8, JUMPING, f"{name} {{}}")
+          for name in ("cvode-adams", "cvode-bdf", "arkode-erk5")),
+        *(Solver(name, "tol", 1e-3, 1e-12, 6, ONE_FIELD, f"{name} {{}}")
+          for name in ("cvode-bdf", "arkode-erk5")),
+        *(Solver(f"cvode-smooth eps=1e-{n}", "tol", 1e-3, 1e-12, 3, SWITCHED,
+                 f"cvode-bdf {{}} 1e-{n}") for n in range(3, 11))],
+    "siconos": [
+        Solver("siconos", "dt", 1e-2, 3e-5, 1.6, SWITCHED, "moreau {}")],
+    "scipy": [
+        Solver(f"scipy-{name.lower()}", "tol", 1e-3, 2e-12, 6,
+               JUMPING + ONE_FIELD, f"{name} {{}}")
+        for name in ("Radau", "LSODA", "RK45")]}
+
+
+def runs_of(solvers: list[Solver]) -> pd.DataFrame:
+    """The runs of a program, the solvers in turns. A step that is longer than a
+    problem is the same as one of its length."""
+    lengths = problems().length
+    runs = pd.DataFrame(
+        [[problem, solver.name, f"{solver.dial}={setting:.3e}",
+          f"{problem} {solver.line.format(setting)}", turn]
+         for number, solver in enumerate(solvers)
+         for turn, setting in enumerate(solver.settings(number))
+         for problem in solver.problems],
+        columns=[*KEY, "line", "turn"])
+    step = runs.line.str.split().str[2].astype(float)
+    return runs[step <= runs.problem.map(lengths)].sort_values(
+        ["turn", "problem"], kind="stable").drop_duplicates(
+        KEY, ignore_index=True)
+
+
+def timed(program: list[object], runs: pd.DataFrame) -> pd.DataFrame:
+    """Error, time and verdict of all runs."""
+    text = driven.output(*program, "time", input="\n".join(runs.line),
+                         stderr=subprocess.DEVNULL)
+    return runs.join(csv(text, ["error", "ns", "verdict"]))
+
+
+def with_counts(program: list[object], rows: pd.DataFrame) -> pd.DataFrame:
+    """The instructions of those that do not take too long."""
+    some = rows[rows.ns < TOO_LONG] if counts_here("instructions") else rows[:0]
+    counts = [n for _, n in counted("solve_counted", *program, "count",
+                                    lines=some.line)] if len(some) else []
+    return rows.assign(instructions=pd.Series(counts, some.index, float))
 
 
 def left_out(what: str, package: str) -> None:
@@ -28,59 +138,56 @@ def left_out(what: str, package: str) -> None:
 
 def precision() -> pd.DataFrame:
     """The project's own schemes; instructions of those in double."""
-    rows = pd.concat([timed(bench(real, "sweep", "time")) for real in REALS])
-    return rows.merge(swept(BUILD / "double/bench", "sweep"), "left", KEY)
+    double, single = (timed([BUILD / real / "bench"], runs_of(own(real)))
+                      for real in REALS)
+    return pd.concat([
+        with_counts([BUILD / "double/bench"], double),
+        single.assign(solver=single.solver + " float")],
+        ignore_index=True)[COLUMNS]
 
 
-def has(language: str, compiler: str, header: str, *flags: str) -> bool:
-    return subprocess.run(
-        [compiler, "-x", language, "-E", *flags, "-"],
-        input=f"#include <{header}>\n", text=True, check=False,
-        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode == 0
-
-
-def rivals() -> list[Path]:
-    """The programs of the peers, of libraries where they are installed: then
-    they must build."""
-    found, cxx = [WORK / "hand"], os.environ.get("CXX") or "g++"
-    for name, what, package, is_here in (
-            ("sundials", "CVODE, ARKODE", "libsundials-dev",
-             has("c", CC, "cvode/cvode.h")
-             and has("c", CC, "arkode/arkode_erkstep.h")),
-            ("siconos", "Siconos", "libsiconos-kernel-dev",
-             has("c++", cxx, "SiconosKernel.hpp", *SICONOS))):
-        if is_here:
-            driven.output("make", "-s", f"BUILD={BUILD}", f"CC={CC}",
-                          f"CXX={cxx}", WORK / name)
-            found.append(WORK / name)
+def rivals() -> dict[str, list[object]]:
+    """The commands of the peers, of libraries where they are installed."""
+    found: dict[str, list[object]] = {"hand": [WORK / "hand"]}
+    for name, what, package in (
+            ("sundials", "CVODE, ARKODE", "libsundials-dev"),
+            ("siconos", "Siconos", "libsiconos-kernel-dev")):
+        if (WORK / name).exists():
+            found[name] = [WORK / name]
         else:
             left_out(what, package)
+    if find_spec("scipy"):
+        found["scipy"] = [sys.executable, "-B", "-W", "ignore",
+                          "tools/bench/peers/solve_ivp.py", WORK / "shared.so"]
+    else:
+        left_out("SciPy", "python3-scipy")
     return found
 
 
 def peers() -> pd.DataFrame:
     """Other tools, and the project's own schemes, in turns: a machine that
-    slows down slows all."""
-    programs = rivals()
-    driven.output(WORK / "check")
-    if not find_spec("scipy"):
-        left_out("SciPy", "python3-scipy")
-    text, rounds = "", int(os.environ.get("ROUNDS") or (1 if QUICK else 5))
+    slows down slows all. Ends the program where no peer comes to the end of a
+    problem: their equations are not those of the reference."""
+    programs = {"own": [BUILD / "double/bench"], **rivals()}
+    runs = {name: runs_of(PEERS.get(name) or own("double"))
+            for name in programs}
+    found, rounds = [], int(os.environ.get("ROUNDS") or (1 if QUICK else 5))
     for turn in range(rounds):
         say(f"round {turn + 1} of {rounds} ...")
-        text += bench("double", "sweep", "time")
-        for program in programs:
-            text += driven.output(program, "time",
-                                  stderr=subprocess.DEVNULL)
-        # It takes as long as all others together.
-        if find_spec("scipy") and turn == 0:
-            text += driven.output(
-                sys.executable, "-B", "-W", "ignore", HERE / "solve_ivp.py",
-                WORK / "shared.so",
-                6 if QUICK else 12, stderr=subprocess.DEVNULL)
-    counts = pd.concat([swept(BUILD / "double/bench", "sweep"),
-                        *(swept(program) for program in programs)])
-    return timed(text).merge(counts, "left", KEY)
+        # SciPy takes as long as all others together.
+        found += [timed(program, runs[name]).assign(program=name)
+                  for name, program in programs.items()
+                  if name != "scipy" or turn == 0]
+    rows = pd.concat(found).groupby(
+        ["program", *KEY, "line"], sort=False).agg(
+        {"error": "first", "ns": "median", "verdict": "first"}).reset_index()
+    reached = rows[rows.program != "own"].groupby("problem").error.min()
+    if (reached > OFF).any():
+        sys.exit(f"no peer comes to the end:\n{reached}")
+    return pd.concat(
+        [with_counts(programs[name], of) if name != "scipy" else of
+         for name, of in rows.groupby("program", sort=False)],
+        ignore_index=True)[COLUMNS]
 
 
 def one_step(real: str, scheme: str, problem: str, steps: int, every: int,
@@ -146,12 +253,15 @@ def ensemble() -> pd.DataFrame:
                   f"EXTRA={os.environ.get('EXTRA') or ''} -mavx2",
                   *(f"{place}/{real}/bench" for real in REALS))
     for real in REALS:
-        said = driven.output(place / real / "bench", "ensemble")
-        for line in said.splitlines():
-            name, step, lanes, *ratio, alone = line.split(",")
-            tail = " float" * (real == "float")
-            rows += [[name, "moreau" + tail, "256 states", None, step],
-                     [name, "ensemble" + tail, "256 states", None, lanes, None,
-                      f"ratio {ratio[0]} ({ratio[1]} to {ratio[2]}), "
-                      f"alone {alone}"]]
+        said = csv(driven.output(place / real / "bench", "ensemble"),
+                   ["name", "step", "lanes", "alone"])
+        tail = " float" * (real == "float")
+        for name, of in said.groupby("name", sort=False):
+            low, ratio, high = (of.step / of.lanes).quantile([0.1, 0.5, 0.9])
+            rows += [[name, "moreau" + tail, "256 states", None,
+                      of.step.median()],
+                     [name, "ensemble" + tail, "256 states", None,
+                      of.lanes.median(), None,
+                      f"ratio {ratio:.2f} ({low:.2f} to {high:.2f}), "
+                      f"alone {of.alone.iloc[0]:.6f}"]]
     return pd.DataFrame(rows, columns=COLUMNS)

@@ -93,9 +93,8 @@ int single_main(int argc, char **argv) {
                            (tf_real_t)strtod(argv[5], NULL));
   const long steps = strtol(argv[3], NULL, 10);
   const long every = strtol(argv[4], NULL, 10);
-  if (argc != 5 || scheme == SCHEMES || !problem_named(argv[2], &problem) ||
-      steps < 1 || every < 1 ||
-      run_begin(&run, &problem, scheme, steps, 1e-8, 0) != TF_OK)
+  if (argc != 5 || !problem_named(argv[2], &problem) || steps < 1 ||
+      every < 1 || run_begin(&run, &problem, scheme, steps, 1e-8, 0) != TF_OK)
     return 2;
   return follow(&run, steps, every);
 }

@@ -6,7 +6,8 @@
 // costs a step or two and leaves the order as it is. On the way into h = g = 0
 // the steps shrink with the time that is left, because the field depends on
 // the angle there, which changes ever faster.
-#include "bench/harness.h"
+#include <string.h>
+
 #include "model.h"
 
 // Steps of fixed length in one smooth field: classical Runge-Kutta of order
@@ -81,7 +82,7 @@ typedef struct {
   point_t y, dy; // state and its rates
   contact_t contact;
   int lost; // the rule for h = g = 0 found no way on
-} motion_t;
+} walk_t;
 
 static inline double margin_rate(const model_t *k, contact_t c, switch_t at,
                                  point_t y, point_t dy) {
@@ -125,7 +126,7 @@ static inline switch_t passed(const model_t *k, contact_t c, point_t end) {
 // The length at which a step of length t, which ends in *end, meets the switch;
 // *end is then the state there.
 static inline double locate(const model_t *k, advance_t *advance,
-                            const motion_t *x, switch_t at, double t,
+                            const walk_t *x, switch_t at, double t,
                             point_t *end) {
   const contact_t c = x->contact;
   const double e0 = margin(k, c, at, x->y);
@@ -161,7 +162,7 @@ static inline double growth(const events_t *by, point_t y, point_t end_rate,
 // One step of length <= *t, up to the next switch if there is one. Returns 0
 // where its error is too large; *t is then shorter.
 static inline int events_step(const model_t *k, advance_t *advance,
-                              const events_t *by, motion_t *x, double *t,
+                              const events_t *by, walk_t *x, double *t,
                               double *dt) {
   const step_t step = advance(k, x->contact, x->y, x->dy, *t);
   point_t end = step.end, rate = contact_rates(k, x->contact, end);
@@ -189,13 +190,10 @@ static inline int events_step(const model_t *k, advance_t *advance,
   return 1;
 }
 
-static inline motion_t events_run(const model_t *k, advance_t *advance,
-                                  const problem_t *problem,
-                                  const events_t *by) {
-  motion_t x = {.y = model_start(k, problem)};
+static inline walk_t events_run(const model_t *k, advance_t *advance,
+                                const problem_t *problem, const events_t *by) {
+  walk_t x = {.y = model_start(k, problem), .contact = contact_of(k, problem)};
   double left = problem->length, dt = by->tol > 0 ? by->dt / 100 : by->dt;
-  x.contact.side = problem_side(problem);
-  x.contact.roll = rolling(k, x.y) < 0 ? -1 : 1;
   x.dy = contact_rates(k, x.contact, x.y);
   for (long tries = 0; left > 0 && !x.lost && tries < MOST; tries++) {
     // What remains after rounding is not worth a step of its own.
@@ -220,30 +218,23 @@ static inline motion_t events_run(const model_t *k, advance_t *advance,
 static inline void run(advance_t *advance, const problem_t *problem,
                        events_t by, answer_t *answer) {
   const model_t k = model_of(problem);
-  const motion_t x = events_run(&k, advance, problem, &by);
+  const walk_t x = events_run(&k, advance, problem, &by);
   model_end(&k, x.y, answer->x);
   answer->lost = x.lost;
 }
 
-// The share shrinks as dt^(1/5), so that the way into h = g = 0 keeps up with
-// the order of the rest.
-static void events_rk4(const problem_t *problem, const solver_t *solver,
-                       double longest, answer_t *answer) {
-  const long steps = harness_steps(problem, longest);
+// rk4 by its step, dp5 by its tolerance. The share shrinks as dt^(1/5), so that
+// the way into h = g = 0 keeps up with the order of the rest.
+static void solve(const problem_t *problem, const char *solver,
+                  const double number[NUMBERS], answer_t *answer) {
+  const double tol = number[0];
+  const long steps = harness_steps(problem, number[0]);
   const double dt = problem->length / (double)steps;
-  (void)solver;
-  run(rk4, problem, (events_t){dt, 0, pow(dt, 0.2) / 2, dt * dt / 10}, answer);
+  if (strcmp(solver, "rk4") == 0)
+    run(rk4, problem, (events_t){dt, 0, pow(dt, 0.2) / 2, dt * dt / 10},
+        answer);
+  else
+    run(dp5, problem, (events_t){0.25, tol, 0.5, sqrt(tol) / 10}, answer);
 }
 
-static void events_dp5(const problem_t *problem, const solver_t *solver,
-                       double tol, answer_t *answer) {
-  (void)solver;
-  run(dp5, problem, (events_t){0.25, tol, 0.5, sqrt(tol) / 10}, answer);
-}
-
-int main(int argc, char **argv) {
-  const solver_t solvers[] = {
-      {"events-rk4", "dt", 0.1, 3e-5, 1.3, 0, JUMPING, 0, events_rk4},
-      {"events-dp5", "tol", 1e-4, 4e-13, 1.8, 0, JUMPING, 0, events_dp5}};
-  return harness_main(argc, argv, solvers, 2);
-}
+int main(int argc, char **argv) { return harness_main(argc, argv, solve); }

@@ -15,7 +15,7 @@
 
 #include <math.h>
 
-#include "bench/problem.h"
+#include "bench/harness.h"
 
 typedef struct {
   double r; // [m]
@@ -96,6 +96,14 @@ static inline point_t model_start(const model_t *k, const problem_t *problem) {
 
 static inline double rolling(const model_t *k, point_t y) {
   return (y.r * y.z + y.h * k->cos) * k->inv_sin;
+}
+
+static inline contact_t contact_of(const model_t *k, const problem_t *problem) {
+  const uint8_t mode = problem->mode;
+  return (contact_t){mode == TF_SLIP_PLUS    ? 1
+                     : mode == TF_SLIP_MINUS ? -1
+                                             : 0,
+                     rolling(k, model_start(k, problem)) < 0 ? -1 : 1};
 }
 
 // d/dt of rolling().
@@ -248,4 +256,46 @@ static inline int change(const model_t *k, switch_t at, contact_t *c,
     return capture(k, (point_t){0, 0, 0, 1}, 0, y, c);
   }
   return 1;
+}
+
+// A motion for solvers that find the roots of functions themselves: the
+// functions, and what becomes of the motion at a root.
+enum { ROOTS = 3 };
+
+typedef struct {
+  model_t model;
+  contact_t contact;
+  double near; // [m/s] of h = g = 0: the rest is a straight line
+} motion_t;
+
+static inline motion_t motion_of(const problem_t *problem, double tol) {
+  motion_t x = {.model = model_of(problem), .near = sqrt(tol) / 10};
+  x.contact = contact_of(&x.model, problem);
+  return x;
+}
+
+// The margins of g, of h or lambda, and in slip of the way to h = g = 0.
+static inline void margins(const motion_t *x, point_t at, double root[ROOTS]) {
+  const contact_t c = x->contact;
+  root[0] = margin(&x->model, c, AT_G, at);
+  root[1] = margin(&x->model, c, c.side ? AT_H : AT_LAMBDA, at);
+  root[2] = c.side ? hypot(at.h, root[0]) - x->near : 1;
+}
+
+// Goes on from root number i at time *t. Returns 0 where nothing is possible.
+static inline int change_at(motion_t *x, int i, double *t, point_t *at) {
+  const model_t *k = &x->model;
+  contact_t *c = &x->contact;
+  if (!c->side || i == 1)
+    return change(k, i != 1 ? AT_G : c->side ? AT_H : AT_LAMBDA, c, at);
+  const point_t dy = slip_rates(k, *c, *at);
+  if (i == 0) {
+    // g is 0 to rounding, so that the root may be found twice.
+    c->roll = rolling_rate(k, *at, dy) < 0 ? 1 : -1;
+    return change(k, AT_G, c, at);
+  }
+  const double fall = time_to_fall(k, *at, dy);
+  if (!(fall > 0)) return 1;
+  *t += fall;
+  return capture(k, dy, fall, at, c);
 }

@@ -1,31 +1,30 @@
-// The motions of switches.h for solvers that are not written in C.
-#include "switches.h"
+// The motions of model.h for solvers that are not written in C.
+#include "model.h"
 
-enum { NUMBERS = 4 }; // of a state: r, h, z, t
+enum { STATE = 4 }; // of a state: r, h, z, t
 
 static problem_t problem;
 static motion_t motion;
 
-const char *peer_open(int number, double tol, double y[NUMBERS],
-                      double *length) {
-  problem = problem_number(number);
+// Returns the length [s].
+double peer_open(const char *name, double tol, double y[STATE]) {
+  problem_named(name, &problem);
   motion = motion_of(&problem, tol);
   point_to(model_start(&motion.model, &problem), y);
-  *length = problem.length;
-  return problem.name;
+  return problem.length;
 }
 
 int peer_jumps(void) { return motion.model.jumps; }
 
-void peer_rates(const double y[NUMBERS], double dy[NUMBERS]) {
+void peer_rates(const double y[STATE], double dy[STATE]) {
   point_to(contact_rates(&motion.model, motion.contact, point_of(y)), dy);
 }
 
-void peer_margins(const double y[NUMBERS], double root[ROOTS]) {
+void peer_margins(const double y[STATE], double root[ROOTS]) {
   margins(&motion, point_of(y), root);
 }
 
-int peer_change(int root, double *t, double y[NUMBERS]) {
+int peer_change(int root, double *t, double y[STATE]) {
   point_t at = point_of(y);
   const int found = change_at(&motion, root, t, &at);
   point_to(at, y);
@@ -33,7 +32,7 @@ int peer_change(int root, double *t, double y[NUMBERS]) {
 }
 
 // Of the state at the end; infinite where it is on another branch.
-double peer_error(const double y[NUMBERS]) {
+double peer_error(const double y[STATE]) {
   double x[3];
   model_end(&motion.model, point_of(y), x);
   const double error = problem_error(&problem, x);

@@ -6,12 +6,10 @@
 // so that x' = f(x) + B (-lambda): its relay is -y in N(lambda). B is taken at
 // the middle of the step, guessed from the step before.
 #include <SiconosKernel.hpp>
-#include <cstdio>
 
 extern "C" {
-#include "bench/harness.h"
-}
 #include "model.h"
+}
 
 namespace {
 
@@ -110,11 +108,11 @@ void moreau(const problem_t *problem, double dt, answer_t *answer) {
   model_end(&machine, point_of(ds->x()->getArray()), answer->x);
 }
 
-// What the library throws ends the run, not the sweep.
-void guarded(const problem_t *problem, const solver_t *, double dt,
-             answer_t *answer) {
+// What the library throws ends the run, not the sweep. The number is dt.
+void solve(const problem_t *problem, const char *, const double number[NUMBERS],
+           answer_t *answer) {
   try {
-    moreau(problem, dt, answer);
+    moreau(problem, number[0], answer);
   } catch (...) {
     answer->lost = 1;
   }
@@ -122,8 +120,4 @@ void guarded(const problem_t *problem, const solver_t *, double dt,
 
 } // namespace
 
-int main(int argc, char **argv) {
-  const solver_t solvers[] = {
-      {"siconos", "dt", 1e-2, 3e-5, 1.6, 0, UP_TO(STIFF), 0, guarded}};
-  return harness_main(argc, argv, solvers, 1);
-}
+int main(int argc, char **argv) { return harness_main(argc, argv, solve); }

@@ -1,25 +1,22 @@
 #!/usr/bin/python3 -B
-"""SciPy's solvers on the motions of shared.c. Prints the rows of harness.h;
-timed inside, so that the start of the interpreter does not count.
+"""SciPy's solvers on the motions of shared.c: reads and prints lines as
+harness.h says; timed inside, so that the start of the interpreter does not
+count.
 
-    solve_ivp.py LIBRARY SETTINGS
+    solve_ivp.py LIBRARY time
 
 solve_ivp takes the place of an event off the polynomial of its step. That is
 not used: a step to it from the one before, and Newton's rule, go to the switch,
 or no tolerance would reach 1e-6.
 """
 import ctypes
-import itertools
 import math
-import random
 import sys
 import time
 
 import numpy as np
 from scipy.integrate import solve_ivp
 
-PROBLEMS = 7  # PEER_PROBLEMS of problem.h
-METHODS = "Radau", "LSODA", "RK45"
 CALLS = 60000  # of the rates, after which a run is given up
 
 
@@ -30,14 +27,13 @@ class GaveUp(Exception):
 class Motion:
     """A problem of the library."""
 
-    def __init__(self, path: str, number: int, tol: float) -> None:
+    def __init__(self, path: str, name: str, tol: float) -> None:
         self.of, self.calls = ctypes.CDLL(path), 0
-        self.of.peer_open.restype = ctypes.c_char_p
+        self.of.peer_open.restype = ctypes.c_double
         self.of.peer_error.restype = ctypes.c_double
-        self.start, length = np.zeros(4), ctypes.c_double()
-        name = self.of.peer_open(number, ctypes.c_double(tol),
-                                 self.at(self.start), ctypes.byref(length))
-        self.name, self.length = name.decode(), length.value
+        self.start = np.zeros(4)
+        self.length = self.of.peer_open(name.encode(), ctypes.c_double(tol),
+                                        self.at(self.start))
         self.events = [self.margin(i) for i in range(3)] \
             if self.of.peer_jumps() else []
 
@@ -96,22 +92,17 @@ class Motion:
 
 
 def main() -> None:
-    path, settings = sys.argv[1], int(sys.argv[2])
-    random.seed(20240607)
-    for i, number in itertools.product(range(settings), range(PROBLEMS)):
-        for method in METHODS:
-            tol = 1e-3 * 6 ** -(i * 12 / settings + random.random() - 0.5)
-            begin, error = time.perf_counter(), math.inf
-            motion = Motion(path, number, tol)
-            try:
-                end = motion.solve(method, tol)
-                error = motion.of.peer_error(motion.at(end))
-            except (GaveUp, ArithmeticError, ValueError):
-                pass
-            ns = 1e9 * (time.perf_counter() - begin)
-            print(f"{motion.name},scipy-{method.lower()},tol={tol:.3e},"
-                  f"{error:.3e},{ns:.0f},"
-                  f"{'ok' if error < math.inf else 'refused'}", flush=True)
+    for line in sys.stdin:
+        problem, method, tol = line.split()
+        begin, error = time.perf_counter(), math.inf
+        motion = Motion(sys.argv[1], problem, float(tol))
+        try:
+            end = motion.solve(method, float(tol))
+            error = motion.of.peer_error(motion.at(end))
+        except (GaveUp, ArithmeticError, ValueError):
+            pass
+        print(f"{error:.3e},{1e9 * (time.perf_counter() - begin):.0f},"
+              f"{'ok' if error < math.inf else 'refused'}", flush=True)
 
 
 if __name__ == "__main__":

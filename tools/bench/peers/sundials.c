@@ -4,16 +4,17 @@
 #include <arkode/arkode_erkstep.h>
 #include <cvode/cvode.h>
 #include <nvector/nvector_serial.h>
+#include <string.h>
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
-#include "bench/harness.h"
-#include "switches.h"
+#include "model.h"
 
 enum { MAX_SWITCHES = 200, MAX_STEPS = 50000 };
 
 typedef enum { ADAMS, BDF, ERK } method_t;
+static const char *const names[] = {"cvode-adams", "cvode-bdf", "arkode-erk5"};
 
 static int right_side(sunrealtype t, N_Vector y, N_Vector dy, void *user) {
   const motion_t *x = user;
@@ -94,13 +95,17 @@ static void shut(integrator_t *s) {
   SUNContext_Free(&s->context);
 }
 
-static void run(const problem_t *problem, const solver_t *solver, double tol,
-                answer_t *answer) {
-  integrator_t s = {.method = (method_t)solver->method};
+// The numbers: a tolerance, and the width of the smoothed law, 0 for the
+// problem's own law.
+static void solve(const problem_t *problem, const char *solver,
+                  const double number[NUMBERS], answer_t *answer) {
+  const double tol = number[0], epsilon = number[1];
+  integrator_t s = {.method = ADAMS};
+  while (s.method < ERK && strcmp(solver, names[s.method]) != 0) s.method++;
   motion_t x = motion_of(problem, tol);
   s.most = x.model.jumps ? MAX_STEPS : 10 * MAX_STEPS;
-  if (solver->second > 0) {
-    x.model.epsilon2 = solver->second * solver->second;
+  if (epsilon > 0) {
+    x.model.epsilon2 = epsilon * epsilon;
     x.model.jumps = 0;
   }
   double t = 0;
@@ -126,30 +131,4 @@ static void run(const problem_t *problem, const solver_t *solver, double tol,
   shut(&s);
 }
 
-#define EVENTS(name, method) \
-  { name, "tol", 1e-3, 1e-13, 1.8, 0, JUMPING, method, run }
-#define WHOLE(name, method) \
-  { name, "tol", 1e-3, 1e-12, 6, 0, FROM(ONE_FIELD), method, run }
-#define SMOOTH(epsilon)                                           \
-  {                                                               \
-    "cvode-smooth eps=" #epsilon, "tol", 1e-3, 1e-12, 3, epsilon, \
-        UP_TO(STIFF), BDF, run                                    \
-  }
-
-int main(int argc, char **argv) {
-  const solver_t solvers[] = {EVENTS("cvode-adams", ADAMS),
-                              EVENTS("cvode-bdf", BDF),
-                              EVENTS("arkode-erk5", ERK),
-                              WHOLE("cvode-bdf", BDF),
-                              WHOLE("arkode-erk5", ERK),
-                              SMOOTH(1e-3),
-                              SMOOTH(1e-4),
-                              SMOOTH(1e-5),
-                              SMOOTH(1e-6),
-                              SMOOTH(1e-7),
-                              SMOOTH(1e-8),
-                              SMOOTH(1e-9),
-                              SMOOTH(1e-10)};
-  return harness_main(argc, argv, solvers,
-                      (int)(sizeof solvers / sizeof *solvers));
-}
+int main(int argc, char **argv) { return harness_main(argc, argv, solve); }
