@@ -133,15 +133,9 @@ bool cli_refuse_cycle(cli_motion_t *motion);
 /// cli_motion_advance of --by random.
 bool cli_random_advance(cli_motion_t *motion);
 
-typedef enum {
-  CLI_BRANCH_TWO_FOLD,
-  CLI_BRANCH_CODIM2,   ///< at h = g = 0 with several consistent modes
-  CLI_BRANCH_ESCAPING, ///< in an escaping stick
-  CLI_BRANCH_TIME      ///< the time is up, or a step was refused
-} cli_branch_t;
-
 /// Goes from motion->state in a given mode to the next point where several
 /// modes are consistent.
-/// set: out, the modes that are consistent there.
-cli_branch_t cli_random_branch(cli_motion_t *motion, unsigned mode,
-                               unsigned *set);
+/// set: out, under "codim2" the modes that are consistent there.
+/// Returns: what it came to, as in the column `end`.
+const char *cli_random_branch(cli_motion_t *motion, unsigned mode,
+                              unsigned *set);

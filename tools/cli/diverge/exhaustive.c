@@ -14,6 +14,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "../text/summary.h"
 #include "../text/text.h"
@@ -82,8 +83,6 @@ static uint64_t node_at(search_t *search, const node_t *node) {
 // Follows one branch in a mode from the state of the motion, and writes it.
 static void follow(search_t *search, uint64_t index, unsigned mode,
                    double stick_time) {
-  static const char *const ends[] = {"two-fold", "codim2", "escaping",
-                                     "unfinished"};
   cli_motion_t *motion = &search->motion;
   const cli_cycle_t *cycle = &motion->cycle;
   const node_t from = search->nodes[index];
@@ -91,11 +90,10 @@ static void follow(search_t *search, uint64_t index, unsigned mode,
   char row[CLI_DIVERGE_ROW], to[CLI_REAL_ROOM] = "",
                              landing[CLI_REAL_ROOM] = "";
   node_t next = {.depth = from.depth + 1};
-  const cli_branch_t end = cli_random_branch(motion, mode, &next.set);
-  const bool rests = end == CLI_BRANCH_TIME && motion->last.rests;
+  const char *end = cli_random_branch(motion, mode, &next.set);
   next.state = motion->state;
-  next.two_fold = end == CLI_BRANCH_TWO_FOLD;
-  if (next.two_fold || end == CLI_BRANCH_CODIM2) {
+  next.two_fold = cycle->outcome == CLI_CYCLE_RETURNED;
+  if (next.two_fold || strcmp(end, "codim2") == 0) {
     const uint64_t found = node_at(search, &next);
     if (found != UINT64_MAX) {
       (void)snprintf(to, sizeof to, "%" PRIu64, found);
@@ -104,15 +102,15 @@ static void follow(search_t *search, uint64_t index, unsigned mode,
   if (cycle->landings > 0) {
     (void)snprintf(landing, sizeof landing, "%.12g", cycle->land_r);
   }
-  const int length = snprintf(
-      row, sizeof row,
-      "%" PRIu64 ",%" PRIu64
-      ",%s,%.12g,%.12g,%s,%.6g,%.12g,%.12g,%s,%s,%.9g,"
-      "%.12g,%s,%" PRIu64 "\n",
-      index, from.depth, from.two_fold ? "two-fold" : "codim2",
-      (double)from.state.r, (double)from.state.w, tf_mode_name(mode),
-      stick_time, (double)left.r, (double)left.w, rests ? "rest" : ends[end],
-      to, motion->t, (double)motion->state.r, landing, cycle->windings);
+  const int length =
+      snprintf(row, sizeof row,
+               "%" PRIu64 ",%" PRIu64
+               ",%s,%.12g,%.12g,%s,%.6g,%.12g,%.12g,%s,%s,%.9g,"
+               "%.12g,%s,%" PRIu64 "\n",
+               index, from.depth, from.two_fold ? "two-fold" : "codim2",
+               (double)from.state.r, (double)from.state.w, tf_mode_name(mode),
+               stick_time, (double)left.r, (double)left.w, end, to, motion->t,
+               (double)motion->state.r, landing, cycle->windings);
   search->branches++;
   show_progress(search);
   (void)cli_sheet_put(search->sheets->sheet, row, (size_t)length);

@@ -259,8 +259,8 @@ bool cli_random_advance(cli_motion_t *motion) {
   return from.mode == TF_PINNED ? leave_pinned(motion) : leave_stick(motion);
 }
 
-cli_branch_t cli_random_branch(cli_motion_t *motion, unsigned mode,
-                               unsigned *set) {
+const char *cli_random_branch(cli_motion_t *motion, unsigned mode,
+                              unsigned *set) {
   const double dt = (double)motion->job->machine.dt;
   motion->t = 0;
   motion->wait = -1;
@@ -272,24 +272,19 @@ cli_branch_t cli_random_branch(cli_motion_t *motion, unsigned mode,
     now.h = mode == TF_SLIP_PLUS ? 1e-300 : -1e-300;
     (void)cli_track(motion, &now);
   }
-  if (!cli_step_of(motion, OFF)) {
-    return CLI_BRANCH_TIME;
-  }
-  motion->t += OFF;
-  while (!waits(motion->job, &motion->state)) {
+  bool ends = !cli_step_of(motion, OFF);
+  motion->t += ends ? 0 : OFF;
+  while (!ends && !waits(motion->job, &motion->state)) {
     const tf_state_t from = motion->state;
-    if (!cli_step_of(motion, dt)) {
-      return CLI_BRANCH_TIME;
+    ends = !cli_step_of(motion, dt);
+    if (!ends && was_at_codim2(motion, &from, dt, set)) {
+      return "codim2";
     }
-    if (was_at_codim2(motion, &from, dt, set)) {
-      return CLI_BRANCH_CODIM2;
-    }
-    motion->t += dt;
-    if (track(motion, &from)) {
-      return motion->cycle.outcome == CLI_CYCLE_RETURNED ? CLI_BRANCH_TWO_FOLD
-                                                         : CLI_BRANCH_TIME;
-    }
+    motion->t += ends ? 0 : dt;
+    ends = ends || track(motion, &from);
   }
-  return motion->state.mode == TF_PINNED ? CLI_BRANCH_TIME
-                                         : CLI_BRANCH_ESCAPING;
+  return motion->cycle.outcome == CLI_CYCLE_RETURNED ? "two-fold"
+         : !ends && motion->state.mode != TF_PINNED  ? "escaping"
+         : motion->last.rests                        ? "rest"
+                                                     : "unfinished";
 }

@@ -12,7 +12,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../host/host.h"
 #include "../run/events.h"
 #include "../setup/setup.h"
 #include "../text/summary.h"
@@ -20,6 +19,7 @@
 
 #define BATCH 4096 // steps between two checks for a signal
 #define REASON_ROOM 512
+#define ROW_ROOM 2048
 
 // Outcomes: what is left of a motion when its rows are not kept. All are of the
 // steps themselves, so they agree with what `run` prints of the same motion.
@@ -170,10 +170,7 @@ static void add_outcomes(const point_t *point, cli_buffer_t *text) {
   }
 }
 
-const char *cli_point_status(cli_point_end_t end) {
-  static const char *const names[] = {"done", "flagged", "stopped", "refused"};
-  return names[end];
-}
+const char *const cli_point_ends[] = {"done", "flagged", "stopped", "refused"};
 
 // Writes the value of each axis as text and sets it; the last axis is the inner
 // loop.
@@ -333,6 +330,38 @@ static void drop_commas(char *text) {
   }
 }
 
+static bool write_row(cli_sweep_t *sweep, uint64_t index, point_t *point) {
+  const cli_args_t *args = sweep->args;
+  const tf_tally_t *tally = &point->tally;
+  char row[ROW_ROOM];
+  cli_buffer_t text = {row, 0, sizeof row, false};
+  if (point->end == CLI_POINT_DONE && cli_tally_code(tally) != CLI_DONE) {
+    point->end = CLI_POINT_FLAGGED;
+    (void)snprintf(point->reason, REASON_ROOM,
+                   "%" PRIu64 " steps degraded; %" PRIu64 " coarse; %" PRIu64
+                   " stalled; first at t = %.9g s",
+                   tally->degraded, tally->coarse, tally->stalled,
+                   (double)tally->first * (double)point->setup.machine.dt);
+  }
+  drop_commas(point->reason);
+  cli_add_count(&text, index);
+  for (size_t i = 0; i < args->axes; i++) {
+    cli_add_form(&text, ",%s", strchr(point->text[i], '=') + 1);
+  }
+  cli_add_form(&text, ",%s,%s,", cli_point_ends[point->end], point->reason);
+  if (point->end != CLI_POINT_REFUSED) {
+    cli_add_real(&text, (tf_real_t)((double)point->steps *
+                                    (double)point->setup.machine.dt));
+    add_outcomes(point, &text);
+  } else {
+    for (size_t i = 0; i < args->measures; i++) cli_add(&text, ",");
+  }
+  cli_add(&text, "\n");
+  sweep->ends[point->end]++;
+  sweep->sheets.done.done++;
+  return cli_sheet_put(sweep->sheets.sheet, row, text.used);
+}
+
 bool cli_points_follow(cli_sweep_t *sweep, uint64_t index, size_t count) {
   uint64_t steps = 0;
   group.going = 0;
@@ -349,37 +378,9 @@ bool cli_points_follow(cli_sweep_t *sweep, uint64_t index, size_t count) {
       begin(point);
     }
   }
-  return follow(count, steps);
-}
-
-cli_point_end_t cli_point_row(uint64_t index, size_t which,
-                              char row[CLI_SWEEP_ROW], size_t *length) {
-  point_t *point = &group.points[which];
-  const cli_args_t *args = point->sweep->args;
-  const tf_tally_t *tally = &point->tally;
-  cli_buffer_t text = {row, 0, CLI_SWEEP_ROW, false};
-  if (point->end == CLI_POINT_DONE && cli_tally_code(tally) != CLI_DONE) {
-    point->end = CLI_POINT_FLAGGED;
-    (void)snprintf(point->reason, REASON_ROOM,
-                   "%" PRIu64 " steps degraded; %" PRIu64 " coarse; %" PRIu64
-                   " stalled; first at t = %.9g s",
-                   tally->degraded, tally->coarse, tally->stalled,
-                   (double)tally->first * (double)point->setup.machine.dt);
+  bool goes_on = follow(count, steps);
+  for (size_t n = 0; n < count && goes_on; n++) {
+    goes_on = write_row(sweep, index + n, &group.points[n]);
   }
-  drop_commas(point->reason);
-  cli_add_count(&text, index + which);
-  for (size_t i = 0; i < args->axes; i++) {
-    cli_add_form(&text, ",%s", strchr(point->text[i], '=') + 1);
-  }
-  cli_add_form(&text, ",%s,%s,", cli_point_status(point->end), point->reason);
-  if (point->end != CLI_POINT_REFUSED) {
-    cli_add_real(&text, (tf_real_t)((double)point->steps *
-                                    (double)point->setup.machine.dt));
-    add_outcomes(point, &text);
-  } else {
-    for (size_t i = 0; i < args->measures; i++) cli_add(&text, ",");
-  }
-  cli_add(&text, "\n");
-  *length = text.used;
-  return point->end;
+  return goes_on && cli_sheets_save(&sweep->sheets, true);
 }

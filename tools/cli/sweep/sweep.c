@@ -7,81 +7,61 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../host/sheet.h"
 #include "../text/summary.h"
 #include "../text/text.h"
 #include "point.h"
 
-typedef struct {
-  cli_sweep_t sweep;
-  cli_sheets_t *sheets;
-  uint64_t ends[CLI_POINT_ENDS];
-} work_t;
-
 // Points with a row that this call has made.
-static double done_of(const work_t *work) {
-  return (double)(work->sheets->done.done - work->sheets->kept.done);
+static double done_of(const cli_sheets_t *sheets) {
+  return (double)(sheets->done.done - sheets->kept.done);
 }
 
-static void do_points(work_t *work) {
-  cli_sheets_t *sheets = work->sheets;
-  uint64_t *done = &sheets->done.done;
+static void do_points(cli_sweep_t *sweep) {
+  cli_sheets_t *sheets = &sweep->sheets;
   bool goes_on = true;
-  while (goes_on && *done < sheets->total) {
-    char row[CLI_SWEEP_ROW];
-    size_t length = 0;
-    const uint64_t left = sheets->total - *done;
-    const uint64_t index = sheets->first + *done;
-    const size_t count =
-        left < work->sweep.together ? (size_t)left : work->sweep.together;
-    if (cli_stop_asked() || !cli_points_follow(&work->sweep, index, count)) {
-      return;
-    }
-    for (size_t i = 0; i < count && goes_on; i++) {
-      work->ends[cli_point_row(index, i, row, &length)]++;
-      goes_on = cli_sheet_put(sheets->sheet, row, length);
-      ++*done;
-    }
-    goes_on = goes_on && cli_sheets_save(sheets, true);
+  while (goes_on && sheets->done.done < sheets->total && !cli_stop_asked()) {
+    const uint64_t left = sheets->total - sheets->done.done;
+    goes_on = cli_points_follow(
+        sweep, sheets->first + sheets->done.done,
+        left < sweep->together ? (size_t)left : sweep->together);
     const double now = cli_now();
     cli_progress_say(
         &sheets->progress, now,
-        done_of(work) / (double)(sheets->total - sheets->kept.done),
-        "%" PRIu64 " of %" PRIu64 " points, %.3g points/s", *done,
-        sheets->total, done_of(work) / (now - sheets->progress.started));
+        done_of(sheets) / (double)(sheets->total - sheets->kept.done),
+        "%" PRIu64 " of %" PRIu64 " points, %.3g points/s", sheets->done.done,
+        sheets->total, done_of(sheets) / (now - sheets->progress.started));
   }
 }
 
-static void summarise(const work_t *work, double seconds) {
+static void summarise(const cli_sweep_t *sweep, double seconds) {
   const char *separator = "\nstatus     ";
-  const cli_sheets_t *sheets = work->sheets;
+  const cli_sheets_t *sheets = &sweep->sheets;
   cli_say("points     %" PRIu64 " of %" PRIu64, sheets->done.done,
           sheets->total);
   if (sheets->kept.done > 0) {
     cli_say(", of which %" PRIu64 " were there", sheets->kept.done);
   }
   for (int i = 0; i < CLI_POINT_ENDS; i++) {
-    if (work->ends[i] > 0) {
-      cli_say("%s%s %" PRIu64, separator, cli_point_status((cli_point_end_t)i),
-              work->ends[i]);
+    if (sweep->ends[i] > 0) {
+      cli_say("%s%s %" PRIu64, separator, cli_point_ends[i], sweep->ends[i]);
       separator = ", ";
     }
   }
   cli_say("\ncost       %.3g s, %.3g points/s, %s\n", seconds,
-          seconds > 0 ? done_of(work) / seconds : 0.0,
-          work->sweep.together > 1 ? "in lanes of an ensemble" : "one by one");
+          seconds > 0 ? done_of(sheets) / seconds : 0.0,
+          sweep->together > 1 ? "in lanes of an ensemble" : "one by one");
 }
 
-static void summarise_json(const work_t *work, double seconds, int code) {
+static void summarise_json(const cli_sweep_t *sweep, double seconds, int code) {
   cli_put_begin("sweep");
-  cli_put_word("scene", work->sweep.args->scene->name);
-  cli_put_word("scheme", motion_scheme_name(work->sweep.scheme));
-  cli_put_count("points", work->sheets->total);
-  cli_put_count("kept", work->sheets->kept.done);
+  cli_put_word("scene", sweep->args->scene->name);
+  cli_put_word("scheme", motion_scheme_name(sweep->scheme));
+  cli_put_count("points", sweep->sheets.total);
+  cli_put_count("kept", sweep->sheets.kept.done);
   for (int i = 0; i < CLI_POINT_ENDS; i++) {
-    cli_put_count(cli_point_status((cli_point_end_t)i), work->ends[i]);
+    cli_put_count(cli_point_ends[i], sweep->ends[i]);
   }
-  cli_put_count("together", work->sweep.together);
+  cli_put_count("together", sweep->together);
   cli_put_end(seconds, code);
 }
 
@@ -144,12 +124,12 @@ static void add_header(const cli_args_t *args, cli_buffer_t *text) {
 
 // The shards of a sweep have header and comments once, so that their files, one
 // after the other, are the file of the whole.
-static int open_sheet(work_t *work) {
-  const cli_args_t *args = work->sweep.args;
-  cli_sheets_t *sheets = work->sheets;
+static int open_sheet(cli_sweep_t *sweep) {
+  const cli_args_t *args = sweep->args;
+  cli_sheets_t *sheets = &sweep->sheets;
   cli_buffer_t begin = {sheets->sheet->begin, 0, CLI_SHEET_BEGIN, false};
   cli_buffer_t about = {sheets->about, 0, CLI_SHEET_ABOUT, false};
-  add_provenance(&work->sweep, &about);
+  add_provenance(sweep, &about);
   if (args->shard.index == 1) {
     cli_add(&begin, args->provenance ? sheets->about : "");
     add_header(args, &begin);
@@ -167,17 +147,17 @@ static int open_sheet(work_t *work) {
   return cli_sheets_open(sheets, &args->shard, args->points);
 }
 
-static int perform(work_t *work) {
-  const cli_args_t *args = work->sweep.args;
-  cli_sheets_t *sheets = work->sheets;
+static int perform(cli_sweep_t *sweep) {
+  const cli_args_t *args = sweep->args;
+  cli_sheets_t *sheets = &sweep->sheets;
   int code = CLI_DONE;
   double seconds = 0;
-  CLI_TRY(open_sheet(work));
+  CLI_TRY(open_sheet(sweep));
   if (sheets->whole) {
     (void)cli_message(CLI_DONE, "%s has all of its %" PRIu64 " points",
                       args->out, sheets->total);
   } else {
-    do_points(work);
+    do_points(sweep);
     if (sheets->done.done < sheets->total) {
       code = cli_stop_asked()
                  ? cli_message(CLI_STOPPED, "interrupted at point %" PRIu64,
@@ -188,25 +168,25 @@ static int perform(work_t *work) {
     seconds = cli_now() - sheets->progress.started;
   }
   if (args->summary == 0 && !sheets->whole) {
-    summarise(work, seconds);
+    summarise(sweep, seconds);
   }
   if (code != CLI_DONE && sheets->sheet->output.to.left) {
     (void)cli_message(code, "the same command with --resume goes on");
   }
   if (args->summary != 0) {
-    summarise_json(work, seconds, code);
+    summarise_json(sweep, seconds, code);
   }
   return code;
 }
 
 int cli_sweep(const cli_args_t *args) {
-  static cli_sheets_t sheets;
-  work_t work = {.sweep = {.args = args, .scheme = MOTION_SCHEMES},
-                 .sheets = &sheets};
-  int code = cli_drive_read(&work.sweep.drive, args->scene, &args->drive);
-  code = code == CLI_DONE ? cli_point_check(&work.sweep) : code;
-  code = code == CLI_DONE ? perform(&work) : code;
-  cli_drive_free(&work.sweep.drive);
+  static cli_sweep_t sweep;
+  sweep.args = args;
+  sweep.scheme = MOTION_SCHEMES;
+  int code = cli_drive_read(&sweep.drive, args->scene, &args->drive);
+  code = code == CLI_DONE ? cli_point_check(&sweep) : code;
+  code = code == CLI_DONE ? perform(&sweep) : code;
+  cli_drive_free(&sweep.drive);
   return code;
 }
 
