@@ -8,8 +8,6 @@
 #include "tap.h"
 #include "twofold.h"
 
-typedef long double real;
-
 #define EPSILON ((real)TF_REAL_EPSILON)
 #define IS_DOUBLE (sizeof(tf_real_t) == 8)
 #ifdef TF_REAL_FLOAT
