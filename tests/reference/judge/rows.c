@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "judge.h"
+#include "twofold.h"
 
 static double around(draw_t *draw, double size) {
   return (float)(size * draw_uniform(draw, -1, 1));
@@ -12,17 +13,7 @@ static double around(draw_t *draw, double size) {
 // The scene `chaos` in every second draw, from where it comes to h = g = 0.
 static void near_chaos(draw_t *draw, lib_machine_t *q) {
   if (draw_uniform(draw, 0, 2) < 1) {
-    *q = (lib_machine_t){.m = 1,
-                         .d = 1,
-                         .beta = 0.05,
-                         .k2 = 2.2270992253886014,
-                         .c1 = 1e-3,
-                         .c2 = 1e-3,
-                         .r0 = 0.1,
-                         .omega0 = -1,
-                         .mu = 1,
-                         .kappa = 0.27241153714062028,
-                         .gamma = -2.3561944901923448,
+    *q = (lib_machine_t){PARAMETERS_OF(double, &tf_scenes[0]->params),
                          .dt = 1e-4};
     q->r = (float)draw_uniform(draw, 0.05, 0.3);
     q->omega = q->omega0 + around(draw, 0.1);

@@ -56,11 +56,6 @@ TEST(tyre_identity_against_the_paper) {
     CHECK_NEAR(wide(f.F), F, 4 * EPSILON * paper.mu);
     /* the reference itself rounds psi near pi/2: 1e-19 */
     CHECK_NEAR(wide(f.M), M, 20 * EPSILON * fabsl(M) + 1e-18L * paper.mu);
-    if (g == 0) {
-      CHECK_NEAR(wide(f.F), wide(side * params.mu) * 4 / 3,
-                 2 * EPSILON * paper.mu);
-      CHECK(f.M == 0);
-    }
   }
 }
 
