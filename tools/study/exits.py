@@ -126,21 +126,12 @@ def count(work: Path, kept: Path) -> dict[str, object]:
     def rows(run: str, kind: str) -> pd.DataFrame:
         return table.read(work / f"{run}-{kind}.csv")
 
-    sides = []
-    for run in RUNS:
-        if run.startswith("exit-"):
-            left = rows(run, "exits")
-            up = int((left.side == "slip+").sum())
-            sides.append({"run": run, "exits": len(left), "by slip+": table
-                          .share(up, len(left)).text(3),
-                          "wound there": left.phase.notna().sum()})
     return {
         "returns": pd.DataFrame([
             returns_of(run, table.whole(rows(run, "returns"), "sample", run))
             for run in RUNS if not run.startswith("exit-")]),
         "gathered": gathered(rows("long", "returns").query(
             "outcome == 'returned'").time),
-        "sides": pd.DataFrame(sides),
         "distances": pd.DataFrame([
             {"run": a, "against": b, "of": title, **compared(*(
                 rows(run, kind)[column].dropna() for run in (a, b)))}

@@ -88,8 +88,6 @@ static form_t form = FORM_ALGEBRAIC;
 typedef struct {
   ref_machine_t machine;
   real_t width;
-  long steps;
-  real_t error; // the sum of the estimates of all steps
 } motion_t;
 
 // phi
@@ -166,11 +164,7 @@ static ref_state_t advance(motion_t *k, ref_state_t from, real_t *dt) {
     const real_t error = leap(k, from, *dt, &to), taken = *dt;
     *dt = ref_smaller((real_t)0.01L,
                       taken * ref_step_factor(error / TOLERANCE, COLUMNS));
-    if (error <= TOLERANCE || taken < (real_t)1e-12L) {
-      k->steps++;
-      k->error += error;
-      return to;
-    }
+    if (error <= TOLERANCE || taken < (real_t)1e-12L) return to;
   }
 }
 
@@ -219,25 +213,19 @@ static ref_state_t locate(motion_t *k, event_t event, ref_state_t from,
 
 typedef struct {
   double fold_t, exit_t, exit_r; // NaN where it did not happen
-  double zero_t, zero_r;         // g = 0 behind the two-fold
   double before, behind;         // integrals of the layer's rate: to the
                                  // two-fold, and from it to the exit
-  int side, windings;            // of the exit; changes of the sign of h after
+  int side;                      // of the exit; 0 where there is none
   ref_state_t end;
 } outcome_t;
 
-// What happened between two points, after the two-fold.
+// Notes an exit between two points.
 static void note(motion_t *k, ref_state_t x, ref_state_t next, outcome_t *out) {
-  const ref_machine_t *q = &k->machine;
-  const bool was = ref_slip(q, x).h > 0, is = ref_slip(q, next).h > 0;
-  if (out->side != 0) {
-    out->windings += was != is;
-  } else if (inside(k, next) < 0) {
-    const ref_state_t at = inside(k, x) > 0 ? locate(k, inside, x, next) : next;
-    out->exit_t = (double)at.t;
-    out->exit_r = (double)at.r;
-    out->side = ref_slip(q, at).h > 0 ? 1 : -1;
-  }
+  if (inside(k, next) >= 0) return;
+  const ref_state_t at = inside(k, x) > 0 ? locate(k, inside, x, next) : next;
+  out->exit_t = (double)at.t;
+  out->exit_r = (double)at.r;
+  out->side = ref_slip(&k->machine, at).h > 0 ? 1 : -1;
 }
 
 // Laws of the slip angle alone have no limit there: what follows is rounding.
@@ -247,10 +235,11 @@ static bool at_rest(const motion_t *k, ref_state_t x) {
 }
 
 static outcome_t follow(motion_t *k, double kick, ref_state_t x) {
-  outcome_t out = {NAN, NAN, NAN, NAN, NAN, 0, 0, 0, 0, x};
+  outcome_t out = {NAN, NAN, NAN, 0, 0, 0, x};
+  bool over = false;
   real_t dt = (real_t)1e-6L;
   const real_t until = (real_t)given.until;
-  while ((double)x.t < given.until - 1e-14 && isnan(out.zero_t) &&
+  while ((double)x.t < given.until - 1e-14 && !over &&
          (given.only == 0 || out.side == 0)) {
     dt = ref_smaller(dt, until - x.t);
     ref_state_t next = advance(k, x, &dt);
@@ -264,13 +253,11 @@ static outcome_t follow(motion_t *k, double kick, ref_state_t x) {
         next.p -= (real_t)kick / k->machine.sine;
       }
     } else {
-      if (out.side == 0) out.behind += grown;
-      note(k, x, next, &out);
-      if (crosses(k, rolling, x, next) || at_rest(k, next)) {
-        if (!at_rest(k, next)) next = locate(k, rolling, x, next);
-        out.zero_t = (double)next.t;
-        out.zero_r = (double)next.r;
+      if (out.side == 0) {
+        out.behind += grown;
+        note(k, x, next, &out);
       }
+      over = crosses(k, rolling, x, next) || at_rest(k, next);
     }
     x = next;
   }
@@ -304,11 +291,10 @@ static void sample(motion_t k, double delta, double kick) {
       follow(&k, kick, ref_with_h(q, start, (real_t)given.x * width));
   const ref_slip_t end = ref_slip(q, out.end);
   printf(
-      "%s,%d,%.6g,%.6g,%.6g,%d,%.12g,%.12g,%.12g,%.12g,%.12g,%.9g,%.9g,"
-      "%d,%ld,%.3g,%.17g,%.12g,%.17g,%.17g,%.17g\n",
+      "%s,%d,%.6g,%.6g,%.6g,%d,%.12g,%.12g,%.12g,%.9g,%.9g,%.17g,%.12g,"
+      "%.17g,%.17g,%.17g\n",
       form_names[form], REF_BITS, given.width, delta, kick, out.side,
-      out.fold_t, out.exit_t, out.exit_r, out.zero_t, out.zero_r, out.before,
-      out.behind, out.windings, k.steps, (double)k.error,
+      out.fold_t, out.exit_t, out.exit_r, out.before, out.behind,
       (double)(end.h / layer_width(&k, end.g)), (double)out.end.t,
       (double)out.end.r, (double)ref_v(q, out.end), (double)ref_w(q, out.end));
 }
@@ -352,8 +338,8 @@ int main(int argc, char **argv) {
   const motion_t k = motion_of_options();
   uint64_t seed = (uint64_t)given.seed;
   puts(
-      "form,bits,width,delta,kick,side,fold_t,exit_t,exit_r,zero_t,zero_r,"
-      "before,behind,windings,steps,error,x,t,r,v,w");
+      "form,bits,width,delta,kick,side,fold_t,exit_t,exit_r,before,behind,x,t,"
+      "r,v,w");
   for (int n = 0; n < given.samples; n++) {
     const double of_start = given.samples > 1 ? draw(&seed) : 1;
     const double of_kick = given.samples > 1 ? draw(&seed) : 1;

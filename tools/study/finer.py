@@ -18,7 +18,7 @@ from __future__ import annotations
 import json
 import math
 from pathlib import Path
-from typing import Any, Callable, Iterator, Optional, Sequence
+from typing import Any, Callable, Iterator, Optional
 
 import numpy as np
 import pandas as pd
@@ -34,7 +34,6 @@ EXIT = 3  # a motion has left where |h| is that many widths
 GROWN = 30  # the exponent from which the theory of growth is used
 ALIKE = 0.05  # exits at times that differ by less are the same
 UNITS = {24: 2.0 ** -24, 53: 2.0 ** -53, 64: 2.0 ** -64}
-NAMES = {24: "float", 53: "double", 64: "x87, 64 bits"}
 # Effective widths are 10^(-n/4) m/s.
 EXACT = range(18, 27)
 EXACT_ALGEBRAIC = range(16, 29)
@@ -196,9 +195,7 @@ def follow(work: Path, twofold: str) -> None:
         work / "turning.csv", index=False, float_format="%.6g")
     told.update(gamma=families.by_angle(twofold),
                 limits=families.limits(twofold),
-                circle=families.circle(twofold, work),
-                core=families.core_agreement(twofold, f"{programs}64"),
-                C=contraction(twofold, "algebraic", work))
+                circle=families.circle(twofold, work))
     (work / "families.json").write_text(json.dumps(told, indent=1), "ascii")
 
 
@@ -242,17 +239,6 @@ def draw(study: Study, path: Path) -> None:
 
 # Tables.
 
-def told(width: float) -> str:
-    return f"{width:.2g}"
-
-
-def between(values: Sequence[float], digits: int) -> str:
-    """The range of some numbers."""
-    low, high = (f"{end(values):.{digits}f}" if len(values) else "-"
-                 for end in (min, max))
-    return low if low == high else f"{low} to {high}"
-
-
 class Study:
     """The motions, and the tables made of them. Of each motion `effective` is
     its effective width, `after` the time from the two-fold to the exit, and
@@ -271,7 +257,6 @@ class Study:
             self.fold.gain)).where(grown)
         name = rows.experiment.str.split(expand=True)
         rows["name"], rows["n"] = name[0], pd.to_numeric(name[1])
-        rows["step"] = name[2]
         self.rows = rows
         self.exact = rows[rows.name == "exact"].set_index(["form", "n"])
 
@@ -281,12 +266,6 @@ class Study:
         for column, value in values.items():
             found = found[found[column] == value]
         return found
-
-    @staticmethod
-    def exit(row: pd.Series) -> str:
-        """Side and time [ms] of an exit."""
-        return f"{' +-'[int(row.side)]} {1e3 * row.after:.4g}" \
-            if row.side else "rests"
 
     def alike(self, bits: int, n: int) -> Optional[float]:
         """The share of last-bit starts whose exit is that of binary128."""
@@ -324,42 +303,6 @@ class Study:
         return 10 ** (-np.interp(want, at, exact.index) / 4) \
             if at[0] <= want <= at[-1] else math.nan
 
-    def selected(self) -> pd.DataFrame:
-        """Side and time by form and width, and what follows; and the shares of
-        each precision."""
-        lines = []
-        for n in EXACT_ALGEBRAIC:
-            here = self.exact.xs(n, level="n")
-            grown = here.behind[here.side != 0]
-            others = here.drop("angle", errors="ignore")
-            shares = [self.alike(bits, n) for bits in UNITS]
-            lines.append([
-                told(10 ** (-n / 4)),
-                *(self.exit(here.loc[form]) if form in here.index else ""
-                  for form in PHI),
-                between(grown if grown.min() > GROWN else [], 1),
-                between(1e3 * others.zero_r, 2),
-                *("" if one is None else f"{one:.2f}" for one in shares)])
-        return pd.DataFrame(lines, columns=[
-            "effective width [m/s]", *PHI, "E", "r [mm], all but `angle`",
-            *NAMES.values()])
-
-    def kicked(self) -> pd.DataFrame:
-        """Spread of futures under one disturbance, the smaller one."""
-        lines = []
-        for (kick, n), rows in self.of("kicked", n=KICKED[0]).groupby(
-                ["n", pd.to_numeric(self.rows.step)]):
-            left = rows[rows.side != 0]
-            lines.append({
-                "disturbance [m/s]": f"{kick:g}",
-                "effective width [m/s]": told(10 ** (-n / 4)),
-                "leave": f"{len(left)} of {len(rows)}",
-                "to slip+": (rows.side == 1).sum(), "range of r at exit [mm]":
-                f"{1e3 * np.ptp(left.exit_r):.2g}" if len(left) else "",
-                "range of r where g = 0 [mm]":
-                f"{1e3 * np.ptp(rows.zero_r):.2g}"})
-        return pd.DataFrame(lines)
-
     def kick_exponents(self) -> pd.DataFrame:
         """Motions after a kick and, where the kick is small enough, the
         exponent that Kummer's function predicts."""
@@ -393,8 +336,8 @@ class Study:
 
     def numbers(self) -> pd.DataFrame:
         """What the text speaks of."""
-        nu, limits = self.fold.nu, self.families["limits"]
-        exact, circle = self.exact.loc["algebraic"], self.families["circle"]
+        limits, circle = self.families["limits"], self.families["circle"]
+        exact = self.exact.loc["algebraic"]
         kicks = self.kick_exponents().dropna(subset="want").sort_values("kick")
         over = 100 * (kicks.behind / kicks.want - 1)
         turn = np.polyfit(*np.log(self.turned[["width", "high"]].T.values), 1)
@@ -402,7 +345,7 @@ class Study:
         roots = families.circle_roots()
         apart = max(min(abs(end - one) for one in roots)
                     for _, _, end, _, _ in circle["motions"])
-        last, exacts = exact.iloc[-1], self.of("exact")
+        last = exact.iloc[-1]
         moved = np.ptp(self.of("start", n=1e-3).exit_r)
         return pd.DataFrame(columns=["what", "value"], data=[
             ["phi of the stick through the two-fold, lambda/mu",
@@ -413,7 +356,7 @@ class Study:
              ", ".join(f"{one.high:.2g} m/s at {one.width:.2g} m/s"
                        for _, one in self.turned.iterrows())],
             ["its exponent over these widths; for width to 0, (ratio + 1)/2",
-             f"{turn[0]:.1f}; {nu / 2 + 1:.2f}"],
+             f"{turn[0]:.1f}; {self.fold.nu / 2 + 1:.2f}"],
             ["that kick from E, by theory's leading order",
              f"{exact.disturbance[24]:.0e} m/s at 1e-6 m/s, "
              f"{last.disturbance:.0e} at {last.effective:.0e}, exponent "
@@ -429,14 +372,6 @@ class Study:
             ["measured E above what is predicted",
              f"{over[1:].min():.1g} to {over[1:].max():.1g} %; at the least "
              f"kick, {kicks.kick.iloc[0]:g} m/s, {over.iloc[0]:.0f} %"],
-            ["largest sum of estimated errors in binary128",
-             f"{exacts[exacts.form != 'angle'].error.max():.0e}"],
-            ["the core's law `smooth` from it, width 1e-3, t = 0.15 s",
-             ", ".join(f"{error:.2g} at dt = {dt:g} s"
-                       for dt, error in self.families["core"])],
-            ["nu = ratio - 1; C; width times contraction at the finest one",
-             f"{nu:.4f}; {1e3 * self.families['C']:.5f} mm/s; "
-             f"{-1e3 * last.before * last.width:.5f} mm/s"],
             ["case 1 ends at gamma + pi; with kappa and k2 held it lasts",
              f"{limits['designed']:.4f}; from {limits['held_low']:.4f} to "
              f"{limits['held_high']:.4f}"],
@@ -452,5 +387,4 @@ def count(work: Path, kept: Path) -> dict[str, pd.DataFrame]:
     """The tables, and the picture."""
     study = Study(work)
     draw(study, kept / "finer.png")
-    return {name: getattr(study, name)() for name in (
-        "numbers", "selected", "kicked", "gamma")}
+    return {"numbers": study.numbers(), "gamma": study.gamma()}

@@ -4,8 +4,7 @@ h = g = 0.
 Each sample is one cycle, so samples are independent. Each size is followed at
 three steps at h = g = 0: FINE. Of the largest size, whose wheels rest longest
 next to it, there are a tenth of the cycles, at longer steps, and two fifths at
-N = 128. Times of return are a staircase, of a round each: a median does not see
-how many wheels go a second one, the share below SECOND does.
+N = 128.
 """
 import os
 from pathlib import Path
@@ -22,7 +21,6 @@ CYCLES = int(os.environ.get("CYCLES") or 1000)
 FINE = {"1e-6": (8, 32, 128), "1e-5": (8, 32, 128), "1e-7": (4, 8, 16),
         "1e-4": (2, 4, 1)}
 TENTH, SLOW = "1e-4", 40  # times as long a cycle takes
-SECOND = 3  # [s]: earliest return of a wheel that goes a second round
 
 
 def samples_of(size: str, fine: int) -> int:
@@ -62,28 +60,21 @@ def count(work: Path, kept: Path) -> dict[str, pd.DataFrame]:
     """The tables, and the picture."""
     random = table.read(work / "random-exits.csv").phase.dropna()
     nothing = pd.Series(dtype=float)
-    exits, returns, drawn = [], [], []
+    exits, drawn = [], []
     for size in sorted(FINE, key=float, reverse=True):
         runs = [Runs(work, size, fine) for fine in sorted(FINE[size])]
         for step, (one, finer) in enumerate(zip(runs, (*runs[1:], None))):
             off = table.distance(one.phases, random)
             drawn.append((step, one, off))
-            named = {"size": size, "N": one.fine}
             exits.append({
-                **named, "exits": len(one.exits), "share with a phase":
+                "size": size, "N": one.fine, "exits": len(one.exits),
+                "share with a phase":
                 table.share(len(one.phases), len(one.exits)).text(3),
                 "share by slip+": one.up.text(3), "distance from random exits":
                 off.text(2), "from the next finer step": table.distance(
                     one.phases, finer.phases if finer else nothing).text(2)})
-            returns.append({
-                **named, "cycles": len(one.returns), "share that returned":
-                table.share(len(one.times), len(one.returns)).text(3),
-                f"of these within {SECOND} s": table.share(
-                    (one.times < SECOND).sum(), len(one.times)).text(3),
-                "times, from the next finer step": table.distance(
-                    one.times, finer.times if finer else nothing).text(2)})
     draw(kept, drawn)
-    return {"exits": pd.DataFrame(exits), "returns": pd.DataFrame(returns)}
+    return {"exits": pd.DataFrame(exits)}
 
 
 def draw(kept: Path, drawn: list[tuple[int, Runs, table.Estimate]]) -> None:

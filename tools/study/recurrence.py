@@ -279,15 +279,6 @@ def machines_of(name: str, rows: pd.DataFrame, here: pd.DataFrame
             f"{(second[kept, 1:].sum(1) > 0).sum()} of {kept.sum()}"}
 
 
-def endings_of(name: str, here: pd.DataFrame) -> dict[str, object]:
-    """Machines that never return, by how most of their cycles end."""
-    never = here[here.became == "never"]
-    of = Counter(most(never))
-    several = (ends(never, "first")[:, 1:] > 0).sum(1) > 1
-    return {"machines": SPACES[name].title, "in all": len(never),
-            **{end: of[end] for end in LOST}, "several": several.sum()}
-
-
 def waited(followed: pd.DataFrame) -> str:
     """What waiting brings back."""
     here = followed[ends(followed, WAIT).sum(1) > 0]
@@ -382,8 +373,6 @@ def count(work: Path, kept: Path) -> dict[str, object]:
         "machines": pd.DataFrame([machines_of(name, rows[rows.space == name],
                                               of[name]) for name in SPACES]),
         "waits": waited(followed),
-        "endings": pd.DataFrame([endings_of(name, of[name])
-                                 for name in SPACES]),
         "regions": pd.DataFrame([
             one for name, space in SPACES.items() if space.window
             for one in regions(followed, name, len(rows))]),
