@@ -62,7 +62,7 @@ TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
 /// Returns:
 ///   TF_OK        the step is taken
 ///   TF_DEGRADED  taken, although no mode was consistent and admissible
-///   TF_COARSE    taken, but too long for the motion:
+///   TF_COARSE    taken, but too long for the motion; a smaller dt resolves it:
 ///     - it would create more than 2^-12 of the energy, or friction put in more
 ///       than 2^-4 (a stiff spring in slip: 2^-20); it then balances energy
 ///     - the state turns by more than a right angle, or theta > 1/2 damps a

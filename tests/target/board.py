@@ -7,6 +7,7 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 from pathlib import Path
 from typing import NamedTuple
@@ -45,7 +46,12 @@ def make(*arguments: object) -> subprocess.CompletedProcess:
 
 @functools.lru_cache(maxsize=None)
 def fact(board: str, what: str) -> str:
-    return make(f"BOARD={board}", f"board-{what}").stdout.strip()
+    """A variable of a board's board.mk; ends the program where make refuses
+    the board."""
+    done = make(f"BOARD={board}", f"board-{what}")
+    if done.returncode:
+        sys.exit(f"board {board}: {done.stdout.strip()}")
+    return done.stdout.strip()
 
 
 def run(*command: object, **options: object) -> Ran:

@@ -44,7 +44,8 @@ $(PAGE)/index.html: $(PAGE)/core.wasm $(PAGE_SOURCES)
 	@tools/page/pack.py $(PAGE)/core.wasm $@ $(PAGE_SOURCES)
 	@echo "The page is in $@."
 
-keep-page: page ## copy it to docs/page/
+keep-page: ## build it and copy it to docs/page/
+keep-page: page
 	@mkdir -p docs/page
 	@cp $(PAGE)/index.html docs/page/
 page-sources:

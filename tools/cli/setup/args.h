@@ -54,9 +54,10 @@ typedef struct {
   unsigned measure[CLI_COLUMNS];
   size_t measures;
 
+  double accuracy; ///< of a step of moreau; 0: not estimated
+
   // Of diverge.
   const char *exits, *returns, *branches;
-  double accuracy;          ///< of a step of moreau; 0: not estimated
   double size;              ///< unit: that of the mechanism; 0: not given
   double spread;            ///< sizes are drawn from [size / spread, size]
   double patience;          ///< longest cycle [s]
