@@ -109,7 +109,7 @@ static sent_t draw(const model_t *model, bool locked) {
   const unsigned fault = one_of(16);
   if (fault == 0 && model->waiting > 0) {
     sent = model->waits[one_of(model->waiting)];
-    sent.fill ^= one_of(2);
+    sent.fill = (uint8_t)(sent.fill ^ one_of(2));
   }
   if (fault == 1) sent.number = (uint32_t)(tap_bits() % (model->next + 1ull));
   if (fault == 2) sent.number = UINT32_MAX;
