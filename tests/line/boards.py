@@ -18,7 +18,8 @@ import zlib
 from pathlib import Path
 
 sys.path[:0] = [str(Path(__file__).resolve().parents[2] / place)
-                for place in ("tests/support", "tools/board/protocol")]
+                for place in ("tests/support", "tests/cli",
+                               "tools/board/protocol")]
 from decode import decode  # noqa: E402  (the paths come first)
 from tap import TWOFOLD, call, check  # noqa: E402
 

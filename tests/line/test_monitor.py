@@ -16,6 +16,7 @@ from pathlib import Path
 from boards import (HEARTBEAT, REPORT, RUN, SCHEMA, STATE, chained, framed,
                     program, sealed, says, stuffed)
 from decode import breaks, frames, runs
+from outputs import says_each
 from tap import ROOT, TWOFOLD, call, check, main, output, same, until
 
 HEADER = "t,r,v,omega,h,g,F,M,mode,choices\n"
@@ -161,16 +162,17 @@ def test_what_is_not_understood():
                  "--format", "csv", code=4)[1],
          "no frame of protocol version 4")
     monitor(b"", code=4)
-    for words, code, text in (
-            (["missing"], 4, "missing: No such file or directory"), ([], 2, ""),
-            (["a", "b"], 2, ""), (["x", "--out", "y"], 2, "only with --format"),
-            (["x", "--baud", "fast"], 2, ""),
-            (["x", "--send", "strat"], 2, "did you mean 'start'\\?"),
-            *((["x", "--send", bad], 2, "") for bad in (
-                "set:mu", "set:muu=1", "set:mu=1x", "select:rand",
+    says_each("""
+4 missing|missing: No such file or directory
+2 |which file or device?
+2 a b|
+2 x --out y|only with --format
+2 x --baud fast|
+2 x --send strat|did you mean 'start'?""", "monitor")
+    for bad in ("set:mu", "set:muu=1", "set:mu=1x", "select:rand",
                 "select:random:x", "input:1,2,3", "input:1,2,3,4,5",
-                "input:1,,3,4"))):
-        says(call("monitor", *words, code=code)[1], text)
+                "input:1,,3,4"):
+        call("monitor", "x", "--send", bad, code=2)
     Path("stream").write_bytes(recorded("chaos", "--t-end", "0.1")[0])
     with open("/dev/full", "wb") as full:
         same(subprocess.call([TWOFOLD, "monitor", "stream", "--format", "csv"],

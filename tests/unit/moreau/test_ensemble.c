@@ -4,6 +4,7 @@
 #include "same_state.h"
 #include "sample.h"
 #include "scene_named.h"
+#include "sim.h"
 
 #define MOST 72 /* states: whole blocks and a rest */
 
@@ -56,38 +57,23 @@ static void step_twins(const tf_input_t *u) {
   }
 }
 
-/* n states around the start of a scene, each with a seed of its own. */
-static void begin_twins(const tf_scene_t *scene, tf_rule_t rule, size_t n,
-                        double spread) {
-  tf_params_t p = scene->params;
-  tf_report_t report;
-  p.rule = rule;
-  p.dt = TF_R(4e-4); /* 6000 steps are a cycle of chaos */
-  p.with_angle = true;
-  twins.machine = prepared(&p);
-  const tf_input_t u = tf_scene_input(scene, &twins.machine, 0);
-  for (size_t i = 0; i < n; i++) {
-    tf_state_t x;
-    memset(&x, 0, sizeof x);
-    x.r = scene->r + uniform(-spread, spread);
-    x.w = scene->omega + uniform(-spread, spread);
-    x.v = scene->v;
-    x.seed = (uint32_t)(i + 1);
-    x.tick = i << 40;
-    x.mode = TF_NO_MODE;
-    if (!scene->v_is_given)
-      tf_speed_for_slip(&twins.machine, x.r, x.w, u.omega0, scene->h, &x.v);
-    CHECK(tf_begin(&twins.machine, &x, &u, &report) == TF_OK);
-    twins.states[i] = x;
-  }
-  twin(n);
-}
-
-/* Scene chaos: all phases of the motion, under rules that leave it apart. */
+/* n states around the start of scene chaos, each with a seed of its own: all
+ * phases of the motion, under rules that leave it apart. */
 static void chaos_twins(tf_rule_t rule, size_t n, int steps) {
-  begin_twins(scene_named("chaos"), rule, n, 0.005);
-  const tf_input_t u = tf_input_default(&twins.machine);
-  for (int i = 0; i < steps; i++) step_twins(&u);
+  sim_t s = {.params = scene_named("chaos")->params};
+  s.params.rule = rule;
+  s.params.dt = TF_R(4e-4); /* 6000 steps are a cycle of chaos */
+  s.params.with_angle = true;
+  for (size_t i = 0; i < n; i++) {
+    CHECK(sim_place(&s, tap_uniform(0.175, 0.185), tap_uniform(-1.042, -1.032),
+                    1e-10, TF_NO_MODE) == TF_OK);
+    s.x.seed = (uint32_t)(i + 1);
+    s.x.tick = i << 40;
+    twins.states[i] = s.x;
+  }
+  twins.machine = s.k;
+  twin(n);
+  for (int i = 0; i < steps; i++) step_twins(&s.u);
 }
 
 TEST(ensemble_is_the_single_step) {
@@ -178,15 +164,12 @@ TEST(ensemble_stalls_as_single_steps_do) {
   p.dt = TF_R(1e-9);
   twins.machine = prepared(&p);
   const tf_input_t u = tf_input_default(&twins.machine);
+  const bool minus = twins.machine.cos_gamma > 0;
   for (size_t i = 0; i < TF_LANES; i++)
-    twins.states[i] = (tf_state_t){.r = uniform(0.1, 0.3),
-                                   .w = u.omega0 + uniform(0.1, 0.2),
-                                   .mode = TF_SLIP_PLUS};
-  for (size_t i = 0; i < TF_LANES; i++)
-    if (twins.states[i].r * (twins.states[i].w - u.omega0) *
-            twins.machine.cos_gamma >
-        0)
-      twins.states[i].mode = TF_SLIP_MINUS;
+    twins.states[i] =
+        (tf_state_t){.r = uniform(0.1, 0.3),
+                     .w = u.omega0 + uniform(0.1, 0.2),
+                     .mode = minus ? TF_SLIP_MINUS : TF_SLIP_PLUS};
   twin(TF_LANES);
   step_twins(&u);
   CHECK(twins.alone == 0);
