@@ -6,7 +6,7 @@
 #   REAL SCENE RATE EVERY: see port/port.mk
 
 HIL_PARTS := $(wildcard tools/board/hil/*.c) $(addprefix tools/cli/,\
-  host/source.c host/host.c host/output.c text/message.c \
+  host/host.c host/output.c text/message.c \
   text/number.c)
 
 define board_rules
@@ -15,7 +15,7 @@ $(BUILD)/$(1)/hil: $$(call objects_of_$(1),$(HIL_PARTS)) \
 	$$(link)
 $(BUILD)/$(1)/constants: $$(call objects_of_$(1),\
     $(wildcard tools/board/constants/*.c) $(SCENE_READER) \
-      tools/cli/host/source.c) \
+      tools/cli/host/host.c) \
     $(BUILD)/$(1)/libtwofold.a
 	$$(link)
 endef

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../../cli/host/source.h"
+#include "../../cli/host/host.h"
 #include "../../cli/setup/scene_file.h"
 #include "constants.h"
 

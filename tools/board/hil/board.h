@@ -4,7 +4,7 @@
 #pragma once
 
 #include "board/hil/control.h"
-#include "cli/host/source.h"
+#include "cli/host/host.h"
 #include "cli/text/text.h"
 
 /// Exit codes are those of the command line, CLI_DONE where the closed loop has

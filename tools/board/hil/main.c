@@ -9,7 +9,6 @@
 #include <string.h>
 
 #include "board/hil/board.h"
-#include "cli/host/host.h"
 #include "cli/host/output.h"
 #include "cli/text/text.h"
 

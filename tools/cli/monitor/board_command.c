@@ -10,7 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../host/host.h"
 #include "../run/row.h"
 #include "../setup/setup.h"
 #include "../text/text.h"

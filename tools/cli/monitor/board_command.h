@@ -2,7 +2,7 @@
 /// one before.
 #pragma once
 
-#include "../host/source.h"
+#include "../host/host.h"
 #include "../run/session.h"
 #include "../setup/args.h"
 #include "receiver.h"

@@ -8,7 +8,6 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "../host/host.h"
 #include "../host/output.h"
 #include "../live/live.h"
 #include "../text/summary.h"
