@@ -181,7 +181,7 @@ def test_a_kill():
         child.send_signal(signal.SIGKILL)
     left = {name: Path(name).read_bytes()
             for name in ("e.part", "r.part", "e.resume")}
-    done = int(notes.read_text().splitlines()[-1].split()[4])
+    done = int(notes.read_text().splitlines()[-1].split()[5])
     check(0 < done < 600, f"{done} samples before the kill")
     says(3, "e.part is of another run", "diverge", *SLOW, "--seed", "9")
     for name, cut in ("", 0), ("e.part", 9), ("r.part", 4000), ("e.resume", 7):

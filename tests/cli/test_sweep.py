@@ -148,7 +148,7 @@ def test_kill_truncation_and_flipped_bytes():
               "notes")
         child.send_signal(signal.SIGKILL)
     old, told = rows.read_bytes(), notes.read_bytes()
-    kept = int(told.splitlines()[-1].split()[2])
+    kept = int(told.splitlines()[-1].split()[3])
     check(kept > 2 and whole.startswith(old[:-1]), "no rows of the sweep")
     for text, said, least in (
             (old, told, kept), (old + b"9,0.2", told + b"12 3", kept),

@@ -1,6 +1,6 @@
 // The first line of the notes says what the rows follow from; each other line
 // is a note: bytes of each FILE.part and their CRC, the work that is done, and
-// counts. Each line ends with the CRC of all lines so far. A note is written
+// counts. Each line begins with the CRC of all lines so far. A note is written
 // after its rows, so a kill loses the rows behind the last note and no others.
 // Where a note does not fit the rows, such as after a power failure, the rows
 // behind the note before it are made again.
@@ -19,9 +19,9 @@
 
 #include "../text/text.h"
 
-#define LINE (CLI_SHEET_ABOUT + 16)
+#define LINE (CLI_SHEET_ABOUT + SUM_ROOM + 1)
 #define SAVE_EVERY 0.2 // [s], so at most so much work is lost by a kill
-#define END_ROOM 11    // a blank, the CRC, newline and zero
+#define SUM_ROOM 10    // the CRC, a blank and zero
 
 static const char *notes_of(const cli_sheets_t *sheets) {
   static char name[CLI_PATH_ROOM + 8];
@@ -41,30 +41,19 @@ static const char *name_of(const cli_sheet_t *sheet) {
   return size_of(to->part) == 0 && size_of(to->path) > 0 ? to->path : to->part;
 }
 
-// Writes what stands behind the text of a line: the CRC of all lines so far.
-static void end_line(uint32_t *chain, const char *text, size_t length,
-                     char out[END_ROOM]) {
-  *chain = cli_crc(*chain, text, length);
-  (void)snprintf(out, END_ROOM, " %08" PRIx32 "\n", *chain);
-}
-
 static bool write_line(cli_sheets_t *sheets, const char *text) {
-  static char line[LINE];
-  char end[END_ROOM];
-  end_line(&sheets->chain, text, strlen(text), end);
-  const int length = snprintf(line, sizeof line, "%s%s", text, end);
-  return write(sheets->notes, line, (size_t)length) == length;
+  sheets->chain = cli_crc(sheets->chain, text, strlen(text));
+  return dprintf(sheets->notes, "%08" PRIx32 " %s\n", sheets->chain, text) > 0;
 }
 
-// Reads a line as its text. Returns: whether its end is right.
-static bool cut_line(uint32_t *chain, char *line) {
-  char end[END_ROOM];
-  const size_t length = strlen(line);
-  const size_t text = length < END_ROOM ? 0 : length - (END_ROOM - 1);
-  end_line(chain, line, text, end);
-  const bool same = strcmp(line + text, end) == 0;
-  line[text] = '\0';
-  return same;
+// The text of a line. NULL: the CRC before it is wrong.
+static const char *text_of(uint32_t *chain, char *line) {
+  char sum[SUM_ROOM];
+  line[strcspn(line, "\n")] = '\0';
+  const size_t before = strnlen(line, SUM_ROOM - 1);
+  *chain = cli_crc(*chain, line + before, strlen(line + before));
+  (void)snprintf(sum, sizeof sum, "%08" PRIx32 " ", *chain);
+  return strncmp(line, sum, SUM_ROOM - 1) == 0 ? line + before : NULL;
 }
 
 static uint64_t next_number(const char **at, int base) {
@@ -121,8 +110,9 @@ static int read_notes(cli_sheets_t *sheets, FILE *notes, FILE *const rows[],
                       const char *name) {
   static char line[LINE];
   uint32_t chain = sheets->chain;
-  if (fgets(line, sizeof line, notes) == NULL || !cut_line(&chain, line) ||
-      strcmp(line, sheets->about) != 0) {
+  const char *text =
+      fgets(line, sizeof line, notes) == NULL ? NULL : text_of(&chain, line);
+  if (text == NULL || strcmp(text, sheets->about) != 0) {
     return refuse_other(sheets, name);
   }
   do {
@@ -131,13 +121,14 @@ static int read_notes(cli_sheets_t *sheets, FILE *notes, FILE *const rows[],
     if (fgets(line, sizeof line, notes) == NULL || strchr(line, '\n') == NULL) {
       return CLI_DONE;
     }
-    if (!cut_line(&chain, line)) {
+    text = text_of(&chain, line);
+    if (text == NULL) {
       return cli_message(CLI_REFUSED,
                          "--resume: %s is damaged; remove it and %s, or give "
                          "another file",
                          notes_of(sheets), name);
     }
-  } while (go_to(sheets, line, rows));
+  } while (go_to(sheets, text, rows));
   return CLI_DONE;
 }
 
