@@ -106,6 +106,7 @@ static int prepare(cli_job_t *job) {
   job->dwell = random ? 0 : 4 * job->near;
   job->at_two_fold = cli_setup_start_set(setup) == NULL;
   CLI_TRY(job->at_two_fold ? CLI_DONE : prepare_start(job));
+  setup->seed = (uint32_t)args->seed;
   return prepare_two_fold(job);
 }
 
@@ -115,8 +116,6 @@ static size_t provenance(const cli_job_t *job, const char *units,
   const cli_args_t *args = job->args;
   const double dt = (double)job->machine.dt;
   char how[CLI_PROVENANCE_ROOM / 4];
-  cli_setup_t told = job->setup;
-  told.seed = (uint32_t)args->seed;
   if (args->exhaustive) {
     (void)snprintf(how, sizeof how, "all branches, grid %.9g s", args->grid);
   } else if (args->mechanism == CLI_BY_RANDOM) {
@@ -129,7 +128,7 @@ static size_t provenance(const cli_job_t *job, const char *units,
                    "by noise, size %.9g m/s^1.5, spread %.9g, dt %.9g s",
                    args->size, args->spread, dt);
   }
-  return cli_provenance(&told, how, units, out);
+  return cli_provenance(&job->setup, how, units, out);
 }
 
 static const char *const outcomes[CLI_OUTCOMES] = {
@@ -407,11 +406,8 @@ int cli_diverge_check(cli_args_t *args) {
                        "--size %g: --by random has a --rate and no size",
                        args->size);
   }
-  if (args->exhaustive && args->branches == NULL) {
-    args->branches = "-";
-  } else if (!args->exhaustive && args->exits == NULL &&
-             args->returns == NULL) {
-    args->returns = "-";
+  if (args->exits == NULL && args->returns == NULL && args->branches == NULL) {
+    *(args->exhaustive ? &args->branches : &args->returns) = "-";
   }
   if (args->resume && (args->exhaustive || is_standard(args->exits) ||
                        is_standard(args->returns))) {

@@ -112,8 +112,7 @@ bool cli_motion_advance(cli_motion_t *motion);
 /// Begins the next cycle, at the two-fold.
 void cli_motion_next(cli_motion_t *motion);
 
-/// A random number in (0, 1). The generator is counter based, so the numbers of
-/// a sample do not depend on the order in which samples are computed.
+/// A random number in (0, 1).
 double cli_draw_uniform(cli_motion_t *motion);
 
 /// Takes a step of a length by tf_step_located. Returns: whether it was taken.

@@ -65,28 +65,21 @@ bool cli_find_two_fold(const tf_machine_t *k, cli_two_fold_t *out) {
   return false;
 }
 
-// Draw n of sample i under a seed is the same number whatever was drawn before.
-static void draw(cli_motion_t *motion, uint32_t word[2]) {
+// Two numbers in (0, 1). Draw n of sample i under a seed is the same whatever
+// was drawn before.
+static void draw(cli_motion_t *motion, double out[2]) {
   const uint64_t number = (uint64_t)motion->sample << 32 | motion->drawn++;
+  uint32_t word[2];
   tf_philox(number, (uint32_t)motion->job->args->seed, word);
-}
-
-// A word as a number in (0, 1).
-static double fraction(uint32_t word) {
-  return ((double)word + 0.5) * (1.0 / 4294967296.0);
+  for (int i = 0; i < 2; i++) {
+    out[i] = ((double)word[i] + 0.5) * (1.0 / 4294967296.0);
+  }
 }
 
 double cli_draw_uniform(cli_motion_t *motion) {
-  uint32_t word[2];
-  draw(motion, word);
-  return fraction(word[0]);
-}
-
-// Of mean 0 and variance 1.
-static double draw_normal(cli_motion_t *motion) {
-  uint32_t word[2];
-  draw(motion, word);
-  return sqrt(-2 * log(fraction(word[0]))) * cos(TWO_PI * fraction(word[1]));
+  double u[2];
+  draw(motion, u);
+  return u[0];
 }
 
 bool cli_step_of(cli_motion_t *motion, double dt) {
@@ -356,8 +349,11 @@ static double longest_step(const cli_motion_t *motion,
 
 static void add_noise(cli_motion_t *motion, double dt) {
   const tf_machine_t *k = &motion->job->machine;
-  const double mechanism = motion->size * sqrt(dt) * draw_normal(motion);
-  motion->state.v -= (tf_real_t)(mechanism / (double)k->sin_gamma);
+  double u[2];
+  draw(motion, u);
+  const double normal = sqrt(-2 * log(u[0])) * cos(TWO_PI * u[1]);
+  const double noise = motion->size * sqrt(dt) * normal;
+  motion->state.v -= (tf_real_t)(noise / (double)k->sin_gamma);
   const tf_slip_t slip =
       tf_slip(k, motion->state.r, motion->state.v, motion->state.w, k->omega0);
   motion->state.mode = slip.h < 0 ? TF_SLIP_MINUS : TF_SLIP_PLUS;

@@ -165,13 +165,6 @@ static bool leave_codim2(cli_motion_t *motion, unsigned mode) {
   return cli_track(motion, &now);
 }
 
-static bool at_codim2(cli_motion_t *motion, unsigned set) {
-  cli_instant_t now = cli_instant(motion);
-  now.on = false;
-  return cli_track(motion, &now) ||
-         leave_codim2(motion, draw_mode(motion, set));
-}
-
 // Leaves h = g = 0 after a pinned wheel has waited, in one of the other modes.
 static bool leave_pinned(cli_motion_t *motion) {
   const unsigned set = futures_of(motion) & ~TF_MODE_BIT(TF_PINNED);
@@ -250,7 +243,10 @@ bool cli_random_advance(cli_motion_t *motion) {
   motion->wait = stays ? motion->wait - length : -1;
   if (!waiting && motion->job->args->codim2 == CLI_CODIM2_EVEN &&
       was_at_codim2(motion, &from, length, &set)) {
-    return at_codim2(motion, set);
+    cli_instant_t now = cli_instant(motion);
+    now.on = false;
+    return cli_track(motion, &now) ||
+           leave_codim2(motion, draw_mode(motion, set));
   }
   motion->t += time_to_rest(motion, &from, length);
   if (track(motion, &from) || !stays || motion->wait > 0) {
