@@ -30,6 +30,7 @@ typedef struct {
   double swing, swing_rate; ///< a sine on top of omega0 [rad/s]
 } lib_machine_t;
 
+/// As motion_scheme_t, and one more.
 typedef enum {
   LIB_STEP,
   LIB_LOCATED,

@@ -3,15 +3,12 @@
 #include <math.h>
 #include <string.h>
 
+#include "../../../tools/motion.h"
 #include "judge.h"
-#include "twofold.h"
 
 typedef struct {
   const lib_machine_t *q;
-  lib_scheme_t scheme;
-  tf_compensated_t machine;
-  tf_state_t state;
-  tf_compensation_t compensation;
+  motion_t motion;
   tf_input_t input;
   tf_state_block_t lanes;
   tf_report_block_t reports;
@@ -39,55 +36,33 @@ static void drive(run_t *run, double from, double to) {
   }
 }
 
-static tf_status_t place(run_t *run) {
+static tf_status_t begin(run_t *run, lib_scheme_t scheme) {
   const lib_machine_t *q = run->q;
-  tf_state_t *x = &run->state;
-  *x = (tf_state_t){.r = (tf_real_t)q->r,
-                    .v = (tf_real_t)q->v,
-                    .w = (tf_real_t)q->omega,
-                    .mode = TF_NO_MODE};
-  if (!q->on_surface) return TF_OK;
-  if (run->scheme == LIB_COMPENSATED)
-    return tf_speed_for_slip_compensated(&run->machine, x, &run->compensation,
-                                         run->input.omega0, 0);
-  return tf_speed_for_slip(&run->machine.machine, x->r, x->w, run->input.omega0,
-                           0, &x->v);
-}
-
-static tf_status_t begin(run_t *run) {
-  const tf_params_t params = params_of(run->q);
-  tf_report_t report;
-  tf_status_t status = tf_prepare_compensated(&run->machine, &params, NULL);
-  if (status == TF_OK) {
-    run->input = tf_input_default(&run->machine.machine);
-    drive(run, 0, 0);
-    status = place(run);
-  }
-  if (status == TF_OK)
-    status = tf_begin(&run->machine.machine, &run->state, &run->input, &report);
+  const tf_params_t params = params_of(q);
+  const motion_start_t start = {.state = {.r = (tf_real_t)q->r,
+                                          .v = (tf_real_t)q->v,
+                                          .w = (tf_real_t)q->omega,
+                                          .mode = TF_NO_MODE},
+                                .from_h = q->on_surface};
+  motion_t *motion = &run->motion;
+  tf_status_t status =
+      motion_prepare(motion, MOTION_COMPENSATED, &params, NULL);
+  if (status != TF_OK) return status;
+  run->input = tf_input_default(&motion->machine.machine);
+  drive(run, 0, 0);
+  status = motion_begin(motion, (motion_scheme_t)scheme, &start, &run->input);
   for (size_t i = 0; i < TF_LANES; ++i)
-    tf_ensemble_put(&run->lanes, i, &run->state);
+    tf_ensemble_put(&run->lanes, i, &motion->state);
   return status;
 }
 
-static tf_status_t step(run_t *run) {
-  const tf_machine_t *machine = &run->machine.machine;
-  tf_report_t report;
-  switch (run->scheme) {
-    case LIB_LOCATED:
-      return tf_step_located(machine, &run->state, &run->input, &report);
-    case LIB_COMPENSATED:
-      return tf_step_compensated(&run->machine, &run->state, &run->compensation,
-                                 &run->input, &report);
-    case LIB_LANES:
-      tf_ensemble_step(machine, &run->lanes, TF_LANES, &run->input,
-                       &run->reports);
-      run->state = tf_ensemble_get(&run->lanes, TF_LANES - 1);
-      return tf_ensemble_report(&run->reports, TF_LANES - 1).status;
-    case LIB_STEP:
-      break;
-  }
-  return tf_step(machine, &run->state, &run->input, &report);
+static tf_status_t step(run_t *run, lib_scheme_t scheme) {
+  if (scheme != LIB_LANES)
+    return motion_step(&run->motion, (motion_scheme_t)scheme, &run->input);
+  tf_ensemble_step(&run->motion.machine.machine, &run->lanes, TF_LANES,
+                   &run->input, &run->reports);
+  run->motion.state = tf_ensemble_get(&run->lanes, TF_LANES - 1);
+  return tf_ensemble_report(&run->reports, TF_LANES - 1).status;
 }
 
 static int run_to(const lib_machine_t *q, lib_scheme_t scheme, double t_end,
@@ -97,17 +72,16 @@ static int run_to(const lib_machine_t *q, lib_scheme_t scheme, double t_end,
   run_t run;
   memset(&run, 0, sizeof run);
   run.q = q;
-  run.scheme = scheme;
-  tf_status_t status = begin(&run);
+  tf_status_t status = begin(&run, scheme);
   for (long n = 0; status >= TF_OK; ++n) {
-    end->r = (double)run.state.r + (double)run.compensation.r;
-    end->v = (double)run.state.v + (double)run.compensation.v;
-    end->w = (double)run.state.w + (double)run.compensation.w;
+    end->r = (double)run.motion.state.r + (double)run.motion.low.r;
+    end->v = (double)run.motion.state.v + (double)run.motion.low.v;
+    end->w = (double)run.motion.state.w + (double)run.motion.low.w;
     flagged |= status > TF_OK;
     if (watch) watch(context, (int)status, end);
     if (n == steps) return flagged;
     drive(&run, (double)n * q->dt, (double)(n + 1) * q->dt);
-    status = step(&run);
+    status = step(&run, scheme);
   }
   return -1;
 }
