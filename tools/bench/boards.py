@@ -3,10 +3,10 @@
 Make builds it and tells what the board's board.mk says of tools and emulator.
 What cannot be had (no emulator, no call graph by that compiler) is None.
 """
-import os
 import re
 import shutil
 import subprocess
+import sys
 from functools import lru_cache
 from pathlib import Path
 from typing import NamedTuple, Optional
@@ -17,11 +17,10 @@ import driven
 from callgraph import Graph
 from measure import BUILD
 
-MAKE = os.environ.get("MAKE", "make").split()
-COMMAND = [*MAKE, "-s", "--no-print-directory", f"BUILD={BUILD}"]
-# What a make that started this says to its own parts is not for another one.
-ENVIRONMENT = {name: value for name, value in os.environ.items()
-               if name not in ("MAKEFLAGS", "MAKELEVEL")}
+TESTS = Path(__file__).resolve().parents[2] / "tests"
+sys.path += [str(TESTS / "support"), str(TESTS / "target")]
+import board as tested  # noqa: E402
+
 # A function that takes an interrupt, and what a Cortex-M with FPU saves.
 HANDLER = re.compile(r"cortex_m_systick|cortex_m_interrupt|riscv_trap")
 SAVED = 108
@@ -37,14 +36,9 @@ def plugin() -> Path:
     return path
 
 
-def told(*arguments: str) -> str:
-    """What make prints."""
-    return driven.output(*COMMAND, *arguments, env=ENVIRONMENT).strip()
-
-
 def boards() -> list[str]:
     """The names of all boards."""
-    return told("boards-list").split()
+    return tested.make("boards-list").stdout.split()
 
 
 class Sizes(NamedTuple):
@@ -56,16 +50,8 @@ class Sizes(NamedTuple):
     interrupt: Optional[int]
 
 
-class Board:
+class Board(tested.Board):
     """A board, as its board.mk describes it."""
-
-    def __init__(self, name: str) -> None:
-        self.name = name
-
-    @lru_cache(maxsize=None)
-    def fact(self, what: str) -> str:
-        """What its board.mk says."""
-        return told(f"BOARD={self.name}", f"board-{what}")
 
     def tool(self, name: str) -> str:
         """A program of its tool chain."""
@@ -103,24 +89,18 @@ class Firmware:
     def __str__(self) -> str:
         return f"{self.board.name} {self.real} {self.scene}"
 
-    def _make(self, *more: str) -> str:
+    def _make(self, program: str, *more: str) -> str:
         """Builds a program of it. Returns what the compiler said against it,
         nothing where all is well."""
-        done = subprocess.run(
-            [*COMMAND, f"BOARD={self.board.name}", "elf",
-             f"SCENE={self.scene}", f"REAL={self.real}", *more],
-            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-            env=ENVIRONMENT, check=False)
-        return done.stdout or "no reason" if done.returncode else ""
+        return self.board.make(self.real, program, *more, scene=self.scene)[1]
 
     def _emulate(self, elf: Path, seconds: int, *options: str) -> str:
         """What a program prints in the emulator, until it is stopped."""
-        command = [*self.board.fact("RUN").split(), *options,
-                   *self.board.fact("LOADS").split(), str(elf)]
-        done = subprocess.run(["timeout", "-k", "5", str(seconds), *command],
-                              stdin=subprocess.DEVNULL, text=True,
-                              stdout=subprocess.PIPE, errors="replace",
-                              stderr=subprocess.DEVNULL, check=False)
+        done = subprocess.run(
+            ["timeout", "-k", "5", str(seconds),
+             *self.board.command(elf, *options)],
+            stdin=subprocess.DEVNULL, text=True, stdout=subprocess.PIPE,
+            errors="replace", stderr=subprocess.DEVNULL, check=False)
         return done.stdout
 
     def sizes(self) -> Sizes | str:
@@ -130,7 +110,7 @@ class Firmware:
             old.unlink()
         # Not EXTRA, by which the host's programs would be compiled anew.
         flags = [f"BOARD_OPT={self.board.fact('OPT')} {GRAPH}"] * graph
-        if why := self._make("NAMED=-sized", *flags):
+        if why := self._make("firmware-sized", *flags):
             return why
         said = subprocess.run(
             [self.board.tool("size"), str(self.place / "firmware-sized.elf")],
@@ -160,8 +140,7 @@ class Firmware:
         if "qemu-system-avr" in self.board.fact("RUN"):
             # Its time is that of this machine.
             rate, steps, options = 100, 200, []
-        if self._make("PROGRAM=stack", f"RATE={rate}", f"STEPS={steps}",
-                      "EVERY=10"):
+        if self._make("stack", f"RATE={rate}", f"STEPS={steps}", "EVERY=10"):
             return None
         said = self._emulate(self.place / "stack.elf", 60, *options)
         found = re.findall(r"^stack (\d+)", said, re.MULTILINE)
@@ -193,7 +172,7 @@ class Firmware:
                 ) -> Optional[tuple[np.ndarray, str]]:
         """The instructions in each window of a program but the first, which is
         empty; and what the program prints."""
-        if not self.board.emulated() or self._make(f"PROGRAM={program}", *make):
+        if not self.board.emulated() or self._make(program, *make):
             return None
         elf, out = self.place / f"{program}.elf", BUILD / "counted"
         out.unlink(missing_ok=True)
