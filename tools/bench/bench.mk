@@ -4,7 +4,7 @@
 #   ONLY='peers stability'   these sections of `make bench` (SECTIONS of
 #                        bench.py) in place of USUAL; of `make size`: these
 #                        boards
-#   QUICK=1              of peers and schemes every fourth setting, once
+#   QUICK=1              of peers every fourth setting, once
 #   ROUNDS=5             of the peers
 
 BENCH := $(filter-out %/count.c,$(wildcard tools/bench/*.c))

@@ -12,7 +12,7 @@
 
 What needs a tool that is missing is left out, with the reason. Environment:
 BUILD CC OPT EXTRA, ROUNDS of the peers (5), STEPS of a firmware in the emulator
-(30000), QUICK: every fourth setting of peers and schemes, one round.
+(30000), QUICK: every fourth setting of peers, one round.
 """
 import argparse
 import importlib
@@ -39,8 +39,7 @@ def stability(name: str) -> Callable[[], pd.DataFrame]:
 
 
 USUAL = {
-    "precision": schemes.precision, "peers": schemes.peers,
-    "steps": schemes.steps, "machines": schemes.machines,
+    "peers": schemes.peers, "steps": schemes.steps,
     "ensemble": schemes.ensemble,
     "stability": stability("judged"), "map": stability("mapped")}
 # These are measured when they are asked for; the last take boards behind their

@@ -60,8 +60,7 @@ def save(figure: pyplot.Figure, name: str, handles: list, labels: list[str],
 
 def panel(axis: pyplot.Axes, rows: pd.DataFrame, problem: str) -> None:
     """Error at the end over the time of a whole run."""
-    rows = kept(rows[(rows.problem == problem)
-                     & ~rows.solver.str.contains("same|float")])
+    rows = kept(rows[rows.problem == problem])
     rows = rows[rows.error < 1]
     of = rows.solver.str.split().str[0]
     for name, (colour, symbol) in STYLES.items():

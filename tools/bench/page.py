@@ -7,10 +7,11 @@ verdict of a solver at a dial is in tables beside the rows.
 import math
 from typing import Callable, Iterable
 
+import numpy as np
 import pandas as pd
 
 import table as tables
-from charts import PICTURES
+from charts import PICTURES, kept
 from measure import COLUMNS, OUT, load, problems, put, results, save
 
 LEVELS = 1e-3, 1e-6, 1e-9
@@ -25,26 +26,18 @@ STABLE = "ok", "degraded"
 IN = {"dt=1.000e-03": "", "dt=3.333e-04": " in three", "dt=1.000e-04": ""}
 
 
-def least(runs: pd.DataFrame, level: float, unit: str) -> float:
-    """The least cost of a setting that keeps an error, as the next two finer
-    ones do, one at least, so that no lucky setting counts."""
-    kept = (runs.error <= level).to_numpy()
-    good = [kept[i:i + 3].all() for i in range(len(kept) - 1)] + [False]
-    return runs[unit].where(good).min()
-
-
 def series(rows: pd.DataFrame) -> pd.DataFrame:
-    """What an error costs at least, a row a problem, solver and error."""
-    dial = rows.dial.str.split("=", expand=True)
-    rows = rows.assign(name=dial[0], setting=dial[1].astype(float))
+    """What an error costs at least, a row a problem, solver and error: of
+    settings that keep it, as the next two finer ones do, one at least."""
     lines = []
-    for key, runs in rows.groupby(["problem", "solver", "name"], sort=False):
-        runs = runs.sort_values("setting", ascending=False)
+    for key, runs in kept(rows).groupby(["problem", "solver", "name"],
+                                        sort=False):
         wrong = runs.verdict.isin(["branch", "refused"]).sum()
-        lines += [[*key[:2], f"least of {len(runs)}", level,
-                   least(runs, level, "ns"), least(runs, level, "instructions"),
-                   f"{wrong} wrong"]
-                  for level in (STIFF_LEVELS if key[0] in STIFF else LEVELS)]
+        for level in STIFF_LEVELS if key[0] in STIFF else LEVELS:
+            good = runs[runs.error <= level]
+            lines.append([*key[:2], f"least of {len(runs)}", level,
+                          good.ns.min(), good.instructions.min(),
+                          f"{wrong} wrong"])
     return pd.DataFrame(lines, columns=COLUMNS)
 
 
@@ -86,8 +79,7 @@ Reduced = dict[str, Callable[[pd.DataFrame], pd.DataFrame]]
 # What is kept of a section in place of its rows: sections of results.csv, and
 # tables of other columns.
 ROWS: dict[str, Reduced] = {
-    "precision": {"precision": series, "kilohertz": kilohertz},
-    "peers": {"peers": series}, "stability": {}}
+    "peers": {"peers": series, "kilohertz": kilohertz}, "stability": {}}
 TABLES: dict[str, Reduced] = {
     "stability": {"verdicts": verdicts, "largest": largest}}
 
@@ -141,59 +133,16 @@ class Page:
         table.columns = [f"{name} {board}" for name, board in chosen]
         return whole(table.reindex(rows.scene.unique()).reset_index())
 
-    def cheapest(self, problem: str, level: float, solvers: str,
-                 unit: str) -> tuple[float, str]:
-        """The least cost to an error of the solvers that a pattern names, and
-        whose it is; what nobody reaches costs nan."""
-        rows = self.section("peers")
-        rows = rows[(rows.problem == problem) & (rows.error == level)
-                    & rows.solver.str.match(solvers)
-                    & ~rows.solver.str.contains("same") & rows[unit].notna()]
-        if rows.empty:
-            return math.nan, "-"
-        row = rows.loc[rows[unit].idxmin()]
-        return row[unit], row.solver
-
     def races(self) -> pd.DataFrame:
         """The best of this project beside the best peer, a row a problem."""
-        return self.beside(PEERED, LEVELS, {
+        return beside(self.section("peers"), PEERED, LEVELS, {
             "this project": OWN, "best peer": RIVALS}, "instructions")
 
     def stiff(self) -> pd.DataFrame:
         """The fixed step, the located one and the best peer."""
-        return self.beside(STIFF, STIFF_LEVELS, {
+        return beside(self.section("peers"), STIFF, STIFF_LEVELS, {
             "fixed step": FIXED, "located step": "located",
             "best peer": RIVALS}, "ns")
-
-    def beside(self, problems: tuple[str, ...], levels: tuple[float, ...],
-               sides: dict[str, str], unit: str) -> pd.DataFrame:
-        """What sides cost in thousands of a unit to each error, and by whom;
-        and the first as a share of the last, in the unit and in time."""
-        lines = []
-        for problem in problems:
-            line = {"problem": problem}
-            for side, solvers in sides.items():
-                found = [self.cheapest(problem, level, solvers, unit)
-                         for level in levels]
-                line[side] = joined(cost / 1e3 for cost, _ in found)
-                line[f"{side} by"] = " / ".join(dict.fromkeys(
-                    by.removeprefix("located ") for _, by in found))
-            own, *_, rivals = sides.values()
-            for name in dict.fromkeys([unit, "ns"]):
-                line["in time" if name == "ns" else "ratio"] = joined(
-                    (self.share(problem, level, own, rivals, name)
-                     for level in levels), ".2g")
-            if unit != "ns":  # not counted is not the same as never there
-                line["of"] = " / ".join(dict.fromkeys(self.cheapest(
-                    problem, level, rivals, "ns")[1] for level in levels))
-            lines.append(line)
-        return pd.DataFrame(lines)
-
-    def share(self, problem: str, level: float, own: str, rivals: str,
-              unit: str = "ns") -> float:
-        """The cost of some solvers as a share of that of others."""
-        return self.cheapest(problem, level, own, unit)[0] / \
-            self.cheapest(problem, level, rivals, unit)[0]
 
     def kilohertz(self) -> pd.DataFrame:
         """A step of 1 ms: instructions and error."""
@@ -211,38 +160,24 @@ class Page:
             ].reset_index()
 
     def phases(self) -> pd.DataFrame:
-        """Instructions of one step: of Moreau's by phase, of all schemes over
-        `cycle`, and beside one of Runge-Kutta's on the smoothed law."""
+        """Instructions of one step: by phase, of all schemes, and of random
+        machines."""
         rows = self.section("steps")
-        what = rows.dial.str.extract(r"(\d+) steps, (.*): (.*)")
-        rows = rows.assign(steps=what[0], phase=what[1], name=what[2]
-                           ).pivot_table(
-            index=["problem", "solver", "steps", "phase"], columns="name",
+        rows[["steps", "phase", "name"]] = rows.dial.str.extract(
+            r"(\d+) steps, (.*): (.*)")
+        rows = rows.pivot_table(
+            index=["steps", "phase", "solver"], columns="name",
             values="instructions", sort=False).reset_index()
-        moreau = rows[(rows.steps == "20000") & (rows.solver == "moreau")]
-        others = rows[(rows.steps == "400") & (rows.phase == "all")
-                      & (rows.problem == "cycle")
-                      & ~rows.solver.str.contains("float")]
-        table = pd.concat([moreau[moreau.phase != "all"], others])
         mean = self.section("kilohertz")
         mean = mean[(mean.problem == "chaos")
                     & (mean.dial == "dt=1.000e-04")]
-        mean = mean.assign(
-            solver=mean.solver.str.split().str[0], steps="10000",
-            phase="`chaos`, mean", median=mean.instructions / 10)
-        table = pd.concat([table, mean, self.machines()])
+        rows["phase"] += (", mean " + rows["mean"].map("{:.0f}".format)).where(
+            rows.phase.str.startswith("machines"), "")
+        table = pd.concat([rows, mean.assign(
+            steps="10000", phase="`chaos`, mean",
+            median=mean.instructions / 10)])
         return whole(table[["solver", "steps", "phase", "median", "99 %",
                             "most"]])
-
-    def machines(self) -> pd.DataFrame:
-        """Steps of random machines."""
-        rows = self.section("machines")
-        what = rows.dial.str.extract(r"(\d+) steps: (.*)")
-        rows = rows.assign(steps=what[0], name=what[1]).pivot_table(
-            index=["problem", "solver", "steps"], columns="name",
-            values="instructions", sort=False).reset_index()
-        means = rows["mean"].round().astype(int).astype(str)
-        return rows.assign(phase=rows.problem + ", mean " + means)
 
     def ensemble(self) -> pd.DataFrame:
         """Ratios of throughput."""
@@ -266,6 +201,49 @@ class Page:
             **{"stack of boards": boards.max(axis=1)})
         return whole(rows[rows.function.str.fullmatch(
             "tf_step(_located|_compensated)?")])
+
+
+def cheapest(rows: pd.DataFrame, unit: str) -> pd.DataFrame:
+    """The least cost of a side to an error, and whose it is."""
+    return rows.dropna(subset=unit).sort_values(unit, kind="stable").groupby(
+        ["problem", "side", "error"])[["solver", unit]].first()
+
+
+def beside(rows: pd.DataFrame, problems: tuple[str, ...],
+           levels: tuple[float, ...], sides: dict[str, str], unit: str
+           ) -> pd.DataFrame:
+    """What sides, patterns of solvers, cost in thousands of a unit to each
+    error, and by whom; and the first as a share of the last, in the unit and in
+    time. What nobody reaches costs nan."""
+    rows = rows.assign(side=np.select(
+        [rows.solver.str.match(one) for one in sides.values()], list(sides)))
+    found = {name: cheapest(rows, name) for name in (unit, "ns")}
+    own, *_, rivals = sides
+    lines = []
+    for problem in problems:
+        line = {"problem": problem}
+
+        def to(side, name, problem=problem):
+            return found[name].reindex(
+                [(problem, side, level) for level in levels])
+
+        for side in sides:
+            of = to(side, unit)
+            line[side] = joined(of[unit] / 1e3)
+            line[f"{side} by"] = names(of)
+        for name in found:
+            line["in time" if name == "ns" else "ratio"] = joined(
+                to(own, name)[name].to_numpy() / to(rivals, name)[name], ".2g")
+        if unit != "ns":  # not counted is not the same as never there
+            line["of"] = names(to(rivals, "ns"))
+        lines.append(line)
+    return pd.DataFrame(lines)
+
+
+def names(of: pd.DataFrame) -> str:
+    """The solvers in a cell, `-` for none."""
+    return " / ".join(of.solver.fillna("-").str.replace(
+        "^located ", "", regex=True).drop_duplicates())
 
 
 def joined(numbers: Iterable[float], form: str = ",.0f") -> str:

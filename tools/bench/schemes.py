@@ -51,14 +51,15 @@ class Solver(NamedTuple):
                 )[::4 if QUICK else 1]
 
 
-def own(real: str) -> list[Solver]:
-    """The project's schemes. The located step takes part with its tolerance as
-    the dial at several lengths of the step, with its step as the dial at the
-    tolerance 1e-8 and, `order`, at one that never splits it; and within budgets
-    of segments. Numbers of a line: dt, tolerance, segments, theta."""
-    fixed, least = "moreau {} 0 0 0.5", 2e-14 if real == "double" else 1e-5
-    return [
-        Solver("moreau", "dt", 0.1, 1e-6, 1.3, EVERY, fixed),
+# By their programs. The project's own schemes: the located step takes part with
+# its tolerance as the dial at several lengths of the step, with its step as the
+# dial at the tolerance 1e-8 and, `order`, at one that never splits it; and
+# within budgets of segments. Numbers of a line: dt, tolerance, segments, theta.
+# The second number of SUNDIALS is the width of a smoothed law.
+FIXED = "moreau {} 0 0 0.5"
+SOLVERS = {
+    "own": [
+        Solver("moreau", "dt", 0.1, 1e-6, 1.3, EVERY, FIXED),
         Solver("compensated", "dt", 0.1, 3e-6, 1.8, EVERY,
                "compensated {} 0 0 0.5"),
         Solver("moreau-1", "dt", 0.1, 1e-6, 1.3, ["stiff-spring", *ONE_FIELD],
@@ -66,20 +67,15 @@ def own(real: str) -> list[Solver]:
         Solver("located", "dt", 0.5, 1e-4, 1.25, HELD, "located {} 1e-8 0 0.5"),
         Solver("located order", "dt", 0.1, 3e-4, 1.25, HELD,
                "located {} 0.1 0 0.5"),
-        *(Solver(f"located step={dt}", "tol", 1e-3, least, 1.8, HELD,
+        *(Solver(f"located step={dt}", "tol", 1e-3, 2e-14, 1.8, HELD,
                  f"located {dt} {{}} 0 0.5")
           for dt in (1, 0.2, 0.1, 0.05, 0.02, 0.005)),
-        *(Solver("moreau", "dt", dt, dt, 1, EVERY, fixed)
+        *(Solver("moreau", "dt", dt, dt, 1, EVERY, FIXED)
           for dt in (1e-3, 1e-3 / 3, 1e-4)),
         *(Solver(f"located {name}", "dt", 1e-3, 1e-3, 1, HELD,
                  f"located {{}} 1e-9 {segments} 0.5")
           for name, segments in (("segments=1", 1), ("segments=2", 2),
-                                 ("segments=8", 8), ("1 kHz", 0)))]
-
-
-# By their programs. The second number of SUNDIALS is the width of a smoothed
-# law.
-PEERS = {
+                                 ("segments=8", 8), ("1 kHz", 0)))],
     "hand": [
         Solver("events-rk4", "dt", 0.1, 3e-5, 1.3, JUMPING, "rk4 {}"),
         Solver("events-dp5", "tol", 1e-4, 4e-13, 1.8, JUMPING, "dp5 {}")],
@@ -136,16 +132,6 @@ def left_out(what: str, package: str) -> None:
     missing.append(what)
 
 
-def precision() -> pd.DataFrame:
-    """The project's own schemes; instructions of those in double."""
-    double, single = (timed([BUILD / real / "bench"], runs_of(own(real)))
-                      for real in REALS)
-    return pd.concat([
-        with_counts([BUILD / "double/bench"], double),
-        single.assign(solver=single.solver + " float")],
-        ignore_index=True)[COLUMNS]
-
-
 def rivals() -> dict[str, list[object]]:
     """The commands of the peers, of libraries where they are installed."""
     found: dict[str, list[object]] = {"hand": [WORK / "hand"]}
@@ -169,8 +155,7 @@ def peers() -> pd.DataFrame:
     slows down slows all. Ends the program where no peer comes to the end of a
     problem: their equations are not those of the reference."""
     programs = {"own": [BUILD / "double/bench"], **rivals()}
-    runs = {name: runs_of(PEERS.get(name) or own("double"))
-            for name in programs}
+    runs = {name: runs_of(SOLVERS[name]) for name in programs}
     found, rounds = [], int(os.environ.get("ROUNDS") or (1 if QUICK else 5))
     for turn in range(rounds):
         say(f"round {turn + 1} of {rounds} ...")
@@ -190,52 +175,41 @@ def peers() -> pd.DataFrame:
         ignore_index=True)[COLUMNS]
 
 
-def one_step(real: str, scheme: str, problem: str, steps: int, every: int,
-             ) -> list[list[object]]:
-    """Median, 99 % and most instructions of single steps, of all and by
-    phase."""
-    lines = counted("sample", BUILD / real / "bench", "single", scheme,
-                    problem, steps, every)
-    found = pd.DataFrame([[*line.split(","), n] for line, n in lines],
-                         columns=["before", "after", "cost"])
-    kind = found.before.str.replace("[+-]", "", regex=True)
-    kind = kind.where(found.before == found.after, "changes")
-    solver = scheme + ("" if real == "double" else " float")
-    return [[problem, solver, f"{steps} steps, {phase}: {name}", None, None,
-             of.quantile(share, interpolation="lower"), ""]
-            for phase, of in [("all", found.cost), *found.cost.groupby(kind)]
-            for name, share in (("median", 0.5), ("99 %", 0.99), ("most", 1))]
+def spread(name: str, solver: str, cost: pd.Series) -> list[list[object]]:
+    """Rows of what single steps cost."""
+    return [["steps", solver, f"{name}: {what}", None, None, value, ""]
+            for what, value in (
+                ("mean", cost.mean()), ("median", cost.median()),
+                ("99 %", cost.quantile(0.99, interpolation="lower")),
+                ("most", cost.max()))]
 
 
 def steps() -> pd.DataFrame:
-    """Single steps: 0.1 ms of `cycle`, and 5 and 20 ms of two problems."""
+    """Instructions of single steps: 0.1 ms of `cycle` by phase, and 5 ms; and
+    random machines, those of the golden hashes and ordinary ones."""
     rows: list[list[object]] = []
-    for real in REALS if counts_here("single steps") else ():
-        rows += one_step(real, "moreau", "cycle", 20000, 200)
-        for problem in "cycle", "crossings":
-            for scheme in "moreau", "compensated", "located":
-                rows += one_step(real, scheme, problem, 400, 1)
-            rows += one_step(real, "located", problem, 100, 1)
-    return pd.DataFrame(rows, columns=COLUMNS)
+    if not counts_here("single steps"):
+        return pd.DataFrame(columns=COLUMNS)
 
+    def single(scheme: str, *words: object) -> pd.DataFrame:
+        lines = counted("sample", BUILD / "double/bench", "single", scheme,
+                        *words)
+        return pd.DataFrame([[*line.split(","), n] for line, n in lines],
+                            columns=["before", "after", "cost"])
 
-def machines() -> pd.DataFrame:
-    """Instructions of a step of random machines: those of the golden hashes,
-    and ordinary ones."""
-    rows: list[list[object]] = []
-    for name, count, steps_of, dt in (("golden", 1000, 12, 0),
-                                      ("ordinary 1 ms", 100, 100, 1e-3),
-                                      ("ordinary 0.1 ms", 100, 100, 1e-4)):
-        if not counts_here("random machines"):
-            break
-        cost = pd.Series([n for _, n in counted(
-            "sample", BUILD / "double/bench", "single", "moreau",
-            "machines", count, steps_of, dt)])
-        for what, value in (("mean", cost.mean()), ("median", cost.median()),
-                            ("99 %", cost.quantile(0.99)),
-                            ("most", cost.max())):
-            rows.append([f"machines {name}", "moreau",
-                         f"{steps_of} steps: {what}", None, None, value, ""])
+    found = single("moreau", "cycle", 20000, 200)
+    kind = found.before.str.replace("[+-]", "", regex=True).where(
+        found.before == found.after, "changes")
+    for phase, cost in found.cost.groupby(kind):
+        rows += spread(f"20000 steps, {phase}", "moreau", cost)
+    for scheme in "moreau", "compensated", "located":
+        rows += spread("400 steps, all", scheme,
+                       single(scheme, "cycle", 400, 1).cost)
+    for name, count, length, dt in (("golden", 1000, 12, 0),
+                                    ("ordinary 1 ms", 100, 100, 1e-3),
+                                    ("ordinary 0.1 ms", 100, 100, 1e-4)):
+        rows += spread(f"{length} steps, machines {name}", "moreau", single(
+            "moreau", "machines", count, length, dt).cost)
     return pd.DataFrame(rows, columns=COLUMNS)
 
 
