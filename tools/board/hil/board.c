@@ -7,7 +7,6 @@
 #include <stdio.h>
 #include <string.h>
 
-
 #define ANSWER_PATIENCE 2.0 // wait for an answer [s] ...
 #define ANSWER_TRIES 4      // ... to a command that is sent so often in all
 #define STATE_PATIENCE 5.0  // longest time without a state [s]

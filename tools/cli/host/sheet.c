@@ -63,28 +63,35 @@ static uint64_t next_number(const char **at, int base) {
   return number;
 }
 
-// Whether a file goes on from one place with the bytes up to another.
-static bool reaches(FILE *file, cli_extent_t from, cli_extent_t to) {
+// Whether the rows of a file go on with the bytes up to a place.
+static bool reaches(const cli_sheet_t *sheet, cli_extent_t to) {
   char part[4096];
-  while (from.bytes < to.bytes) {
-    const uint64_t left = to.bytes - from.bytes;
-    const size_t some = left < sizeof part ? (size_t)left : sizeof part;
-    if (fread(part, 1, some, file) != some) {
-      return false;
-    }
-    from.crc = cli_crc(from.crc, part, some);
-    from.bytes += some;
+  size_t some = 1;
+  cli_extent_t at = sheet->rows;
+  FILE *file = fopen(name_of(sheet), "r");
+  if (file == NULL || fseeko(file, (off_t)at.bytes, SEEK_SET) != 0) {
+    some = 0;
   }
-  return from.bytes == to.bytes && from.crc == to.crc;
+  while (some > 0 && at.bytes < to.bytes) {
+    const uint64_t left = to.bytes - at.bytes;
+    some =
+        fread(part, 1, left < sizeof part ? (size_t)left : sizeof part, file);
+    at.crc = cli_crc(at.crc, part, some);
+    at.bytes += some;
+  }
+  if (file != NULL) {
+    (void)fclose(file);
+  }
+  return at.bytes == to.bytes && at.crc == to.crc;
 }
 
 // Goes to a note, if it fits the rows.
-static bool go_to(cli_sheets_t *sheets, const char *note, FILE *const rows[]) {
+static bool go_to(cli_sheets_t *sheets, const char *note) {
   cli_extent_t next[CLI_SHEETS];
   for (int i = 0; i < sheets->count; i++) {
     next[i].bytes = next_number(&note, 10);
     next[i].crc = (uint32_t)next_number(&note, 16);
-    if (!reaches(rows[i], sheets->sheet[i].rows, next[i])) {
+    if (!reaches(&sheets->sheet[i], next[i])) {
       return false;
     }
   }
@@ -105,13 +112,14 @@ static int refuse_other(const cli_sheets_t *sheets, const char *path) {
                      path, sheets->what);
 }
 
-// Goes to the last note that fits the rows. name: in, one of the files.
-static int read_notes(cli_sheets_t *sheets, FILE *notes, FILE *const rows[],
-                      const char *name) {
+// Goes to the last note that fits the rows; without notes they are of something
+// else. name: in, one of the files.
+static int read_notes(cli_sheets_t *sheets, FILE *notes, const char *name) {
   static char line[LINE];
   uint32_t chain = sheets->chain;
-  const char *text =
-      fgets(line, sizeof line, notes) == NULL ? NULL : text_of(&chain, line);
+  const char *text = notes == NULL || fgets(line, sizeof line, notes) == NULL
+                         ? NULL
+                         : text_of(&chain, line);
   if (text == NULL || strcmp(text, sheets->about) != 0) {
     return refuse_other(sheets, name);
   }
@@ -128,28 +136,8 @@ static int read_notes(cli_sheets_t *sheets, FILE *notes, FILE *const rows[],
                          "another file",
                          notes_of(sheets), name);
     }
-  } while (go_to(sheets, text, rows));
+  } while (go_to(sheets, text));
   return CLI_DONE;
-}
-
-// Looks how far the files are right; without notes they are of something else.
-static int look(cli_sheets_t *sheets, const char *name) {
-  FILE *rows[CLI_SHEETS];
-  FILE *notes = fopen(notes_of(sheets), "r");
-  bool opened = notes != NULL;
-  for (int i = 0; i < sheets->count; i++) {
-    rows[i] = fopen(name_of(&sheets->sheet[i]), "r");
-    opened = opened && rows[i] != NULL;
-  }
-  const int code = opened ? read_notes(sheets, notes, rows, name)
-                          : refuse_other(sheets, name);
-  for (int i = 0; i <= sheets->count; i++) {
-    FILE *file = i < sheets->count ? rows[i] : notes;
-    if (file != NULL) {
-      (void)fclose(file);
-    }
-  }
-  return code;
 }
 
 // The first line is on disk before the rows: rows without it would be refused.
@@ -215,7 +203,12 @@ static int open_all(cli_sheets_t *sheets) {
                        found, sheets->what);
   }
   if (sheets->noted && found != NULL && sheets->resume) {
-    CLI_TRY(look(sheets, found));
+    FILE *notes = fopen(notes_of(sheets), "r");
+    const int code = read_notes(sheets, notes, found);
+    if (notes != NULL) {
+      (void)fclose(notes);
+    }
+    CLI_TRY(code);
   }
   return go_on(sheets);
 }
