@@ -2,7 +2,6 @@
  * for every compiler, optimisation level and target of a real type. A hash
  * changes only in a commit that says which arithmetic changed and why. */
 #include "population.h"
-#include "scene_named.h"
 #include "sim.h"
 
 /* Over the bits of r, v, w and phi, mode and set. A printed trajectory cannot

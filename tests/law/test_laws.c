@@ -1,5 +1,4 @@
 /* Laws that the simulated motion must obey, whatever the implementation. */
-#include "scene_named.h"
 #include "sim.h"
 
 /* Rounding of the terms of h, for speeds of the turntable up to 2 rad/s. */

@@ -122,6 +122,15 @@ static inline void load_for(const tf_params_t *p, tf_input_t *u, tf_real_t r,
   u->torque = (tf_real_t)(q.d * q.m * off.p - inertia * off.z);
 }
 
+/* A scene by its name. */
+static inline const tf_scene_t *scene_named(const char *name) {
+  for (int i = 0; i < TF_SCENES; i++)
+    if (!strcmp(tf_scenes[i]->name, name)) return tf_scenes[i];
+  printf("# no scene is called %s\n", name);
+  CHECK(0);
+  return tf_scenes[0];
+}
+
 static inline tf_machine_t prepared(const tf_params_t *params) {
   tf_machine_t machine;
   memset(&machine, 0, sizeof machine);

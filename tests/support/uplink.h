@@ -3,10 +3,8 @@
 #ifndef TESTS_SUPPORT_UPLINK_H
 #define TESTS_SUPPORT_UPLINK_H
 
+#include "common.h"
 #include "frame_in.h"
-#include "scene_named.h"
-#include "tap.h"
-#include "twofold.h"
 
 #define R TF_REAL_BYTES
 

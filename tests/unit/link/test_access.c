@@ -4,8 +4,6 @@
  * board which nobody attacked. */
 #include "link/parts.h"
 #include "same_state.h"
-#include "tap.h"
-#include "twofold.h"
 #include "uplink.h"
 
 /* The session is made of all that was stirred in, and is never 0. */

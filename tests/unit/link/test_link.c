@@ -1,9 +1,6 @@
 /* Commands over a line: validated, applied at the boundary between two steps
  * and nowhere else, answered. Bytes that are none: fuzz target frame. */
 #include "same_state.h"
-#include "scene_named.h"
-#include "tap.h"
-#include "twofold.h"
 #include "uplink.h"
 
 /* A line that was opened with parameters which no machine has: a command that

@@ -1,5 +1,4 @@
 /* The compensated step: what it adds to a step is digits and nothing else. */
-#include "scene_named.h"
 #include "sim.h"
 
 /* Of a pair, as far as long double resolves. */

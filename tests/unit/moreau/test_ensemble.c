@@ -3,7 +3,6 @@
  * the input, the size of the ensemble and what has become of its states. */
 #include "same_state.h"
 #include "sample.h"
-#include "scene_named.h"
 #include "sim.h"
 
 #define MOST 72 /* states: whole blocks and a rest */

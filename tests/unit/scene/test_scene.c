@@ -1,6 +1,5 @@
 /* The scenes that come with the project: their texts, the start of `chaos` and
  * inputs over time. Their motions: law/test_reference.c. */
-#include "scene_named.h"
 #include "sim.h"
 
 static void one_line(const char *text, size_t longest) {

@@ -1,11 +1,9 @@
 /* A scene has one start wherever it is needed: a simulation, a reset over the
  * line, the firmware that has all scenes, and the constants that a firmware of
  * one scene is made of. Seen here by the side on which a slip starts. */
+#include "common.h"
 #include "firmware_start.h"
 #include "same_state.h"
-#include "scene_named.h"
-#include "tap.h"
-#include "twofold.h"
 
 /* A scene that starts at h, so small a slip that its sign alone may decide. */
 static tf_scene_t scene_at(const char *name, tf_real_t h) {

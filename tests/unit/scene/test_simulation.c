@@ -1,8 +1,6 @@
 /* A scene under way is what the command line runs: its inputs, and how what its
  * steps said is counted. */
-#include "scene_named.h"
-#include "tap.h"
-#include "twofold.h"
+#include "common.h"
 
 /* Whatever was in its memory before. */
 static tf_simulation_t opened(const tf_scene_t *scene) {
