@@ -12,9 +12,8 @@
 static int has_its_signs(const sim_t *run, real tolerance) {
   const tf_state_t *x = &run->x;
   const paper_t paper = paper_of(&run->params);
-  const real at[3] = {wide(x->r) + wide(run->low.r),
-                      wide(x->v) + wide(run->low.v),
-                      wide(x->w) + wide(run->low.w)};
+  real at[4];
+  sim_whole(run, at);
   const real h = paper_h(&paper, at), g = paper_g(&paper, at);
   const real tiny =
       wide(TF_REAL_MIN) +

@@ -41,6 +41,14 @@ static inline tf_status_t sim_prepare(sim_t *s) {
   return status;
 }
 
+/* r, v, w and phi by both members of each pair. */
+static inline void sim_whole(const sim_t *s, real x[4]) {
+  x[0] = wide(s->x.r) + wide(s->low.r);
+  x[1] = wide(s->x.v) + wide(s->low.v);
+  x[2] = wide(s->x.w) + wide(s->low.w);
+  x[3] = wide(s->x.phi) + wide(s->low.phi);
+}
+
 /* Under the inputs of its parameters, in no mode yet. */
 static inline sim_t sim_of(const tf_params_t *params) {
   sim_t s;

@@ -4,10 +4,6 @@
 /* Of a pair, as far as long double resolves. */
 #define PAIR_EPSILON (EPSILON * EPSILON + LDBL_EPSILON)
 
-static real pair(tf_real_t high, tf_real_t low) {
-  return (real)high + (real)low;
-}
-
 static sim_t begun(const tf_scene_t *scene, double dt) {
   tf_params_t p = scene->params;
   p.dt = (tf_real_t)dt;
@@ -18,13 +14,6 @@ static sim_t begun(const tf_scene_t *scene, double dt) {
                                         scene->h) == TF_OK);
   CHECK(sim_begin(&s) == TF_OK);
   return s;
-}
-
-static void whole_state(const sim_t *run, real x[4]) {
-  x[0] = pair(run->x.r, run->low.r);
-  x[1] = pair(run->x.v, run->low.v);
-  x[2] = pair(run->x.w, run->low.w);
-  x[3] = pair(run->x.phi, run->low.phi);
 }
 
 TEST(compensated_start_has_its_slip) {
@@ -41,7 +30,7 @@ TEST(compensated_start_has_its_slip) {
                                         run.u.omega0, h) == TF_OK);
     const paper_t paper = paper_of(&run.params);
     real x[4];
-    whole_state(&run, x);
+    sim_whole(&run, x);
     CHECK_NEAR(paper_h(&paper, x), (real)h, 200 * PAIR_EPSILON);
     CHECK(fabsl((real)run.low.v) <= EPSILON * fabsl((real)run.x.v));
   }
@@ -82,15 +71,15 @@ TEST(rounding_is_compensated) {
   const int steps = 1000000;
   sim_t run = begun(scene_named("rolling"), 1e-6), rounded = run;
   real want[4], got[4], plain[4], worst = 0, worst_plain = 0;
-  whole_state(&run, want);
+  sim_whole(&run, want);
   memset(&rounded.low, 0, sizeof rounded.low);
   true_stick(&run, want, (real)steps * (real)run.params.dt);
   for (int i = 0; i < steps; i++) {
     CHECK(sim_step(&run, COMPENSATED) == TF_OK);
     CHECK(ok_to_resolution(sim_step(&rounded, MOREAU)));
   }
-  whole_state(&run, got);
-  whole_state(&rounded, plain);
+  sim_whole(&run, got);
+  sim_whole(&rounded, plain);
   for (int j = 0; j < 4; j++) {
     /* The step's own error, 0.3 dt^2, and what pairs of floats add to it. */
     CHECK_NEAR(got[j], want[j], IS_DOUBLE ? 5e-13L : 5e-10L);

@@ -85,13 +85,6 @@ TEST(a_step_ends_where_the_scheme_says) {
   CHECK_BELOW(worst, 20 * EPSILON);
 }
 
-/* r, v, w by both members of each pair. */
-static void whole(const sim_t *s, real x[3]) {
-  x[0] = wide(s->x.r) + wide(s->low.r);
-  x[1] = wide(s->x.v) + wide(s->low.v);
-  x[2] = wide(s->x.w) + wide(s->low.w);
-}
-
 /* The compensated step solves (6) with the parameters as they were given and
  * with M = s kappa F to twice the digits: what is left out of the inertia or of
  * that product would be an epsilon of the change of velocity. Slow machines
@@ -112,7 +105,7 @@ TEST(compensated_changes_have_twice_the_digits) {
     q.dt = TF_R(0.01);
     q.omega0 = 0;
     sim_t s = sim_of(&q);
-    real at[3], to[3], end[3];
+    real at[4], to[4], end[3];
     s.u.torque = uniform(-9, 9);
     s.u.force = uniform(-9, 9);
     s.x.r = uniform(0.3, 1);
@@ -120,7 +113,7 @@ TEST(compensated_changes_have_twice_the_digits) {
     const tf_real_t h = i % 2 ? 0 : TF_R(1e-3);
     CHECK(tf_speed_for_slip_compensated(&s.pairs, &s.x, &s.low, 0, h) == TF_OK);
     CHECK(sim_begin(&s) == TF_OK);
-    whole(&s, at);
+    sim_whole(&s, at);
     const scheme_step_t scheme = scheme_step(&q, &s.u, at);
     if (sim_step(&s, COMPENSATED) != TF_OK || s.x.mode == TF_PINNED) continue;
     const bool stick = !tf_mode_is_slip(s.x.mode);
@@ -130,7 +123,7 @@ TEST(compensated_changes_have_twice_the_digits) {
     if (stick && fabsl(M - side * wide(q.kappa) * F) > 4 * EPSILON * fabsl(M))
       continue;
     scheme_end(&scheme, F, stick ? side * wide(q.kappa) * F : M, end);
-    whole(&s, to);
+    sim_whole(&s, to);
     const real size = fabsl(end[1] - at[1]) + fabsl(end[2] - at[2]);
     const real off = fabsl(to[1] - end[1]) + fabsl(to[2] - end[2]);
     if (size < 0.02L) continue; /* below what long double resolves of it */
