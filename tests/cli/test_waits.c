@@ -73,10 +73,8 @@ static void judge(double dt) {
   while (n < samples(RESTS)) {
     const tf_state_t from = motion.state;
     const double t = motion.t;
-    if (cli_motion_advance(&motion)) {
+    if (cli_motion_advance(&motion))
       CHECK(motion.cycle.outcome == CLI_CYCLE_RETURNED);
-      cli_motion_next(&motion);
-    }
     const bool rested = from.mode == TF_PINNED;
     if (motion.state.mode == TF_PINNED && !rested) {
       came = t + time_of_rest(from);

@@ -259,21 +259,17 @@ static bool do_sample(work_t *work, uint64_t sample) {
   const bool arrives = job->at_two_fold && !motion->passes;
   for (uint64_t cycle = arrives ? 0 : 1; follow(work); cycle++) {
     const cli_outcome_t outcome = motion->cycle.outcome;
-    const bool returned = outcome == CLI_CYCLE_RETURNED;
     if (cycle > 0) {
       write_rows(work, sample, cycle);
       work->sheets.done.count[CYCLES]++;
       work->sheets.done.count[outcome]++;
       work->in_sample = cycle;
-      if (!returned || cycle == job->args->cycles) {
+      if (outcome != CLI_CYCLE_RETURNED || cycle == job->args->cycles) {
         return true;
       }
       if (!check_clock(work, false)) {
         return false;
       }
-    }
-    if (returned) {
-      cli_motion_next(motion);
     }
   }
   return false;

@@ -106,11 +106,9 @@ typedef struct {
 void cli_motion_begin(cli_motion_t *motion, const cli_job_t *job,
                       uint64_t sample);
 
-/// Takes one step. Returns: whether the cycle ended.
+/// Takes one step; after a cycle that returned, the first of the next one.
+/// Returns: whether the cycle ended.
 bool cli_motion_advance(cli_motion_t *motion);
-
-/// Begins the next cycle, at the two-fold.
-void cli_motion_next(cli_motion_t *motion);
 
 /// A random number in (0, 1).
 double cli_draw_uniform(cli_motion_t *motion);

@@ -333,11 +333,6 @@ void cli_motion_begin(cli_motion_t *motion, const cli_job_t *job,
   cli_track_start(motion);
 }
 
-void cli_motion_next(cli_motion_t *motion) {
-  begin_cycle(motion);
-  motion->passes = motion->job->args->mechanism == CLI_BY_RANDOM;
-}
-
 // The longest step at an instant.
 static double longest_step(const cli_motion_t *motion,
                            const cli_instant_t *now) {
@@ -402,7 +397,10 @@ static bool advance_noise(cli_motion_t *motion) {
 }
 
 bool cli_motion_advance(cli_motion_t *motion) {
-  return motion->job->args->mechanism == CLI_BY_RANDOM
-             ? cli_random_advance(motion)
-             : advance_noise(motion);
+  const bool random = motion->job->args->mechanism == CLI_BY_RANDOM;
+  if (motion->cycle.outcome == CLI_CYCLE_RETURNED) {
+    begin_cycle(motion);
+    motion->passes = random;
+  }
+  return random ? cli_random_advance(motion) : advance_noise(motion);
 }
