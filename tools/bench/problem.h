@@ -9,14 +9,14 @@ typedef struct {
   tf_params_t params;        // rule persist
   double alpha;              // of the turntable [rad/s^2], whose speed moves
   long double start[3];      // r [m], v [m/s], w [rad/s]
-  double h;                  // slip speed at the start [m/s]; not of windows
+  double h;                  // slip speed at the start [m/s]
   double length;             // [s]
   uint8_t mode, mode_at_end; // tf_mode_t
   double end[3];             // r, v, w
   double branch_error;       // an error above it is another branch
 } problem_t;
 
-#define PROBLEMS 12
+#define PROBLEMS 9
 
 /// The problem number i, 0 <= i < PROBLEMS.
 problem_t problem_number(int i);

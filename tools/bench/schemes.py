@@ -25,7 +25,7 @@ OFF = 1e-6      # an error that a peer of the same equations goes below
 SWITCHED = ["chaos", "crossings", "stickslip", "driven"]
 JUMPING = [*SWITCHED, "stiff-spring"]
 ONE_FIELD = ["stiff-smooth", "stiff-string"]
-HELD = [*JUMPING, "smooth", "stick", "approach", "cycle", "rolling"]
+HELD = [*JUMPING, "cycle", "rolling"]
 EVERY = HELD + ONE_FIELD
 
 
