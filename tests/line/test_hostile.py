@@ -5,8 +5,8 @@ and length with any payload and any tick, commands with raw bits for numbers,
 frames that were sent before. Whatever comes, the firmware goes on, all that it
 sends is whole and finite, and it still answers.
 
-Environment: HOSTILE_FRAMES (default 20000) of them are sent, in HOSTILE_SECONDS
-(default 60) at most, drawn from SEED (default 1)."""
+Environment: HOSTILE_FRAMES (default 20000) of them are sent, drawn from SEED
+(default 1)."""
 import functools
 import math
 import os
@@ -17,10 +17,9 @@ import time
 from collections import deque
 
 from boards import ANSWER, DESCRIBE, REALS, SCHEMA, STATE, Board, Line, framed
-from tap import check, run, same
+from tap import check, run, same, until
 
 FRAMES = int(os.environ.get("HOSTILE_FRAMES") or 20000)
-SECONDS = float(os.environ.get("HOSTILE_SECONDS") or 60)
 SEED = int(os.environ.get("SEED") or 1)
 BYTES = {"double": 8, "float": 4}
 # A third of the bytes.
@@ -56,15 +55,17 @@ class Victim(Line):
                 check(all(map(math.isfinite, values)), f"no state: {values}")
         return found
 
-    def put(self, data, until):
-        """All bytes, however long the line takes them; it is listened to
-        meanwhile."""
-        while data:
+    def put(self, data):
+        """All bytes, while the line is listened to."""
+        def written():
             try:
-                data = data[os.write(self.line, data):]
+                return os.write(self.line, data)
             except BlockingIOError:
-                check(time.monotonic() < until, "it takes no bytes")
                 self.frames(0.01)
+                return 0
+
+        while data:
+            data = data[until(written, "it takes bytes"):]
 
     def whole(self, is_command):
         """A whole frame. A command has the length that it should have, and most
@@ -102,26 +103,26 @@ class Victim(Line):
 
     def still_answers(self):
         """Zeros end what the noise left open, then it listens again."""
-        before, end = self.answers, time.monotonic() + 20
-        while self.answers == before and time.monotonic() < end:
-            self.put(framed(DESCRIBE, 0, 0, b""), end)
+        before = self.answers
+
+        def answers():
+            self.put(framed(DESCRIBE, 0, 0, b""))
             self.frames(0.1)
-        check(self.answers > before, "it does not answer")
+            return self.answers > before
+        until(answers, "it answers")
 
 
 def hostile_frames_cost_no_firmware(real):
     with Board(real) as board, Victim(board.name, real) as line:
         line.describe()
-        begun, sent = time.monotonic(), 0
-        while sent < FRAMES and time.monotonic() < begun + SECONDS:
-            line.put(line.hostile(), begun + SECONDS)
-            sent += 1
+        begun = time.monotonic()
+        for sent in range(FRAMES):
+            line.put(line.hostile())
             if sent % 16 == 0:
                 line.frames(0)
-        print(f"# {real}, seed {SEED}: {sent} hostile frames in "
+        print(f"# {real}, seed {SEED}: {FRAMES} hostile frames in "
               f"{time.monotonic() - begun:.1f} s; {line.came} frames came back,"
               f" {line.answers} answers, {line.states} states", flush=True)
-        same(sent, FRAMES)
         line.still_answers()
         same((line.broken, line.states > 0), (0, True))
         same(board.end()[0], 0)

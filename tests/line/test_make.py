@@ -11,7 +11,6 @@ from starts import DIGITS as KEY
 from tap import ROOT, TWOFOLD, check, main, same
 
 
-
 def make(*words):
     """Of a firmware for the host, by the variables of the make that tests."""
     given = os.environ.get("MAKEFLAGS", "").partition(" -- ")[2]

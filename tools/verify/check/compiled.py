@@ -249,7 +249,6 @@ def hostile():
     machine."""
     frames = os.environ.setdefault("HOSTILE_FRAMES",
                                    "1000000" if FULL else "100000")
-    os.environ.setdefault("HOSTILE_SECONDS", "300")
     place, test = BUILD / "sanitize-gcc", "tests/line/test_hostile.py"
     if sanitized("gcc", f"{place}/double/twofold",
                  *(f"line-{real}" for real in DEFINES))[1]:
