@@ -71,7 +71,10 @@ static void judge_distinct(const char *(*name_of)(unsigned), int first,
     CHECK(!strcmp(name_of((unsigned)beyond[i]), unknown));
 }
 
-TEST(sentences_are_distinct) {
+TEST(status_names_are_distinct) {
   judge_distinct(status, TF_STEP_TOO_LONG, TF_STALLED, "unknown status");
+}
+
+TEST(reasons_and_types_have_names) {
   judge_distinct(tf_absence_name, 0, TF_ABSENCES - 1, "unknown");
 }
