@@ -38,8 +38,8 @@ static int ascending(const void *a, const void *b) {
 // Reads a run. Returns 0 behind the last one.
 static int next_task(task_t *task) {
   char problem[20];
-  double *x = task->number;
   *task = (task_t){.solver = ""};
+  double *x = task->number;
   if (fgets(task->line, sizeof task->line, stdin) == NULL) return 0;
   if (sscanf(task->line, "%19s %19s %lf %lf %lf %lf", problem, task->solver, x,
              x + 1, x + 2, x + 3) < 3 ||

@@ -334,7 +334,8 @@ static void draw_plane(const cli_live_t *live, plane_t *plane) {
 // A line for each mode, and below them the times at their ends.
 static void draw_lanes(const cli_live_t *live, int row) {
   const uint64_t columns = (uint64_t)(terminal.columns - LABEL);
-  const uint64_t kept = live->newest < BUCKETS ? live->newest : BUCKETS;
+  uint64_t kept = live->newest;
+  if (kept > BUCKETS) kept = BUCKETS;
   const double end = fmax(live->span, live->last.column[CLI_CSV_t]);
   for (unsigned lane = 0; lane < LANES; lane++) {
     put_text(row + (int)lane, 0, "%s",
