@@ -203,7 +203,7 @@ def cell(settings: dict, scheme: str, theta: float, dt: float
     except ValueError:
         return 0, "bad_parameter"
     k = {name: machine[name] for name in twofold.parameters()}
-    law, found = str(machine._get("law", twofold.Law)), {"ok"}
+    law, found = str(twofold.Law(machine._params.law)), {"ok"}
     E = energy(k, *columns(rows), np.asarray(rows["r"], np.longdouble)
                - k["r0"])
     room = E[0] + put_in(law, k, rows, "scene" in settings) + of_rounding(
@@ -264,11 +264,15 @@ def judged() -> pd.DataFrame:
 
 def end_of(settings: dict, scheme: str, theta: float, tolerance: float,
            n: int) -> tuple[twofold.Machine, int]:
-    """A machine behind n steps, and the largest status, or the refusal."""
+    """A machine behind n steps, and the largest status; -1 where one is
+    refused."""
     machine = machine_of(settings, theta=theta, dt=LENGTH / n,
                          tolerance=tolerance)
-    rows, _, status = machine._rows(n * machine["dt"], 1, scheme, None)
-    return machine, status if status < 0 else rows["status"][1:].max()
+    try:
+        rows = machine.run(n * machine["dt"], scheme=scheme)
+    except ValueError:
+        return machine, -1
+    return machine, rows["status"][1:].max()
 
 
 def distance(k: dict, at: twofold.Machine, end: twofold.Machine, E0: float
