@@ -36,11 +36,6 @@ def say(text: object) -> None:
     print(text, file=sys.stderr, flush=True)
 
 
-def bench(real: str, *arguments: object) -> str:
-    """What the program of a real type prints."""
-    return driven.output(BUILD / real / "bench", *arguments)
-
-
 def csv(text: str, names: list[str] | None = None) -> pd.DataFrame:
     """A table of lines, without a header where the columns have names here."""
     return pd.read_csv(io.StringIO(text), names=names, keep_default_na=False,
@@ -86,7 +81,7 @@ def put(name: str, of: str, rows: pd.DataFrame) -> None:
 
 def problems() -> pd.DataFrame:
     """Of each problem the length, and where it ends."""
-    return csv(bench("double", "problems"),
+    return csv(driven.output(BUILD / "double/bench", "problems"),
                ["problem", "length", "r", "v", "w"]).set_index("problem")
 
 

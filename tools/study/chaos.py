@@ -188,6 +188,11 @@ def fold() -> dict:
         "singularities", "chaos").stdout)["two_folds"] if one["case"] == 1)
 
 
+def fold_place() -> tuple[float, float]:
+    """Its r and omega."""
+    return fold()["r"], fold()["omega"]
+
+
 class Chart:
     """The coordinates of the normal form: xi = L- / (S sqrt(K--)), eta = -L+ /
     (S sqrt(-K++)), where L+ and L- are h' of both slips. Sliding is xi, eta >
@@ -196,7 +201,7 @@ class Chart:
     omega."""
 
     def __init__(self) -> None:
-        self.size, self.at = 1.0, np.array([fold()["r"], fold()["omega"]])
+        self.size, self.at = 1.0, np.array(fold_place())
         e, none = 1e-6, np.eye(2)
         by = np.transpose([(self.of(self.at + e * one)
                             - self.of(self.at - e * one)) / (2 * e)

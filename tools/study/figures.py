@@ -13,7 +13,7 @@ from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 import pictures
 import table
 from chaos import OFF, QUICK, Chart, branches, departure, field, fold, \
-    futures_back, rows_of, samples, stick_out, trajectory
+    fold_place, futures_back, rows_of, samples, stick_out, trajectory
 from pictures import INK, LINE, MODES, REGIONS, SERIES, SOFT, colors, \
     pyplot
 
@@ -83,10 +83,9 @@ def points(colour: str, marker: str = "o", size: float = 4) -> dict:
             "mew": 0.8}
 
 
-def fold_at(axes, **more) -> None:
-    axes.plot(fold()["r"], fold()["omega"], "o", color=INK, ms=5, **more)
-    axes.annotate("two-fold", (fold()["r"], fold()["omega"]),
-                  (6, 6), textcoords="offset points")
+def fold_at(axes) -> None:
+    axes.plot(*fold_place(), "o", color=INK, ms=5)
+    axes.annotate("two-fold", fold_place(), (6, 6), textcoords="offset points")
 
 
 def surface():
@@ -151,8 +150,8 @@ def normal():
               ylabel="disc speed ω [rad/s]")
     rows = branches()
     early = stick_out()[lambda one: one.stick_time <= 0.28]
-    draw(right, [fold()["r"], *early.exit_r], [fold()["omega"],
-                                              *early.exit_omega],
+    r, omega = fold_place()
+    draw(right, [r, *early.exit_r], [omega, *early.exit_omega],
          color=MODES["stick+"], lw=3)
     ends = rows[rows.end == "codim2"]
     for picked, end_t, lw in ((ends.windings == 7, 2.1, 1), (
@@ -188,9 +187,9 @@ def atlas():
             some = there[there.r.isin(x[::16]) & there.omega.isin(y[::8])]
             panel.plot(some.r, some.omega, ".", color=INK, ms=1,
                        rasterized=True)
-        panel.plot(fold()["r"], fold()["omega"], "o", color=INK, ms=4)
+        panel.plot(*fold_place(), "o", color=INK, ms=4)
         panel.set(title=title, xlabel="r* [m]", xticks=(0, 0.2, 0.4))
-    axes["a"].annotate("figure 5", (fold()["r"], fold()["omega"]), (6, -12),
+    axes["a"].annotate("figure 5", fold_place(), (6, -12),
                        textcoords="offset points")
     axes["a"].set(ylabel="prescribed ω* [rad/s]")
     return figure
@@ -290,9 +289,8 @@ def set_of_futures():
         out = stick_out()[lambda rows: rows.stick_time <= 0.36]
         panel.plot(out.exit_r, out.exit_omega, on(out.exit_r, out.exit_omega),
                    color=MODES["stick+"], lw=2, zorder=3)
-        panel.plot(fold()["r"], fold()["omega"], on(fold()["r"],
-                                                    fold()["omega"]), "o",
-                   color=INK, ms=4, zorder=4)
+        panel.plot(*fold_place(), on(*fold_place()), "o", color=INK, ms=4,
+                   zorder=4)
         panel.view_init(tilt, turn)
         panel.set(title=f"{title}; distance from h = 0\ndrawn {far}-fold",
                   xlabel="r [m]", ylabel="ω [rad/s]", zlabel="v [mm/s]",

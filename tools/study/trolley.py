@@ -1,6 +1,5 @@
 """`make trolley`: two-folds of castors, motions through them by trolley.c
 (which has the equations), and real castors."""
-import subprocess
 import sys
 from pathlib import Path
 from types import SimpleNamespace
@@ -8,7 +7,9 @@ from types import SimpleNamespace
 import numpy as np
 import pandas as pd
 
+import driven
 import pictures
+import table
 from pictures import MODES, REGIONS, pyplot
 
 # A castor, (u, s, behind) of a two-fold, and a time of its motion [s].
@@ -101,12 +102,9 @@ def passing(values, place, time):
 
 
 def motion(trolley, **values):
-    """The columns of a motion."""
-    words = [f"{name}={float(value)!r}" for name, value in values.items()]
-    said = subprocess.run([trolley, *words], check=True, text=True,
-                          stdout=subprocess.PIPE).stdout.splitlines()
-    return np.genfromtxt(said, delimiter=",", names=True, dtype=None,
-                         encoding=None)
+    """The rows of a motion."""
+    return table.parsed(driven.output(trolley, *(
+        f"{name}={float(value)!r}" for name, value in values.items())))
 
 
 def lasting(trolley, castor, steps):
@@ -116,11 +114,11 @@ def lasting(trolley, castor, steps):
     for share in np.linspace(0.9, 1.1, 7):
         m = motion(trolley, **passing(values, place, -share * time),
                    dt=time / steps, until=5 * time)
-        passed = np.argmax((m["psi"] > f.psi) == (f.w > 0))
-        left = np.argmax(np.char.startswith(m["mode"], "slip"))
+        passed = ((m.psi > f.psi) == (f.w > 0)).argmax()
+        left = m["mode"].str.startswith("slip").argmax()
         if not 0 < passed < left:
             sys.exit("a stick does not pass its two-fold")
-        yield round((m["t"][left] - m["t"][passed]) / time * steps)
+        yield round((m.t[left] - m.t[passed]) / time * steps)
 
 
 def rows_of(trolley) -> pd.DataFrame:
@@ -172,14 +170,14 @@ def picture(trolley, path: Path) -> None:
     for off in np.linspace(-0.02, 0.02, 5):
         m = motion(trolley, **{**start, "y": start["y"] + off, "until": 0.17})
         m = m[m["mode"] == "stick+"][1:]
-        left.plot(np.degrees(m["psi"]), inverse_mass(m["psi"]) * m["F"],
+        left.plot(np.degrees(m.psi), inverse_mass(m.psi) * m.F,
                   color=MODES["stick+"], lw=0.8)
     for leave in 0.06, 0.09, 0.12:
         for side in 1, -1:
             m = motion(trolley, **start, until=1.2, leave=leave, side=side,
                        every=4)
             for mode, colour in list(MODES.items())[:2]:
-                right.plot(*np.where(m["mode"] == mode, (m["w"], m["y"]),
+                right.plot(*np.where(m["mode"] == mode, (m.w, m.y),
                                      np.nan), color=colour, lw=0.8,
                            label=mode if (leave, side) == (0.06, 1) else None)
     for axes, x, y, across, up, place in (
