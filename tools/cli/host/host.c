@@ -1,10 +1,10 @@
 // Clock, descriptors, signals and sources. A simulation may run for hours and
 // be stopped by hand. It then finishes its step and writes its last row, so a
-// signal only sets a flag. The handler resets itself: a second signal ends the program at
-// once, in case it is blocked by a reader that never reads. SIGINT and SIGTERM
-// are caught even where the parent ignores them, as shells do for background
-// jobs, because it must be possible to stop a run that has no end of its own;
-// SIGHUP is not, for to ignore it is all that nohup does.
+// signal only sets a flag. The handler resets itself: a second signal ends the
+// program at once, in case it is blocked by a reader that never reads. SIGINT
+// and SIGTERM are caught even where the parent ignores them, as shells do for
+// background jobs, because it must be possible to stop a run that has no end of
+// its own; SIGHUP is not, for to ignore it is all that nohup does.
 
 #define _DEFAULT_SOURCE
 
