@@ -1,7 +1,6 @@
 /* The text mode: numbers as printf would write them, in labelled pairs. */
+#include "common.h"
 #include "link/parts.h"
-#include "tap.h"
-#include "twofold.h"
 
 static const char *text(tf_real_t value) {
   static char out[DECIMAL_SIZE + 2];
@@ -52,39 +51,28 @@ TEST(text_numbers_read_back) {
     tf_real_t value = 0;
     const uint64_t bits = tap_bits();
     if (n % 2)
-      value = (tf_real_t)tap_uniform(-10, 10);
+      value = uniform(-10, 10);
     else
       memcpy(&value, &bits, sizeof value);
-    if (!(fabsl((long double)value) <= (long double)TF_REAL_MAX)) continue;
-    if (fabsl((long double)value) < (long double)TF_REAL_MIN) continue;
-    const long double back = strtold(text(value), NULL);
-    const long double size = fabsl((long double)value);
+    const real size = fabsl(wide(value));
+    if (!(size <= wide(TF_REAL_MAX)) || size < wide(TF_REAL_MIN)) continue;
     /* Half a unit of the sixth digit, and what scaling may cost. */
-    const long double scaling =
-        n % 2 ? 4e-7L : 400 * (long double)TF_REAL_EPSILON;
-    CHECK_NEAR(back, (long double)value, size * (5.001e-6L + scaling));
+    const real scaling = n % 2 ? 4e-7L : 400 * EPSILON;
+    CHECK_NEAR(strtold(text(value), NULL), wide(value),
+               size * (5.001e-6L + scaling));
   }
 }
 
 TEST(text_rows_are_label_value_pairs) {
-  tf_state_t state;
-  tf_report_t report;
-  memset(&state, 0, sizeof state);
-  memset(&report, 0, sizeof report);
-  state.r = TF_R(0.18);
-  state.v = TF_R(-2.5);
-  state.w = TF_R(-1.037);
-  report.slip.h = TF_R(1e-10);
+  tf_state_t state = {.r = TF_R(0.18), .v = TF_R(-2.5), .w = TF_R(-1.037)};
+  tf_report_t report = {.slip = {.h = TF_R(1e-10)}};
   char out[TF_TEXT_ROW_ROOM + 1];
   size_t length = tf_text_row(out, &state, &report);
   const char want[] = "r:0.18 v:-2.5 omega:-1.037 h:1e-10 g:0\n";
   CHECK(length == strlen(want) && !memcmp(out, want, length));
-  state.r = state.v = state.w = TF_R(-1.23456e-30);
-  report.slip.h = report.slip.g = TF_R(-1.23456e-30);
-  if (sizeof(tf_real_t) == 8) {
-    state.r = state.v = state.w = -TF_REAL_MIN;
-    report.slip.h = report.slip.g = -TF_REAL_MIN;
-  }
+  const tf_real_t longest = IS_DOUBLE ? -TF_REAL_MIN : TF_R(-1.23456e-30);
+  state.r = state.v = state.w = longest;
+  report.slip.h = report.slip.g = longest;
   length = tf_text_row(out, &state, &report);
   CHECK(length <= TF_TEXT_ROW_ROOM && out[length - 1] == '\n');
 }
