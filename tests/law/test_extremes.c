@@ -51,12 +51,10 @@ TEST(random_machines_keep_every_number_finite) {
     const tf_params_t p = draw_machine();
     const tf_real_t limit = one_in(4) ? TF_STATE_LIMIT / 2 : 10;
     const tf_state_t x = draw_state(limit);
-    tf_input_t u;
-    memset(&u, 0, sizeof u);
-    u.omega0 = anything(100);
-    u.r0 = anything(100);
-    u.force = anything(1000);
-    u.torque = anything(1000);
+    const tf_input_t u = {.omega0 = anything(100),
+                          .r0 = anything(100),
+                          .force = anything(1000),
+                          .torque = anything(1000)};
     const bool driven = one_in(4);
     run_schemes(&p, &x, driven ? &u : NULL, 5);
   }

@@ -13,12 +13,11 @@ TEST(angle_of_a_series_is_the_sum_of_its_parts) {
     const tf_machine_t k = prepared(&params);
     const tf_input_t u = tf_input_default(&k);
     static trajectory_t whole, part;
-    memset(&whole, 0, sizeof whole);
-    whole.motion.machine = &k;
-    whole.motion.input = &u;
-    whole.omega = u.omega0;
-    whole.remaining = TF_R(0.02);
-    whole.now = (phase_point_t){uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)};
+    whole =
+        (trajectory_t){.motion = {.machine = &k, .input = &u},
+                       .omega = u.omega0,
+                       .remaining = TF_R(0.02),
+                       .now = {uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)}};
     CHECK(tf_begin_series(&whole));
     part = whole;
     const tf_real_t middle = uniform(0.005, 0.015);
@@ -37,16 +36,14 @@ static void begin_at_release(trajectory_t *path, const tf_machine_t *k,
   const tf_real_t r = uniform(0.1, 0.6), z = uniform(-1, 1);
   const tf_real_t p = -r * z * k->cos_gamma / k->sin_gamma;
   const rates_t rates = rates_at(k, u, r, p, z, u->omega0);
-  memset(path, 0, sizeof *path);
-  path->motion.machine = k;
-  path->motion.input = u;
-  path->omega = u->omega0;
-  path->remaining = k->dt;
-  path->now = (phase_point_t){r, p, z};
-  path->mode = mode;
-  path->force.F = (tf_real_t)lambda;
-  path->segment.contact = CONTACT_STICK;
-  path->segment.sign_g = s ? MINUS : PLUS;
+  *path = (trajectory_t){
+      .motion = {.machine = k, .input = u},
+      .omega = u->omega0,
+      .remaining = k->dt,
+      .now = {r, p, z},
+      .mode = mode,
+      .force = {.F = (tf_real_t)lambda},
+      .segment = {.contact = CONTACT_STICK, .sign_g = s ? MINUS : PLUS}};
   /* A force f changes N by -sin f/m - r cos d f/J. */
   const real missing = wide(rates.A[s]) * lambda - wide(rates.N);
   const real J = wide(inertia_at(k, r)), sine = wide(k->sin_gamma);
@@ -136,13 +133,12 @@ TEST(stick_ends_where_the_delassus_scalar_vanishes) {
         (tf_real_t)-sign * k.contact.stick_kappa * k.cos_gamma / 2;
     const tf_real_t about = n & 2 ? vertex : uniform(-0.5, 0.5);
     static taylor_t motion;
-    memset(&motion, 0, sizeof motion);
-    motion.machine = &k;
-    motion.order = SERIES_ORDER;
-    motion.p.c[0] = (tf_real_t)-sign * k.cos_gamma;
-    motion.q.c[0] = (tf_real_t)sign * k.sin_gamma;
-    motion.r = (series_t){{about + uniform(-0.1, 0.1), uniform(-0.5, 0.5),
-                           uniform(-0.5, 0.5), uniform(-0.5, 0.5)}};
+    motion = (taylor_t){.machine = &k,
+                        .order = SERIES_ORDER,
+                        .p = {{(tf_real_t)-sign * k.cos_gamma}},
+                        .q = {{(tf_real_t)sign * k.sin_gamma}},
+                        .r = {{about + uniform(-0.1, 0.1), uniform(-0.5, 0.5),
+                               uniform(-0.5, 0.5), uniform(-0.5, 0.5)}}};
     const segment_t segment = {.contact = CONTACT_STICK,
                                .sign_g = sign < 0 ? MINUS : PLUS};
     tf_real_t time = -1;

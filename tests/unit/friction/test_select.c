@@ -21,13 +21,11 @@ typedef struct {
 } question_t;
 
 static unsigned answer(const question_t *q, uint64_t tick, uint32_t seed) {
-  tf_contact_modes_t solutions;
-  memset(&solutions, 0, sizeof solutions);
-  solutions.set = (uint8_t)q->set;
-  solutions.attracting = (uint8_t)q->attracting;
-  solutions.near_stick = (uint8_t)q->near;
-  solutions.departure[0] = TF_R(2.0);
-  solutions.departure[1] = q->minus_is_faster ? TF_R(-3.0) : TF_R(-1.0);
+  const tf_contact_modes_t solutions = {
+      .set = (uint8_t)q->set,
+      .attracting = (uint8_t)q->attracting,
+      .near_stick = (uint8_t)q->near,
+      .departure = {2, q->minus_is_faster ? -3 : -1}};
   const tf_contact_t contact = {.rule = q->rule,
                                 .exit_threshold = q->threshold};
   return tf_contact_choose(&contact, &solutions, q->mode, tick, seed);

@@ -87,14 +87,12 @@ TEST(ensemble_of_any_size) {
 
 /* A state as tf_begin may not give it: near h = g = 0, in any mode. */
 static tf_state_t difficult_state(tf_real_t omega0) {
-  tf_state_t x;
-  memset(&x, 0, sizeof x);
   const double away = (double)log_uniform(1e-9, 1);
-  x.r = uniform(-0.5, 0.5);
-  x.v = uniform(-away, away);
-  x.w = omega0 + uniform(-away, away);
-  x.mode = (uint8_t)(tap_bits() % TF_MODES);
-  x.seed = (uint32_t)tap_bits();
+  tf_state_t x = {.r = uniform(-0.5, 0.5),
+                  .v = uniform(-away, away),
+                  .w = omega0 + uniform(-away, away),
+                  .mode = (uint8_t)(tap_bits() % TF_MODES),
+                  .seed = (uint32_t)tap_bits()};
   if (tap_bits() % 8 == 0) x.v = 0;
   if (tap_bits() % 8 == 0) x.w = omega0;
   return x;
