@@ -4,7 +4,7 @@ import pandas as pd
 from matplotlib.patches import Patch
 
 import pictures
-from measure import OUT
+from measure import OUT, STIFF, SWITCHED
 from pictures import LINE, SERIES, colors, pyplot
 
 BLUE, ORANGE, GREEN, RED, SKY, PINK, YELLOW, BLACK, GREY = SERIES
@@ -86,17 +86,12 @@ def keyed(figure: pyplot.Figure) -> tuple[list, list[str]]:
 
 def costs(rows: pd.DataFrame) -> None:
     """The problems with switches, and the stiff ones."""
-    figure, axes = pyplot.subplots(2, 2, figsize=(10, 8))
-    for axis, problem in zip(axes.flat, ("chaos", "crossings", "stickslip",
-                                         "driven")):
-        panel(axis, rows, problem)
-    save(figure, "costs.svg", *keyed(figure), 6)
-    figure, axes = pyplot.subplots(1, 3, figsize=(11, 4.6))
-    for axis, problem in zip(axes, ("stiff-spring", "stiff-smooth",
-                                    "stiff-string")):
-        panel(axis, rows[~rows.solver.str.match(
-            "compensated")], problem)
-    save(figure, "stiff.svg", *keyed(figure), 6)
+    for name, size, shape, of in (("costs.svg", (10, 8), (2, 2), SWITCHED),
+                                  ("stiff.svg", (11, 4.6), (1, 3), STIFF)):
+        figure, axes = pyplot.subplots(*shape, figsize=size)
+        for axis, problem in zip(axes.flat, of):
+            panel(axis, rows, problem)
+        save(figure, name, *keyed(figure), 6)
 
 
 def boards(rows: pd.DataFrame) -> None:

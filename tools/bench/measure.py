@@ -26,6 +26,10 @@ QUICK = bool(os.environ.get("QUICK"))
 REALS = "double", "float"
 OUT = BUILD / "bench"      # what was measured in this build
 KEPT = Path("docs/bench")  # what is kept: tables and pictures
+# Problems with switches, and stiff ones, two of them of laws without a jump.
+SWITCHED = ["chaos", "crossings", "stickslip", "driven"]
+ONE_FIELD = ["stiff-smooth", "stiff-string"]
+STIFF = ["stiff-spring", *ONE_FIELD]
 KEY = ["problem", "solver", "dial"]
 COLUMNS = [*KEY, "error", "ns", "instructions", "verdict"]
 RESULTS = OUT / "results.csv"

@@ -12,11 +12,10 @@ import pandas as pd
 
 import table as tables
 from charts import PICTURES, kept
-from measure import COLUMNS, OUT, load, problems, put, results, save
+from measure import (COLUMNS, OUT, STIFF, SWITCHED, load, problems, put,
+                     results, save)
 
 LEVELS = 1e-3, 1e-6, 1e-9
-PEERED = "chaos", "crossings", "stickslip", "driven"
-STIFF = "stiff-spring", "stiff-smooth", "stiff-string"
 STIFF_LEVELS = 1e-2, 1e-3, 1e-4, 1e-6
 OWN = "moreau|compensated|located"
 RIVALS = f"(?!{OWN})"
@@ -135,7 +134,7 @@ class Page:
 
     def races(self) -> pd.DataFrame:
         """The best of this project beside the best peer, a row a problem."""
-        return beside(self.section("peers"), PEERED, LEVELS, {
+        return beside(self.section("peers"), SWITCHED, LEVELS, {
             "this project": OWN, "best peer": RIVALS}, "instructions")
 
     def stiff(self) -> pd.DataFrame:
@@ -154,7 +153,7 @@ class Page:
         wide = rows.assign(text=text, solver=solver).drop_duplicates(
             ["problem", "solver"]).pivot(
             index="problem", columns="solver", values="text")
-        return wide.loc[[*PEERED, "rolling"], [
+        return wide.loc[[*SWITCHED, "rolling"], [
             "moreau", "moreau in three", "located segments=1",
             "located segments=2", "located segments=8", "located 1 kHz"]
             ].reset_index()
@@ -163,8 +162,8 @@ class Page:
         """Instructions of one step: by phase, of all schemes, and of random
         machines."""
         rows = self.section("steps")
-        rows[["steps", "phase", "name"]] = rows.dial.str.extract(
-            r"(\d+) steps, (.*): (.*)")
+        rows = rows.join(rows.dial.str.extract(
+            r"(?P<steps>\d+) steps, (?P<phase>.*): (?P<name>.*)"))
         rows = rows.pivot_table(
             index=["steps", "phase", "solver"], columns="name",
             values="instructions", sort=False).reset_index()
@@ -209,7 +208,7 @@ def cheapest(rows: pd.DataFrame, unit: str) -> pd.DataFrame:
         ["problem", "side", "error"])[["solver", unit]].first()
 
 
-def beside(rows: pd.DataFrame, problems: tuple[str, ...],
+def beside(rows: pd.DataFrame, problems: list[str],
            levels: tuple[float, ...], sides: dict[str, str], unit: str
            ) -> pd.DataFrame:
     """What sides, patterns of solvers, cost in thousands of a unit to each
