@@ -44,20 +44,18 @@ typedef struct {
 /* The next answer; length 0 where there is none. */
 static inline answer_t answer_of(board_t *board) {
   uint8_t wire[TF_FRAME_SIZE(TF_ANSWER_BYTES)];
-  answer_t answer;
-  memset(&answer, 0, sizeof answer);
   const size_t size = tf_link_answer(&board->link, wire, &board->down);
-  if (size == 0) return answer;
+  if (size == 0) return (answer_t){.length = 0};
   const tf_frame_t frame = frame_of(wire, size);
-  if (!CHECK(frame.type == TF_DOWN_ANSWER)) return answer;
+  CHECK(frame.type == TF_DOWN_ANSWER && frame.length >= 8);
   const uint8_t *at = frame.payload;
-  answer.length = frame.length;
-  answer.tick = frame.tick;
-  answer.sequence = (uint32_t)tf_wire_get(at, 4);
-  answer.type = at[4];
-  answer.code = code_in(&frame);
-  answer.source = at[6];
-  answer.index = at[7];
+  answer_t answer = {.length = frame.length,
+                     .tick = frame.tick,
+                     .sequence = (uint32_t)tf_wire_get(at, 4),
+                     .type = at[4],
+                     .code = code_in(&frame),
+                     .source = at[6],
+                     .index = at[7]};
   if (frame.length == 8) return answer;
   CHECK(frame.length == 8 + 3 * R);
   answer.value = tf_wire_get_real(at + 8);

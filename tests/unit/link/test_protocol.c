@@ -75,16 +75,15 @@ static tf_heartbeat_t heartbeat_shown(void) {
   return beat;
 }
 static tf_schema_t schema_shown(void) {
-  const tf_schema_t schema = {.params = &tf_scenes[0]->params,
-                              .scene = tf_scenes[0]->name,
-                              .build = "demo",
-                              .seed = 7,
-                              .takes_commands = true,
-                              .session = SESSION,
-                              .sequence = 1,
-                              .deadman = 500,
-                              .run = RUN};
-  return schema;
+  return (tf_schema_t){.params = &tf_scenes[0]->params,
+                       .scene = tf_scenes[0]->name,
+                       .build = "demo",
+                       .seed = 7,
+                       .takes_commands = true,
+                       .session = SESSION,
+                       .sequence = 1,
+                       .deadman = 500,
+                       .run = RUN};
 }
 
 static size_t set_mu(uint8_t *wire) {
