@@ -260,7 +260,7 @@ TEST(begin_at_codimension_two_has_every_future) {
       if (asked == TF_NO_MODE) sizes[report.choices]++;
     }
   }
-  CHECK_BELOW(borders, samples(1000) / 100 + 1);
+  CHECK_BELOW(100 * borders, samples(1000) + 100);
   for (int i = 1; i <= 4; i++) CHECK_ABOVE(sizes[i], samples(1));
 }
 

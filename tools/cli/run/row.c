@@ -1,7 +1,8 @@
-// The formats of a row. The plotter format is the one that the serial plotter of
-// the Arduino IDE draws: label:value pairs on one line, without a time, because
-// the plotter counts rows, and without the friction, as on a slow line. JSON, an
-// object a line with its seconds in "timestamp", is for PlotJuggler over UDP.
+// The formats of a row. The plotter format is the one that the serial plotter
+// of the Arduino IDE draws: label:value pairs on one line, without a time,
+// because the plotter counts rows, and without the friction, as on a slow line.
+// JSON, an object a line with its seconds in "timestamp", is for PlotJuggler
+// over UDP.
 
 #include "row.h"
 
