@@ -151,6 +151,16 @@ TEST(documented_frames_decode) {
   judge_commands();
 }
 
+TEST(state_reads_back) {
+  uint8_t wire[LONGEST];
+  uint32_t sequence = 0;
+  tf_state_t state;
+  const tf_frame_t frame =
+      frame_of(wire, tf_send_state(wire, &sequence, &state_shown));
+  tf_read_state(frame.payload, frame.tick, &state);
+  CHECK(same_state(&state, &state_shown));
+}
+
 TEST(report_has_any_status) {
   uint8_t wire[LONGEST];
   uint32_t sequence = 0;
