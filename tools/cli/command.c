@@ -32,9 +32,8 @@
 #include "text/summary.h"
 
 static int scenes(int argc, char *const argv[]) {
-  if (argc > 0) {
+  if (argc > 0)
     return cli_message(CLI_USAGE, "scenes: unexpected argument '%s'", argv[0]);
-  }
   for (size_t i = 0; i < TF_SCENES; i++) {
     (void)printf("%-12s  %s (leaves out: %s)\n", tf_scenes[i]->name,
                  tf_scenes[i]->shows, tf_scenes[i]->leaves_out);
@@ -141,9 +140,7 @@ static int unknown_command(const cli_closest_t *closest) {
 
 static bool has(int argc, char *const argv[], const char *word) {
   int i = 0;
-  while (i < argc && strcmp(argv[i], word) != 0) {
-    i++;
-  }
+  while (i < argc && strcmp(argv[i], word) != 0) i++;
   return i < argc;
 }
 
@@ -181,9 +178,7 @@ static int perform(const cli_command_t *command, int argc, char *const argv[]) {
   static cli_args_t args;
   int code = command->raw != NULL ? command->raw(argc, argv)
                                   : read_args(command, &args, argc, argv);
-  if (code == CLI_DONE && command->raw == NULL) {
-    code = command->perform(&args);
-  }
+  if (code == CLI_DONE && command->raw == NULL) code = command->perform(&args);
   if (asks_for_json(argc, argv) && !cli_put_ended()) {
     cli_put_begin(command->name);
     cli_put_word("message", cli_last_message());
@@ -193,24 +188,18 @@ static int perform(const cli_command_t *command, int argc, char *const argv[]) {
 }
 
 static int choose(int argc, char *const argv[]) {
-  if (argc < 1) {
+  if (argc < 1)
     return cli_message(CLI_USAGE, "which command? ('twofold help' lists them)");
-  }
-  if (asks_for_help(1, argv)) {
-    return cli_help(argc - 1, argv + 1);
-  }
-  if (strcmp(argv[0], "complete") == 0) {
-    return cli_complete(argc - 1, argv + 1);
-  }
+  if (asks_for_help(1, argv)) return cli_help(argc - 1, argv + 1);
+  if (strcmp(argv[0], "complete") == 0) return cli_complete(argc - 1, argv + 1);
   if (strcmp(argv[0], "--version") == 0) {
     (void)puts("twofold " TF_VERSION ", tf_real_t is " CLI_NUMBER_TYPE);
     return cli_finish_stdout();
   }
   cli_closest_t closest = cli_closest_to(argv[0]);
   const cli_command_t *command = find(&closest);
-  if (asks_for_help(argc - 1, argv + 1)) {
+  if (asks_for_help(argc - 1, argv + 1))
     return cli_help(command != NULL ? 1 : 0, argv);
-  }
   return command != NULL ? perform(command, argc - 1, argv + 1)
                          : unknown_command(&closest);
 }

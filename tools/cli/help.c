@@ -26,18 +26,11 @@ extern const char *const cli_help_text[];
 // a list of columns is, goes on behind a comma.
 static size_t line_length(const char *text, size_t room) {
   size_t end = room;
-  if (strlen(text) <= room) {
-    return strlen(text);
-  }
-  while (end > 0 && text[end] != ' ') {
-    end--;
-  }
+  if (strlen(text) <= room) return strlen(text);
+  while (end > 0 && text[end] != ' ') end--;
   const char *next = text + end + (text[end] == ' ' ? 1 : 0);
-  if (strcspn(next, " ") > room) {
-    for (end = room; end > 0 && text[end - 1] != ',';) {
-      end--;
-    }
-  }
+  if (strcspn(next, " ") > room)
+    for (end = room; end > 0 && text[end - 1] != ',';) end--;
   return end;
 }
 
@@ -82,9 +75,7 @@ static void print_page(const cli_command_t *command) {
                command->what, command->bit != 0 ? "\n" : "");
   for (size_t i = 0; i < cli_option_count; i++) {
     const cli_option_t *option = &cli_options[i];
-    if (!cli_takes(command, option)) {
-      continue;
-    }
+    if (!cli_takes(command, option)) continue;
     const int used = printf("  %s %s", option->name,
                             option->value != NULL ? option->value : "");
     (void)printf("%*s", used < COLUMN ? COLUMN - used : 1, "");
@@ -122,9 +113,7 @@ static void print_number(size_t i) {
 }
 
 static void print_numbers(size_t count) {
-  for (size_t i = 0; i < count; i++) {
-    print_number(i);
-  }
+  for (size_t i = 0; i < count; i++) print_number(i);
 }
 
 static void print_measure(const cli_measure_info_t *info) {
@@ -132,23 +121,20 @@ static void print_measure(const cli_measure_info_t *info) {
 }
 
 static void print_outcomes(void) {
-  for (size_t i = 0; i < CLI_MEASURES; i++) {
-    print_measure(&cli_measures[i]);
-  }
+  for (size_t i = 0; i < CLI_MEASURES; i++) print_measure(&cli_measures[i]);
 }
 
 static void print_line(const char *line) {
-  if (strcmp(line, "COMMANDS") == 0) {
+  if (strcmp(line, "COMMANDS") == 0)
     print_commands();
-  } else if (strcmp(line, "PARAMETERS") == 0) {
+  else if (strcmp(line, "PARAMETERS") == 0)
     print_numbers(TF_PARAMETERS);
-  } else if (strcmp(line, "NUMBERS") == 0) {
+  else if (strcmp(line, "NUMBERS") == 0)
     print_numbers(CLI_NUMBERS);
-  } else if (strcmp(line, "OUTCOMES") == 0) {
+  else if (strcmp(line, "OUTCOMES") == 0)
     print_outcomes();
-  } else {
+  else
     (void)puts(line);
-  }
 }
 
 // Cuts the next word off the words of a heading. Returns: whether there is one.
@@ -177,12 +163,8 @@ static bool print_sections(cli_closest_t *closest) {
       found = found || prints;
       continue;
     }
-    if (prints && is_heading && page != NULL) {
-      print_page(page);
-    }
-    if (prints) {
-      print_line(*line);
-    }
+    if (prints && is_heading && page != NULL) print_page(page);
+    if (prints) print_line(*line);
     is_heading = false;
   }
   return found;
@@ -191,9 +173,7 @@ static bool print_sections(cli_closest_t *closest) {
 static bool print_parameter(cli_closest_t *closest) {
   const size_t i = cli_closest_find(closest, tf_parameter_ranges, TF_PARAMETERS,
                                     sizeof tf_parameter_ranges[0]);
-  if (i == TF_PARAMETERS) {
-    return false;
-  }
+  if (i == TF_PARAMETERS) return false;
   (void)printf("Parameter %s: %s. --set %s=VALUE; name, range, unit:\n",
                closest->word, cli_parameter_about[i], closest->word);
   print_number(i);
@@ -217,9 +197,7 @@ static bool print_scene(cli_closest_t *closest) {
 static bool print_outcome(cli_closest_t *closest) {
   const size_t i = cli_closest_find(closest, cli_measures, CLI_MEASURES,
                                     sizeof cli_measures[0]);
-  if (i == CLI_MEASURES) {
-    return false;
-  }
+  if (i == CLI_MEASURES) return false;
   (void)puts("Outcome of 'sweep', its unit, and what it is:");
   print_measure(&cli_measures[i]);
   return true;
@@ -231,9 +209,8 @@ static bool is_of(const cli_option_t *option, const char *word) {
   bool is = strcmp(option->name + 2, word) == 0 ||
             (option->noun != NULL && strcmp(option->noun, word) == 0);
   for (const cli_choice_t *at = option->choices; at != NULL && at->name != NULL;
-       at++) {
+       at++)
     is = is || strcmp(at->name, word) == 0;
-  }
   return is;
 }
 
@@ -242,9 +219,7 @@ static bool print_option(cli_closest_t *closest) {
   for (size_t i = 0; i < cli_option_count; i++) {
     const cli_option_t *option = &cli_options[i];
     cli_closest_offer(closest, option->name + 2);
-    if (!is_of(option, closest->word)) {
-      continue;
-    }
+    if (!is_of(option, closest->word)) continue;
     (void)printf("%s %s", option->name,
                  option->value != NULL ? option->value : "");
     const char *separator = " of";
@@ -263,9 +238,7 @@ static bool print_option(cli_closest_t *closest) {
 
 // A word may be several things: `string` is a law and a scene.
 int cli_help(int argc, char *const argv[]) {
-  if (argc > 1) {
-    return cli_message(CLI_USAGE, "help: one word at a time");
-  }
+  if (argc > 1) return cli_message(CLI_USAGE, "help: one word at a time");
   const char *word = argc > 0 ? argv[0] : "overview";
   const size_t dashes = strncmp(word, "--", 2) == 0 ? 2 : 0;
   cli_closest_t closest = cli_closest_to(word + dashes);
@@ -287,9 +260,8 @@ static void offer(const char *word, const char *what) {
 }
 
 static void offer_commands(void) {
-  for (size_t i = 0; i < cli_command_count; i++) {
+  for (size_t i = 0; i < cli_command_count; i++)
     offer(cli_commands[i].name, cli_commands[i].what);
-  }
 }
 
 // What may stand in place of an option.
@@ -301,17 +273,15 @@ static void offer_words(const cli_command_t *command) {
     offer("zsh", "");
     offer("fish", "");
   } else if (command->bit != 0 && !command->of_source) {
-    for (size_t i = 0; i < TF_SCENES; i++) {
+    for (size_t i = 0; i < TF_SCENES; i++)
       offer(tf_scenes[i]->name, tf_scenes[i]->shows);
-    }
   }
 }
 
 static int offer_value(const cli_option_t *option) {
   for (const cli_choice_t *at = option->choices; at != NULL && at->name != NULL;
-       at++) {
+       at++)
     offer(at->name, at->what);
-  }
   const bool is_file = option->kind == CLI_READS || option->kind == CLI_WRITES;
   return is_file ? CLI_DONE : CLI_USAGE;
 }
@@ -327,16 +297,13 @@ int cli_complete(int argc, char *const argv[]) {
   for (size_t i = 0; i < cli_option_count; i++) {
     const cli_option_t *option = &cli_options[i];
     if (cli_takes(command, option) && option->value != NULL &&
-        strcmp(option->name, argv[argc - 1]) == 0) {
+        strcmp(option->name, argv[argc - 1]) == 0)
       return offer_value(option);
-    }
   }
   offer_words(command);
-  for (size_t i = 0; i < cli_option_count; i++) {
-    if (cli_takes(command, &cli_options[i])) {
+  for (size_t i = 0; i < cli_option_count; i++)
+    if (cli_takes(command, &cli_options[i]))
       offer(cli_options[i].name, cli_options[i].what);
-    }
-  }
   return CLI_DONE;
 }
 

@@ -31,16 +31,13 @@ static void set_usual(const cli_command_t *command, cli_args_t *args) {
   for (size_t i = 0; i < cli_option_count; i++) {
     const cli_option_t *option = &cli_options[i];
     void *to = (char *)args + option->member;
-    if (!cli_takes(command, option)) {
-      continue;
-    }
-    if (option->kind == CLI_WHOLE) {
+    if (!cli_takes(command, option)) continue;
+    if (option->kind == CLI_WHOLE)
       *(uint64_t *)to = (uint64_t)option->usual;
-    } else if (option->kind == CLI_REAL || option->kind == CLI_POSITIVE) {
+    else if (option->kind == CLI_REAL || option->kind == CLI_POSITIVE)
       *(double *)to = option->usual;
-    } else if (option->kind == CLI_CHOICE) {
+    else if (option->kind == CLI_CHOICE)
       *(unsigned *)to = (unsigned)option->usual;
-    }
   }
 }
 
@@ -51,13 +48,10 @@ static const cli_option_t *find_option(const cli_command_t *command,
   cli_closest_t closest = cli_closest_to(word);
   for (size_t i = 0; i < cli_option_count; i++) {
     const cli_option_t *option = &cli_options[i];
-    if (!cli_takes(command, option)) {
-      continue;
-    }
+    if (!cli_takes(command, option)) continue;
     if (strlen(option->name) == length &&
-        strncmp(option->name, word, length) == 0) {
+        strncmp(option->name, word, length) == 0)
       return option;
-    }
     cli_closest_offer(&closest, option->name);
   }
   (void)cli_message(CLI_USAGE,
@@ -69,9 +63,7 @@ static const cli_option_t *find_option(const cli_command_t *command,
 static int read_whole(const cli_option_t *option, const cli_given_t *given,
                       uint64_t *out) {
   const uint64_t low = (uint64_t)option->low, high = (uint64_t)option->high;
-  if (cli_read_whole(given->value, low, high, out)) {
-    return CLI_DONE;
-  }
+  if (cli_read_whole(given->value, low, high, out)) return CLI_DONE;
   return cli_message(
       CLI_USAGE, "%s %s: must be a whole number in [%" PRIu64 ", %" PRIu64 "]",
       given->name, given->value, low, high);
@@ -189,9 +181,7 @@ static int read_value(const cli_option_t *option, const cli_given_t *given,
 
 static bool was_given(const line_t *line, const char *name) {
   size_t i = 0;
-  while (i < line->count && strcmp(line->words[i].given.name, name) != 0) {
-    i++;
-  }
+  while (i < line->count && strcmp(line->words[i].given.name, name) != 0) i++;
   return i < line->count;
 }
 
@@ -200,15 +190,11 @@ static int read_option(line_t *line, int argc, char *const argv[], int *at) {
   const char *word = argv[*at];
   const size_t length = strcspn(word, "=");
   const cli_option_t *option = find_option(line->command, word);
-  if (option == NULL) {
-    return CLI_USAGE;
-  }
+  if (option == NULL) return CLI_USAGE;
   const bool valued = word[length] == '=';
   cli_given_t given = {option->name, ""};
   if (option->value == NULL) {
-    if (valued) {
-      return cli_message(CLI_USAGE, "%s: takes no value", word);
-    }
+    if (valued) return cli_message(CLI_USAGE, "%s: takes no value", word);
   } else if (valued) {
     given.value = word + length + 1;
   } else if (*at + 1 < argc) {
@@ -262,16 +248,14 @@ static int check_needs(const line_t *line) {
 static bool destroys(const word_t *writer, const word_t *file) {
   static const char *const beside[] = {"", ".part", ".resume"};
   const char *value = writer->given.value;
-  if (strcmp(value, "-") == 0) {
+  if (strcmp(value, "-") == 0)
     return file->kind == CLI_WRITES && strcmp(file->given.value, "-") == 0;
-  }
   for (size_t i = 0; i < sizeof beside / sizeof beside[0]; i++) {
     char path[PATH_ROOM];
     const int length = snprintf(path, sizeof path, "%s%s", value, beside[i]);
     if (length > 0 && (size_t)length < sizeof path &&
-        cli_one_file(path, file->given.value)) {
+        cli_one_file(path, file->given.value))
       return true;
-    }
   }
   return false;
 }

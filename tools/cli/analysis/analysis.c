@@ -52,9 +52,8 @@ static int prepare(const cli_args_t *args, bool finds_kappa) {
   job.args = args;
   CLI_TRY(cli_setup_read(&job.setup, args->scene, &args->settings, NULL));
   if (finds_kappa && !(job.setup.params.kappa > 0) &&
-      cli_settings_find(&args->settings, "kappa") == NULL) {
+      cli_settings_find(&args->settings, "kappa") == NULL)
     job.setup.params.kappa = 1; // any value in its range
-  }
   CLI_TRY(cli_setup_machine(&job.setup));
   print_notes(finds_kappa);
   return CLI_DONE;
@@ -70,9 +69,8 @@ static cli_given_t origin_of(const char *name) {
 static int needs_jump(bool needs_moment) {
   const tf_tyre_law_t law = job.setup.params.law;
   const cli_given_t origin = origin_of("law");
-  if (needs_moment ? law == TF_TYRE_JUMP : tf_tyre_is_set_valued(law)) {
+  if (needs_moment ? law == TF_TYRE_JUMP : tf_tyre_is_set_valued(law))
     return CLI_DONE;
-  }
   return cli_message(CLI_REFUSED, "%s %s: %s needs law %s, not %s: %s",
                      origin.name, origin.value, job.args->command,
                      needs_moment ? "jump" : "jump or coulomb",
@@ -91,9 +89,8 @@ static int check_design(void) {
                        job.args->command);
   }
   if (fabs((double)k->sin_gamma) >= (double)TF_MIN_SINE &&
-      fabs((double)k->cos_gamma) >= (double)TF_MIN_SINE) {
+      fabs((double)k->cos_gamma) >= (double)TF_MIN_SINE)
     return CLI_DONE;
-  }
   return cli_message(
       CLI_REFUSED,
       "%s %s: %s needs |sin(gamma)| and |cos(gamma)| in [1e-06, 1], they are "
@@ -258,9 +255,8 @@ static int describe_design(cli_buffer_t *text) {
   CLI_TRY(check_design());
   if (tf_design_two_fold(&job.setup.machine, &job.setup.input,
                          (tf_real_t)job.args->r.from,
-                         (tf_real_t)job.args->omega.from, &design) != TF_OK) {
+                         (tf_real_t)job.args->omega.from, &design) != TF_OK)
     return refuse(&design);
-  }
   begin_json(DESIGN_UNITS, text);
   const double kappa = (double)design.kappa, k2 = (double)design.k2;
   cli_add_form(text,
@@ -293,18 +289,15 @@ static int write_rows(row_t row, cli_progress_t *progress) {
   char bytes[ROW_ROOM];
   for (uint64_t i = 0; i < points; i++) {
     cli_buffer_t text = {bytes, 0, sizeof bytes, false};
-    if (cli_stop_asked()) {
+    if (cli_stop_asked())
       return cli_message(CLI_STOPPED, "interrupted at point %" PRIu64, i);
-    }
     CLI_TRY(row((tf_real_t)cli_range_at(r, i / omega->count),
                 (tf_real_t)cli_range_at(omega, i % omega->count), &text));
-    if (!cli_output_lines(&job.output, bytes, text.used)) {
+    if (!cli_output_lines(&job.output, bytes, text.used))
       return CLI_STOPPED; // the message is that of cli_output_end
-    }
     const double now = cli_now();
-    if (now - job.output.flushed >= FLUSH_EVERY) {
+    if (now - job.output.flushed >= FLUSH_EVERY)
       (void)cli_output_flush(&job.output);
-    }
     cli_progress_say(progress, now, (double)(i + 1) / (double)points,
                      "%" PRIu64 " of %" PRIu64 " points", i + 1, points);
   }
@@ -334,9 +327,8 @@ static int regions_row(tf_real_t r, tf_real_t omega, cli_buffer_t *text) {
   tf_real_t v = 0;
   tf_status_t status = tf_speed_for_slip(&setup->machine, r, omega,
                                          setup->input.omega0, TF_R(0.0), &v);
-  if (status == TF_OK) {
+  if (status == TF_OK)
     status = tf_surface_at(&setup->machine, &setup->input, r, v, omega, &at);
-  }
   if (status != TF_OK) {
     return cli_message(
         CLI_STOPPED, "stopped at r = %g m, omega = %g rad/s, v = %g m/s: %s",
@@ -344,13 +336,9 @@ static int regions_row(tf_real_t r, tf_real_t omega, cli_buffer_t *text) {
   }
   cli_add_form(text, "%g,%g,%s,", (double)r, (double)omega,
                tf_region_name(at.region));
-  if (at.lambda_is_given) {
-    cli_add_real(text, at.lambda);
-  }
+  if (at.lambda_is_given) cli_add_real(text, at.lambda);
   cli_add(text, ",");
-  if (at.region != TF_REGION_CODIM2) {
-    cli_add_real(text, at.delassus);
-  }
+  if (at.region != TF_REGION_CODIM2) cli_add_real(text, at.delassus);
   cli_add(text, "\n");
   return CLI_DONE;
 }
@@ -360,9 +348,7 @@ static int regions_row(tf_real_t r, tf_real_t omega, cli_buffer_t *text) {
 static int check_gamma(void) {
   const cli_given_t origin = origin_of("gamma");
   const double sine = (double)job.setup.machine.sin_gamma;
-  if (fabs(sine) >= (double)TF_MIN_SINE) {
-    return CLI_DONE;
-  }
+  if (fabs(sine) >= (double)TF_MIN_SINE) return CLI_DONE;
   return cli_message(CLI_REFUSED,
                      "%s %s: regions needs |sin(gamma)| in [%g, 1], it is "
                      "%g: no speed v follows from h = 0",
@@ -410,9 +396,7 @@ static int atlas_row(tf_real_t r, tf_real_t omega, cli_buffer_t *text) {
   cli_add_form(text, "%g,%g", (double)r, (double)omega);
   for (int i = 0; i < VALUES; i++) {
     cli_add(text, ",");
-    if (exists && isfinite(values[i])) {
-      cli_add_real(text, values[i]);
-    }
+    if (exists && isfinite(values[i])) cli_add_real(text, values[i]);
   }
   for (int i = 0; i < CONDITIONS; i++) {
     cli_add(text, !exists ? "," : holds[i] ? ",1" : ",0");

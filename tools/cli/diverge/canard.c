@@ -149,23 +149,18 @@ static const char *trace_back(cli_canard_t *canard, cli_canard_node_t at,
   canard->nodes = 0;
   canard->steps = 2 + (int)(fmin(ratio, MOST_RATIO) / RATIO);
   while (left > least) {
-    if (canard->nodes == CLI_CANARD_NODES) {
-      return does_not_enter;
-    }
+    if (canard->nodes == CLI_CANARD_NODES) return does_not_enter;
     canard->node[canard->nodes++] = at;
     for (int i = 0; i < canard->steps; i++) {
-      if (!is_escaping(canard, at)) {
-        return does_not_enter;
-      }
+      if (!is_escaping(canard, at)) return does_not_enter;
       at = step(canard, at, -left / NODES / canard->steps);
     }
     left = time_since(canard, at);
   }
   // At the mean of the speeds here and there.
   const double v = 0.5 * (rates(canard, at.r, at.z).r + canard->v);
-  for (int i = 0; i < canard->nodes; i++) {
+  for (int i = 0; i < canard->nodes; i++)
     canard->node[i].t += (at.r - canard->r) / v - at.t;
-  }
   return canard->nodes > 0 && left >= 0 ? NULL : does_not_enter;
 }
 
@@ -183,12 +178,9 @@ static const char *tends_to(cli_canard_t *canard, double r, double ratio) {
   const cli_canard_node_t at = {0, r + dr, -canard->decay / rz * dr};
   const double left = time_since(canard, at);
   const double fastest = fmax(ratio, 2 * root * left);
-  if (!(rz * zr > 0 && left > 0 && is_escaping(canard, at))) {
+  if (!(rz * zr > 0 && left > 0 && is_escaping(canard, at)))
     return does_not_enter;
-  }
-  if (fastest > MOST_RATIO) {
-    return stiff;
-  }
+  if (fastest > MOST_RATIO) return stiff;
   return trace_back(canard, at, fastest);
 }
 
@@ -217,14 +209,10 @@ const char *cli_canard_solve(const cli_wide_t *k,
                            .z = two_fold->omega - k->omega0,
                            .slope = two_fold->slope,
                            .s = two_fold->g < 0 ? -1 : 1};
-  if (!(ratio < MOST_RATIO)) {
-    return stiff;
-  }
+  if (!(ratio < MOST_RATIO)) return stiff;
   polish(canard);
   const char *status = never_ends(canard, ratio);
-  if (status != does_not_enter) {
-    return status;
-  }
+  if (status != does_not_enter) return status;
   canard->decay = 0;
   // Where the tangent leaves the region, no farther than half way to r = 0.
   const double half = 0.5 * fabs(canard->r / canard->v);
@@ -251,13 +239,10 @@ bool cli_canard_after(const cli_canard_t *canard, double t, cli_point_t *at,
     found = tangent(canard, t);
   } else if (t <= found.t) {
     int above = canard->nodes - 1;
-    while (canard->node[above].t < t) {
-      above--;
-    }
+    while (canard->node[above].t < t) above--;
     found = canard->node[above];
-    for (int i = canard->steps; i > 0; i--) {
+    for (int i = canard->steps; i > 0; i--)
       found = step(canard, found, (t - found.t) / i);
-    }
   } else if (canard->decay > 0) {
     const double left = exp(canard->decay * (found.t - t));
     found = (cli_canard_node_t){

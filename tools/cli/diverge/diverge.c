@@ -54,12 +54,8 @@ static int prepare_start(cli_job_t *job) {
 
 static int prepare_two_fold(cli_job_t *job) {
   const bool found = cli_find_two_fold(&job->machine, &job->two_fold);
-  if (!found) {
-    job->two_fold.r = job->two_fold.g = job->two_fold.v = (double)NAN;
-  }
-  if (!job->at_two_fold) {
-    return CLI_DONE;
-  }
+  if (!found) job->two_fold.r = job->two_fold.g = job->two_fold.v = (double)NAN;
+  if (!job->at_two_fold) return CLI_DONE;
   const char *name = job->setup.scene->name;
   if (!found) {
     return cli_message(
@@ -86,18 +82,15 @@ static int prepare(cli_job_t *job) {
   cli_setup_t *setup = &job->setup;
   const bool random = args->mechanism == CLI_BY_RANDOM;
   CLI_TRY(cli_setup_read(setup, args->scene, &args->settings, NULL));
-  if (cli_settings_find(&args->settings, "dt") == NULL) {
+  if (cli_settings_find(&args->settings, "dt") == NULL)
     setup->params.dt = random ? TF_R(1e-2) : TF_R(1e-3);
-  }
   CLI_TRY(cli_setup_machine(setup));
   CLI_TRY(refuse_scene(setup));
   tf_params_t params = setup->params;
   params.rule =
       args->codim2 == CLI_CODIM2_ATTRACTING ? TF_RULE_PERSIST : TF_RULE_RANDOM;
   params.rate = 0;
-  if (!random) {
-    params.tolerance = 0; // as fine as the number type allows
-  }
+  if (!random) params.tolerance = 0; // as fine as the number type allows
   (void)tf_prepare(&job->machine, &params, NULL);
   job->wide = cli_widen(&job->machine);
   job->refinement = args->refinement > 0 ? args->refinement : random ? 10 : 64;
@@ -140,9 +133,7 @@ static const char *const outcomes[CLI_OUTCOMES] = {
 // A comma, and the number if there is one.
 static void add_field(cli_buffer_t *text, bool exists, double value) {
   cli_add(text, ",");
-  if (exists) {
-    cli_add_real(text, (tf_real_t)value);
-  }
+  if (exists) cli_add_real(text, (tf_real_t)value);
 }
 
 static void add_exit(cli_buffer_t *text, const cli_cycle_t *cycle) {
@@ -242,11 +233,8 @@ static bool check_clock(work_t *work, bool between) {
 
 // Follows one cycle. Returns: whether it ended.
 static bool follow(work_t *work) {
-  for (unsigned i = 1; !cli_motion_advance(&work->motion); i++) {
-    if (i % BATCH == 0 && !check_clock(work, false)) {
-      return false;
-    }
-  }
+  for (unsigned i = 1; !cli_motion_advance(&work->motion); i++)
+    if (i % BATCH == 0 && !check_clock(work, false)) return false;
   return true;
 }
 
@@ -264,12 +252,9 @@ static bool do_sample(work_t *work, uint64_t sample) {
       work->sheets.done.count[CYCLES]++;
       work->sheets.done.count[outcome]++;
       work->in_sample = cycle;
-      if (outcome != CLI_CYCLE_RETURNED || cycle == job->args->cycles) {
+      if (outcome != CLI_CYCLE_RETURNED || cycle == job->args->cycles)
         return true;
-      }
-      if (!check_clock(work, false)) {
-        return false;
-      }
+      if (!check_clock(work, false)) return false;
     }
   }
   return false;
@@ -296,11 +281,9 @@ static void summarise(const work_t *work, double seconds) {
   cli_say("samples    %" PRIu64 " of %" PRIu64 ", by %s\ncycles     %" PRIu64,
           done->done, work->sheets.total, mechanism_of(work),
           done->count[CYCLES]);
-  for (int i = 1; i < CLI_OUTCOMES; i++) {
-    if (done->count[i] > 0) {
+  for (int i = 1; i < CLI_OUTCOMES; i++)
+    if (done->count[i] > 0)
       cli_say(", %s %" PRIu64, outcomes[i], done->count[i]);
-    }
-  }
   cli_say("\ncost       %.3g s, %.3g ms a cycle\n", seconds,
           cycles > 0 ? 1e3 * seconds / cycles : 0.0);
 }
@@ -316,9 +299,8 @@ static void summarise_json(const work_t *work, double seconds, int code) {
   cli_put_count("samples", work->sheets.total);
   cli_put_count("done", done->done);
   cli_put_count("cycles", done->count[CYCLES]);
-  for (int i = 1; i < CLI_OUTCOMES; i++) {
+  for (int i = 1; i < CLI_OUTCOMES; i++)
     cli_put_count(outcomes[i], done->count[i]);
-  }
   cli_put_end(seconds, code);
 }
 
@@ -343,9 +325,7 @@ static void add_sheet(work_t *work, const kind_t *kind, const char *path) {
   const int i = work->kind[0] == NULL ? 0 : 1;
   cli_sheet_t *sheet = &work->sheets.sheet[i];
   cli_buffer_t begin = {sheet->begin, 0, sizeof sheet->begin, false};
-  if (path == NULL) {
-    return;
-  }
+  if (path == NULL) return;
   work->kind[i] = kind;
   sheet->option = kind->option;
   sheet->path = path;
@@ -364,21 +344,16 @@ static int follow_samples(work_t *work) {
   const bool all = sheets->done.done == sheets->total;
   const int code = cli_sheets_close(sheets, all ? CLI_DONE : CLI_STOPPED);
   const double seconds = cli_now() - sheets->progress.started;
-  if (args->summary == 0) {
-    summarise(work, seconds);
-  }
+  if (args->summary == 0) summarise(work, seconds);
   if (!all && cli_stop_asked()) {
     (void)cli_message(CLI_STOPPED,
                       "stopped by a signal after %" PRIu64
                       " samples; what has ended is written",
                       sheets->done.done);
-    if (args->resume) {
+    if (args->resume)
       (void)cli_message(CLI_STOPPED, "the same command goes on");
-    }
   }
-  if (args->summary != 0) {
-    summarise_json(work, seconds, code);
-  }
+  if (args->summary != 0) summarise_json(work, seconds, code);
   return code;
 }
 
@@ -394,17 +369,15 @@ int cli_diverge_check(cli_args_t *args) {
                        "--exhaustive: writes --branches FILE; it takes no "
                        "--by, --exits, --returns or --shard");
   }
-  if (sized && !(args->size > 0)) {
+  if (sized && !(args->size > 0))
     return cli_message(CLI_USAGE, "--by noise: give --size VALUE in m/s^1.5");
-  }
   if (!sized && args->size > 0) {
     return cli_message(CLI_USAGE,
                        "--size %g: --by random has a --rate and no size",
                        args->size);
   }
-  if (args->exits == NULL && args->returns == NULL && args->branches == NULL) {
+  if (args->exits == NULL && args->returns == NULL && args->branches == NULL)
     *(args->exhaustive ? &args->branches : &args->returns) = "-";
-  }
   if (args->resume && (args->exhaustive || is_standard(args->exits) ||
                        is_standard(args->returns))) {
     return cli_message(CLI_USAGE,

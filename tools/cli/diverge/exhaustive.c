@@ -95,13 +95,10 @@ static void follow(search_t *search, uint64_t index, unsigned mode,
   next.two_fold = cycle->outcome == CLI_CYCLE_RETURNED;
   if (next.two_fold || strcmp(end, "codim2") == 0) {
     const uint64_t found = node_at(search, &next);
-    if (found != UINT64_MAX) {
-      (void)snprintf(to, sizeof to, "%" PRIu64, found);
-    }
+    if (found != UINT64_MAX) (void)snprintf(to, sizeof to, "%" PRIu64, found);
   }
-  if (cycle->landings > 0) {
+  if (cycle->landings > 0)
     (void)snprintf(landing, sizeof landing, "%.12g", cycle->land_r);
-  }
   const int length =
       snprintf(row, sizeof row,
                "%" PRIu64 ",%" PRIu64
@@ -128,9 +125,8 @@ static void leave_two_fold(search_t *search, uint64_t index) {
   for (uint64_t i = 1; !has_to_stop(search); i++) {
     const double t = (double)i * job->args->grid;
     if (t > job->args->patience ||
-        !cli_canard_after(&job->canard, t, &at, &reached)) {
+        !cli_canard_after(&job->canard, t, &at, &reached))
       break;
-    }
     search->part = t / job->args->patience;
     for (unsigned mode = TF_SLIP_PLUS; mode <= TF_SLIP_MINUS; mode++) {
       search->motion.state = cli_state_at(&job->wide, at);
@@ -141,12 +137,8 @@ static void leave_two_fold(search_t *search, uint64_t index) {
 
 static void visit(search_t *search, uint64_t index) {
   const node_t node = search->nodes[index];
-  if (node.depth >= search->job->args->depth) {
-    return;
-  }
-  if (node.two_fold) {
-    leave_two_fold(search, index);
-  }
+  if (node.depth >= search->job->args->depth) return;
+  if (node.two_fold) leave_two_fold(search, index);
   for (unsigned mode = 0; mode < TF_MODES && !node.two_fold; mode++) {
     if ((node.set & TF_MODE_BIT(mode)) != 0 && !has_to_stop(search)) {
       search->motion.state = node.state;

@@ -44,9 +44,7 @@ bool cli_find_two_fold(const tf_machine_t *k, cli_two_fold_t *out) {
   tf_surface_point_t points[TF_TWO_FOLDS];
   tf_two_fold_t form;
   int count = 0;
-  if (tf_two_folds(k, &input, points, &count, NULL) != TF_OK) {
-    return false;
-  }
+  if (tf_two_folds(k, &input, points, &count, NULL) != TF_OK) return false;
   for (int i = 0; i < count; i++) {
     // Stick has to arrive and to leave along the weak direction.
     if (tf_normal_form(k, &input, &points[i], &form) == TF_OK &&
@@ -71,9 +69,8 @@ static void draw(cli_motion_t *motion, double out[2]) {
   const uint64_t number = (uint64_t)motion->sample << 32 | motion->drawn++;
   uint32_t word[2];
   tf_philox(number, (uint32_t)motion->job->args->seed, word);
-  for (int i = 0; i < 2; i++) {
+  for (int i = 0; i < 2; i++)
     out[i] = ((double)word[i] + 0.5) * (1.0 / 4294967296.0);
-  }
 }
 
 double cli_draw_uniform(cli_motion_t *motion) {
@@ -155,9 +152,8 @@ static bool has_arrived(cli_motion_t *motion, const cli_instant_t *at) {
       !two_fold_side(motion, last->g) || !two_fold_side(motion, at->g) ||
       at->t - motion->on_since < motion->job->dwell ||
       cli_delassus(k, last->at.r, side) <= 0 ||
-      cli_delassus(k, at->at.r, side) > 0) {
+      cli_delassus(k, at->at.r, side) > 0)
     return false;
-  }
   motion->cycle.ended = passage(motion, last, at, motion->job->two_fold.r);
   motion->cycle.outcome = CLI_CYCLE_RETURNED;
   return true;
@@ -166,9 +162,7 @@ static bool has_arrived(cli_motion_t *motion, const cli_instant_t *at) {
 static void watch_exit(cli_motion_t *motion, const cli_instant_t *at) {
   cli_cycle_t *cycle = &motion->cycle;
   const cli_instant_t *last = &motion->last;
-  if (cycle->left || !last->on || at->on) {
-    return;
-  }
+  if (cycle->left || !last->on || at->on) return;
   cycle->left = true;
   cycle->exit_t = last->t;
   cycle->exit_r = last->at.r;
@@ -189,26 +183,17 @@ static void watch_windings(cli_motion_t *motion, const cli_instant_t *at) {
   const cli_instant_t *last = &motion->last;
   const double section =
       motion->job->two_fold.r + copysign(SECTION, motion->job->two_fold.v);
-  if (!cycle->left || cycle->landings > 0) {
-    return;
-  }
-  if ((last->at.r > section) != (at->at.r > section) &&
-      isnan(cycle->section_t)) {
+  if (!cycle->left || cycle->landings > 0) return;
+  if ((last->at.r > section) != (at->at.r > section) && isnan(cycle->section_t))
     cycle->section_t = passage(motion, last, at, section);
-  }
   const int side = at->h < 0 ? -1 : 1;
-  if (at->on || side == motion->slip_side) {
-    return;
-  }
+  if (at->on || side == motion->slip_side) return;
   cycle->windings++;
   motion->slip_side = side;
-  if (side < 0) {
-    return;
-  }
+  if (side < 0) return;
   const double up = crossing(last, at);
-  if (cycle->up_last <= cycle->section_t && cycle->section_t <= up) {
+  if (cycle->up_last <= cycle->section_t && cycle->section_t <= up)
     cycle->phase = (cycle->section_t - cycle->up_last) / (up - cycle->up_last);
-  }
   cycle->up_last = up;
 }
 
@@ -231,14 +216,11 @@ static void reach_surface(cli_motion_t *motion, const cli_instant_t *at) {
 
 static void watch_landing(cli_motion_t *motion, const cli_instant_t *at) {
   cli_cycle_t *cycle = &motion->cycle;
-  if (at->on && !motion->last.on) {
-    reach_surface(motion, at);
-  }
+  if (at->on && !motion->last.on) reach_surface(motion, at);
   cycle->upper = cycle->upper && at->on;
   if (!at->on || cycle->upper || at->g == 0 || two_fold_side(motion, at->g) ||
-      at->rests || at->t - motion->on_since < motion->job->dwell) {
+      at->rests || at->t - motion->on_since < motion->job->dwell)
     return;
-  }
   cycle->upper = true;
   if (cycle->landings++ == 0) {
     cycle->land_t = motion->on_since;
@@ -302,14 +284,11 @@ static void begin_noise(cli_motion_t *motion) {
   const tf_input_t input = tf_input_default(k);
   const cli_args_t *args = job->args;
   motion->size = args->size;
-  if (args->spread > 1) {
+  if (args->spread > 1)
     motion->size *= pow(args->spread, -cli_draw_uniform(motion));
-  }
   const double time = pow(2 * motion->size / weakening(job), 2.0 / 3.0);
   const double resolved = isfinite(time) ? time : 1; // [s], at the two-fold
-  if (job->at_two_fold) {
-    start_before_two_fold(motion);
-  }
+  if (job->at_two_fold) start_before_two_fold(motion);
   motion->band = 4 * motion->size * sqrt(resolved);
   motion->length = (double)k->dt;
   motion->near = (double)(tf_real_t)fmin(job->near, resolved / job->refinement);
@@ -325,11 +304,10 @@ void cli_motion_begin(cli_motion_t *motion, const cli_job_t *job,
                            .state = job->setup.motion.state,
                            .passes = random && job->at_two_fold,
                            .wait = -1};
-  if (!random) {
+  if (!random)
     begin_noise(motion);
-  } else if (job->at_two_fold) {
+  else if (job->at_two_fold)
     put_into_stick(motion, job->canard.r, job->canard.z);
-  }
   cli_track_start(motion);
 }
 
@@ -383,9 +361,7 @@ static bool advance_noise(cli_motion_t *motion) {
   cli_instant_t now = at;
   for (bool near = false; !near; dt = near ? dt : fmax(dt / 2, least)) {
     motion->state = from;
-    if (!cli_step_of(motion, dt)) {
-      return cli_refuse_cycle(motion);
-    }
+    if (!cli_step_of(motion, dt)) return cli_refuse_cycle(motion);
     now = cli_instant(motion);
     near = dt <= least ||
            square(now.h - at.h) + square(now.g - at.g) <= share * way;

@@ -30,14 +30,9 @@ static double draw_time(cli_motion_t *motion) {
 static unsigned draw_mode(cli_motion_t *motion, unsigned set) {
   unsigned modes[TF_MODES];
   unsigned n = 0;
-  for (unsigned mode = 0; mode < TF_MODES; mode++) {
-    if ((set & TF_MODE_BIT(mode)) != 0) {
-      modes[n++] = mode;
-    }
-  }
-  if (n < 2) {
-    return n == 0 ? TF_NO_MODE : modes[0];
-  }
+  for (unsigned mode = 0; mode < TF_MODES; mode++)
+    if ((set & TF_MODE_BIT(mode)) != 0) modes[n++] = mode;
+  if (n < 2) return n == 0 ? TF_NO_MODE : modes[0];
   return modes[(unsigned)(cli_draw_uniform(motion) * n) % n];
 }
 
@@ -106,14 +101,11 @@ static double come_near(cli_motion_t *motion, double *length, double end) {
   while (*length > end) {
     const tf_state_t before = motion->state;
     *length /= 2;
-    if (!cli_step_of(motion, *length)) {
-      return -1;
-    }
-    if (end < LOCATED ? motion->report.choices > 1 : changed(motion, &before)) {
+    if (!cli_step_of(motion, *length)) return -1;
+    if (end < LOCATED ? motion->report.choices > 1 : changed(motion, &before))
       motion->state = before;
-    } else {
+    else
       passed += *length;
-    }
   }
   return passed;
 }
@@ -126,9 +118,7 @@ static bool was_at_codim2(cli_motion_t *motion, const tf_state_t *from,
   const tf_machine_t *k = &motion->job->machine;
   const cli_motion_t after = *motion;
   const double whole = length;
-  if (motion->report.choices < 2) {
-    return false;
-  }
+  if (motion->report.choices < 2) return false;
   motion->state = *from;
   const double passed = come_near(motion, &length, SHORTEST);
   const cli_instant_t now = cli_instant(motion);
@@ -156,9 +146,7 @@ static bool leave_codim2(cli_motion_t *motion, unsigned mode) {
   motion->state.mode = (uint8_t)mode;
   motion->wait = -1;
   if (mode != TF_PINNED) {
-    if (!cli_step_of(motion, OFF)) {
-      return cli_refuse_cycle(motion);
-    }
+    if (!cli_step_of(motion, OFF)) return cli_refuse_cycle(motion);
     motion->t += OFF;
   }
   const cli_instant_t now = cli_instant(motion);
@@ -185,9 +173,7 @@ static bool track(cli_motion_t *motion, const tf_state_t *from) {
     now.on = true;
     now.g = before->g;
   }
-  if (!cli_track(motion, &now)) {
-    return false;
-  }
+  if (!cli_track(motion, &now)) return false;
   if (motion->cycle.outcome == CLI_CYCLE_RETURNED) {
     motion->t = motion->cycle.ended;
     motion->wait = -1;
@@ -210,9 +196,7 @@ static double time_to_rest(const cli_motion_t *motion, const tf_state_t *from,
 // One step, to the end of a wait at most. A wait is drawn once, and begins and
 // ends at its own instant, so that its distribution does not depend on dt.
 bool cli_random_advance(cli_motion_t *motion) {
-  if (motion->passes) {
-    return pass_two_fold(motion);
-  }
+  if (motion->passes) return pass_two_fold(motion);
   tf_state_t from = motion->state;
   const bool waiting = waits(motion->job, &from);
   unsigned set = 0;
@@ -223,21 +207,17 @@ bool cli_random_advance(cli_motion_t *motion) {
     motion->wait = motion->wait < 0 ? draw_time(motion) : motion->wait;
     length = fmin(length, motion->wait);
   }
-  if (length > SHORTEST && !cli_step_of(motion, length)) {
+  if (length > SHORTEST && !cli_step_of(motion, length))
     return cli_refuse_cycle(motion);
-  }
   if (length > LOCATED && changed(motion, &from)) {
     motion->state = from;
     const double passed = come_near(motion, &length, LOCATED);
     motion->t += passed;
     motion->wait -= waiting ? passed : 0;
-    if (passed > 0 && track(motion, &from)) {
-      return true;
-    }
+    if (passed > 0 && track(motion, &from)) return true;
     from = motion->state;
-    if (passed < 0 || !cli_step_of(motion, length)) {
+    if (passed < 0 || !cli_step_of(motion, length))
       return cli_refuse_cycle(motion);
-    }
   }
   const bool stays = waiting && motion->state.mode == from.mode;
   motion->wait = stays ? motion->wait - length : -1;
@@ -249,9 +229,8 @@ bool cli_random_advance(cli_motion_t *motion) {
            leave_codim2(motion, draw_mode(motion, set));
   }
   motion->t += time_to_rest(motion, &from, length);
-  if (track(motion, &from) || !stays || motion->wait > 0) {
+  if (track(motion, &from) || !stays || motion->wait > 0)
     return motion->cycle.outcome != CLI_CYCLE_OPEN;
-  }
   return from.mode == TF_PINNED ? leave_pinned(motion) : leave_stick(motion);
 }
 
@@ -273,9 +252,7 @@ const char *cli_random_branch(cli_motion_t *motion, unsigned mode,
   while (!ends && !waits(motion->job, &motion->state)) {
     const tf_state_t from = motion->state;
     ends = !cli_step_of(motion, dt);
-    if (!ends && was_at_codim2(motion, &from, dt, set)) {
-      return "codim2";
-    }
+    if (!ends && was_at_codim2(motion, &from, dt, set)) return "codim2";
     motion->t += ends ? 0 : dt;
     ends = ends || track(motion, &from);
   }

@@ -47,9 +47,8 @@ static void ask_for_stop(int number) {
   const char *bytes = restoring;
   (void)number;
   stop_asked = 1;
-  if (bytes != NULL && write(STDOUT_FILENO, bytes, strlen(bytes)) < 0) {
+  if (bytes != NULL && write(STDOUT_FILENO, bytes, strlen(bytes)) < 0)
     restoring = NULL;
-  }
   end_keys();
   errno = kept;
 }
@@ -58,9 +57,8 @@ void cli_screen_begin(const char *give_back) {
   restoring = give_back;
   // A job in the background that sets the terminal of another one is stopped.
   if (tcgetpgrp(STDIN_FILENO) != getpgrp() ||
-      tcgetattr(STDIN_FILENO, &lines) != 0) {
+      tcgetattr(STDIN_FILENO, &lines) != 0)
     return;
-  }
   struct termios keys = lines;
   keys.c_lflag &= ~(tcflag_t)(ICANON | ECHO);
   keys.c_cc[VMIN] = keys.c_cc[VTIME] = 0; // `read` does not wait
@@ -78,9 +76,8 @@ void cli_stop_on_key(char key) {
   const ssize_t count = in_keys && tcgetpgrp(STDIN_FILENO) == getpgrp()
                             ? read(STDIN_FILENO, pressed, sizeof pressed)
                             : 0;
-  if (count > 0 && memchr(pressed, key, (size_t)count) != NULL) {
+  if (count > 0 && memchr(pressed, key, (size_t)count) != NULL)
     (void)raise(SIGINT);
-  }
 }
 
 void cli_terminal_size(int *columns, int *rows) {
@@ -123,9 +120,7 @@ void cli_guard_descriptors(void) {
   for (int i = STDIN_FILENO; i <= STDERR_FILENO; i++) {
     // The lowest free number is the closed one; writing to it fails, because
     // it is opened for reading only.
-    if (fcntl(i, F_GETFD) == -1) {
-      (void)open("/dev/null", O_RDONLY);
-    }
+    if (fcntl(i, F_GETFD) == -1) (void)open("/dev/null", O_RDONLY);
   }
 }
 
@@ -134,12 +129,10 @@ void cli_catch_signals(void) {
   const struct sigaction stop = {.sa_handler = ask_for_stop,
                                  .sa_flags = (int)SA_RESETHAND};
   struct sigaction before;
-  for (size_t i = 0; i < sizeof stops / sizeof stops[0]; i++) {
+  for (size_t i = 0; i < sizeof stops / sizeof stops[0]; i++)
     if (stops[i] != SIGHUP || sigaction(SIGHUP, NULL, &before) != 0 ||
-        before.sa_handler != SIG_IGN) {
+        before.sa_handler != SIG_IGN)
       (void)sigaction(stops[i], &stop, NULL);
-    }
-  }
   (void)signal(SIGPIPE, SIG_IGN);
 #ifdef SIGXFSZ
   (void)signal(SIGXFSZ, SIG_IGN);
@@ -168,9 +161,7 @@ bool cli_progress_due(const cli_progress_t *progress, double now) {
 void cli_progress_say(cli_progress_t *progress, double now, double share,
                       const char *format, ...) {
   va_list arguments;
-  if (!cli_progress_due(progress, now)) {
-    return;
-  }
+  if (!cli_progress_due(progress, now)) return;
   (void)fputs(progress->one_line ? "\r" : "twofold: ", stderr);
   va_start(arguments, format);
   (void)vfprintf(stderr, format, arguments);
@@ -212,9 +203,7 @@ static const struct {
 // Raw mode: no echo, no line editing, no translation of bytes.
 static bool make_raw(int descriptor, uint64_t baud) {
   struct termios line;
-  if (tcgetattr(descriptor, &line) != 0) {
-    return false;
-  }
+  if (tcgetattr(descriptor, &line) != 0) return false;
   cfmakeraw(&line);
   line.c_iflag &= ~(tcflag_t)IXOFF;
   line.c_cflag &= ~(tcflag_t)CSTOPB;
@@ -222,9 +211,7 @@ static bool make_raw(int descriptor, uint64_t baud) {
   line.c_cc[VMIN] = 1;
   line.c_cc[VTIME] = 0;
   size_t i = 0;
-  while (i < sizeof speeds / sizeof speeds[0] && speeds[i].baud != baud) {
-    i++;
-  }
+  while (i < sizeof speeds / sizeof speeds[0] && speeds[i].baud != baud) i++;
   if (i < sizeof speeds / sizeof speeds[0]) {
     (void)cfsetispeed(&line, speeds[i].speed);
     (void)cfsetospeed(&line, speeds[i].speed);
@@ -240,9 +227,7 @@ bool cli_source_open(cli_source_t *source, const char *path, uint64_t baud,
   struct stat status;
   *source =
       (cli_source_t){.name = "standard input", .descriptor = STDIN_FILENO};
-  if (strcmp(path, "-") == 0) {
-    return true;
-  }
+  if (strcmp(path, "-") == 0) return true;
   // Opening a serial line must not block until there is a carrier; opening a
   // named pipe has to block until there is a writer.
   const bool is_line = stat(path, &status) == 0 && S_ISCHR(status.st_mode);
@@ -264,17 +249,14 @@ cli_source_found_t cli_source_read(cli_source_t *source, uint8_t *bytes,
                                    size_t *count) {
   struct pollfd ready = {source->descriptor, POLLIN, 0};
   *count = 0;
-  if (poll(&ready, 1, milliseconds) <= 0) {
+  if (poll(&ready, 1, milliseconds) <= 0)
     return CLI_SOURCE_QUIET; // after a signal too: the caller checks for it
-  }
   const ssize_t got = read(source->descriptor, bytes, room);
   if (got > 0) {
     *count = (size_t)got;
     return CLI_SOURCE_BYTES;
   }
-  if (got < 0 && (errno == EAGAIN || errno == EINTR)) {
-    return CLI_SOURCE_QUIET;
-  }
+  if (got < 0 && (errno == EAGAIN || errno == EINTR)) return CLI_SOURCE_QUIET;
   source->error = got < 0 ? errno : 0;
   return got == 0 && !source->is_device ? CLI_SOURCE_END : CLI_SOURCE_GONE;
 }
@@ -300,9 +282,7 @@ bool cli_source_write(cli_source_t *source, const uint8_t *bytes,
 }
 
 void cli_source_close(cli_source_t *source) {
-  if (source->descriptor > STDERR_FILENO) {
-    (void)close(source->descriptor);
-  }
+  if (source->descriptor > STDERR_FILENO) (void)close(source->descriptor);
   source->descriptor = -1;
 }
 

@@ -63,9 +63,7 @@ static bool folder_of(const char *path, char folder[PATH_MAX]) {
 bool cli_one_file(const char *one, const char *other) {
   struct stat a, b;
   char folder[2][PATH_MAX];
-  if (is_standard(one) || is_standard(other)) {
-    return false;
-  }
+  if (is_standard(one) || is_standard(other)) return false;
   const bool there = stat(one, &a) == 0;
   if (there || stat(other, &b) == 0) {
     return there && stat(other, &b) == 0 && S_ISREG(a.st_mode) &&
@@ -89,13 +87,9 @@ static int follow_links(char path[CLI_PATH_ROOM]) {
     char link[CLI_PATH_ROOM];
     const ssize_t length =
         in_proc(path) ? -1 : readlink(path, link, sizeof link);
-    if (length < 0) {
-      return 0; // no link: opening it reports what else is wrong
-    }
+    if (length < 0) return 0; // no link: opening it reports what else is wrong
     const size_t kept = link[0] == '/' ? 0 : folder_length(path);
-    if (kept + (size_t)length >= CLI_PATH_ROOM) {
-      return ENAMETOOLONG;
-    }
+    if (kept + (size_t)length >= CLI_PATH_ROOM) return ENAMETOOLONG;
     memcpy(path + kept, link, (size_t)length);
     path[kept + (size_t)length] = '\0';
   }
@@ -115,18 +109,13 @@ static bool has_its_name(const cli_destination_t *to) {
 // Returns: 0 or an errno.
 static int take_part(const cli_destination_t *to, int mode, bool keep) {
   struct stat found;
-  if (fstat(to->descriptor, &found) != 0 || !S_ISREG(found.st_mode)) {
+  if (fstat(to->descriptor, &found) != 0 || !S_ISREG(found.st_mode))
     return EEXIST;
-  }
-  if (found.st_nlink > 1) {
+  if (found.st_nlink > 1)
     return EMLINK; // under another name it is somebody's file
-  }
-  if (flock(to->descriptor, LOCK_EX | LOCK_NB) != 0) {
+  if (flock(to->descriptor, LOCK_EX | LOCK_NB) != 0)
     return errno == EWOULDBLOCK ? EBUSY : errno;
-  }
-  if (!has_its_name(to)) {
-    return EBUSY;
-  }
+  if (!has_its_name(to)) return EBUSY;
   return (!keep && ftruncate(to->descriptor, 0) != 0) ||
                  (mode >= 0 && fchmod(to->descriptor, (mode_t)mode) != 0)
              ? errno
@@ -138,14 +127,10 @@ static int take_part(const cli_destination_t *to, int mode, bool keep) {
 static int open_path(cli_destination_t *to, const char *path, bool keep) {
   struct stat before, standard;
   to->descriptor = -1;
-  if (strlen(path) >= CLI_PATH_ROOM) {
-    return ENAMETOOLONG;
-  }
+  if (strlen(path) >= CLI_PATH_ROOM) return ENAMETOOLONG;
   memcpy(to->path, path, strlen(path) + 1);
   const int error = follow_links(to->path);
-  if (error != 0) {
-    return error;
-  }
+  if (error != 0) return error;
   const bool exists = stat(to->path, &before) == 0;
   const bool is_descriptor = in_proc(to->path);
   // Standard output is written through its own descriptor, whose position it
@@ -160,18 +145,12 @@ static int open_path(cli_destination_t *to, const char *path, bool keep) {
         open(to->path, O_WRONLY | O_NOCTTY | (is_descriptor ? O_APPEND : 0));
     return to->descriptor < 0 ? errno : 0;
   }
-  if (exists && access(to->path, W_OK) != 0) {
-    return errno;
-  }
-  if (snprintf(to->part, sizeof to->part, "%s.part", to->path) >=
-      CLI_PATH_ROOM) {
+  if (exists && access(to->path, W_OK) != 0) return errno;
+  if (snprintf(to->part, sizeof to->part, "%s.part", to->path) >= CLI_PATH_ROOM)
     return ENAMETOOLONG;
-  }
   to->descriptor = open(
       to->part, O_WRONLY | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
-  if (to->descriptor < 0) {
-    return errno;
-  }
+  if (to->descriptor < 0) return errno;
   const int taken =
       take_part(to, exists ? (int)(before.st_mode & 0777) : -1, keep);
   to->beside = taken == 0;
@@ -187,12 +166,8 @@ static int open_path(cli_destination_t *to, const char *path, bool keep) {
 // Returns: 0 or an errno; EBUSY: the part is not the file that was opened.
 static int name_part(const cli_destination_t *to) {
   char folder[PATH_MAX];
-  if (!has_its_name(to)) {
-    return EBUSY;
-  }
-  if (rename(to->part, to->path) != 0) {
-    return errno;
-  }
+  if (!has_its_name(to)) return EBUSY;
+  if (rename(to->part, to->path) != 0) return errno;
   const int opened =
       folder_of(to->path, folder) ? open(folder, O_RDONLY | O_CLOEXEC) : -1;
   if (opened >= 0) {
@@ -224,22 +199,16 @@ bool cli_output_open(cli_output_t *output, const char *path, bool keep) {
 bool cli_output_close(cli_output_t *output, bool whole) {
   cli_destination_t *to = &output->to;
   (void)cli_output_flush(output);
-  if (to->descriptor < 0) {
-    return output->error == 0;
-  }
+  if (to->descriptor < 0) return output->error == 0;
   int error = output->error;
   if (cli_is_regular(to->descriptor) && fsync(to->descriptor) != 0 &&
-      errno != EINVAL && errno != EROFS && error == 0) {
+      errno != EINVAL && errno != EROFS && error == 0)
     error = errno;
-  }
-  if (to->beside && whole && error == 0) {
-    error = name_part(to);
-  }
+  if (to->beside && whole && error == 0) error = name_part(to);
   to->left = to->beside && (!whole || error != 0) && leave_part(to);
   if (to->descriptor != STDOUT_FILENO && close(to->descriptor) != 0 &&
-      error == 0) {
+      error == 0)
     error = errno;
-  }
   to->descriptor = -1;
   output->error = error;
   return error == 0;
@@ -247,15 +216,12 @@ bool cli_output_close(cli_output_t *output, bool whole) {
 
 static void drop_incomplete_row(const cli_output_t *output, size_t written) {
   off_t surplus = 0;
-  for (size_t i = written; i > 0 && output->buffer[i - 1] != output->last;
-       i--) {
+  for (size_t i = written; i > 0 && output->buffer[i - 1] != output->last; i--)
     surplus++;
-  }
   const off_t end = lseek(output->to.descriptor, 0, SEEK_CUR);
   if (surplus > 0 && end >= surplus && cli_is_regular(output->to.descriptor) &&
-      ftruncate(output->to.descriptor, end - surplus) != 0) {
+      ftruncate(output->to.descriptor, end - surplus) != 0)
     return; // the first error is the one that is reported
-  }
 }
 
 bool cli_output_flush(cli_output_t *output) {
@@ -275,9 +241,8 @@ bool cli_output_flush(cli_output_t *output) {
       output->error = errno;
     }
   }
-  if (output->error != 0 && output->used > 0) {
+  if (output->error != 0 && output->used > 0)
     drop_incomplete_row(output, written);
-  }
   output->used = 0;
   output->flushed = cli_now();
   return output->error == 0;
@@ -287,9 +252,8 @@ bool cli_output_lines(cli_output_t *output, const void *lines, size_t length) {
   const char *from = lines;
   for (size_t next; length > 0 && output->error == 0; length -= next) {
     next = length < CLI_OUTPUT_ROOM ? length : CLI_OUTPUT_ROOM;
-    if (next > CLI_OUTPUT_ROOM - output->used && !cli_output_flush(output)) {
+    if (next > CLI_OUTPUT_ROOM - output->used && !cli_output_flush(output))
       break;
-    }
     memcpy(output->buffer + output->used, from, next);
     output->used += next;
     from += next;
@@ -320,9 +284,7 @@ void cli_output_tell_part(const cli_output_t *output) {
 int cli_output_begin(cli_output_t *output, const char *option, const char *path,
                      bool keep) {
   cli_catch_signals();
-  if (cli_output_open(output, path, keep)) {
-    return CLI_DONE;
-  }
+  if (cli_output_open(output, path, keep)) return CLI_DONE;
   return cli_message(CLI_STOPPED, "%s %s: %s", option, path,
                      cli_output_reason(output));
 }
@@ -330,9 +292,8 @@ int cli_output_begin(cli_output_t *output, const char *option, const char *path,
 void cli_output_go_on(cli_output_t *output, size_t kept) {
   if (output->to.beside && output->error == 0 &&
       (ftruncate(output->to.descriptor, (off_t)kept) != 0 ||
-       lseek(output->to.descriptor, (off_t)kept, SEEK_SET) < 0)) {
+       lseek(output->to.descriptor, (off_t)kept, SEEK_SET) < 0))
     output->error = errno;
-  }
 }
 
 int cli_output_end(cli_output_t *output, int code) {

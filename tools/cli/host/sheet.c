@@ -69,9 +69,7 @@ static bool reaches(const cli_sheet_t *sheet, cli_extent_t to) {
   size_t some = 1;
   cli_extent_t at = sheet->rows;
   FILE *file = fopen(name_of(sheet), "r");
-  if (file == NULL || fseeko(file, (off_t)at.bytes, SEEK_SET) != 0) {
-    some = 0;
-  }
+  if (file == NULL || fseeko(file, (off_t)at.bytes, SEEK_SET) != 0) some = 0;
   while (some > 0 && at.bytes < to.bytes) {
     const uint64_t left = to.bytes - at.bytes;
     some =
@@ -79,9 +77,7 @@ static bool reaches(const cli_sheet_t *sheet, cli_extent_t to) {
     at.crc = cli_crc(at.crc, part, some);
     at.bytes += some;
   }
-  if (file != NULL) {
-    (void)fclose(file);
-  }
+  if (file != NULL) (void)fclose(file);
   return at.bytes == to.bytes && at.crc == to.crc;
 }
 
@@ -91,17 +87,12 @@ static bool go_to(cli_sheets_t *sheets, const char *note) {
   for (int i = 0; i < sheets->count; i++) {
     next[i].bytes = next_number(&note, 10);
     next[i].crc = (uint32_t)next_number(&note, 16);
-    if (!reaches(&sheets->sheet[i], next[i])) {
-      return false;
-    }
+    if (!reaches(&sheets->sheet[i], next[i])) return false;
   }
-  for (int i = 0; i < sheets->count; i++) {
-    sheets->sheet[i].rows = next[i];
-  }
+  for (int i = 0; i < sheets->count; i++) sheets->sheet[i].rows = next[i];
   sheets->done.done = next_number(&note, 10);
-  for (int i = 0; i < CLI_SHEET_COUNTS; i++) {
+  for (int i = 0; i < CLI_SHEET_COUNTS; i++)
     sheets->done.count[i] = next_number(&note, 10);
-  }
   return true;
 }
 
@@ -120,15 +111,13 @@ static int read_notes(cli_sheets_t *sheets, FILE *notes, const char *name) {
   const char *text = notes == NULL || fgets(line, sizeof line, notes) == NULL
                          ? NULL
                          : text_of(&chain, line);
-  if (text == NULL || strcmp(text, sheets->about) != 0) {
+  if (text == NULL || strcmp(text, sheets->about) != 0)
     return refuse_other(sheets, name);
-  }
   do {
     sheets->chain = chain;
     sheets->noted_end = ftell(notes);
-    if (fgets(line, sizeof line, notes) == NULL || strchr(line, '\n') == NULL) {
+    if (fgets(line, sizeof line, notes) == NULL || strchr(line, '\n') == NULL)
       return CLI_DONE;
-    }
     text = text_of(&chain, line);
     if (text == NULL) {
       return cli_message(CLI_REFUSED,
@@ -167,14 +156,12 @@ static int go_on(cli_sheets_t *sheets) {
       return refuse_other(sheets, to->path);
     }
   }
-  if (sheets->noted && !sheets->whole && !open_notes(sheets)) {
+  if (sheets->noted && !sheets->whole && !open_notes(sheets))
     return cli_message(CLI_STOPPED, "%s: cannot be written", notes_of(sheets));
-  }
   for (int i = 0; i < sheets->count; i++) {
     cli_sheet_t *sheet = &sheets->sheet[i];
-    if (sheet->rows.bytes == 0) {
+    if (sheet->rows.bytes == 0)
       (void)cli_sheet_put(sheet, sheet->begin, strlen(sheet->begin));
-    }
   }
   return CLI_DONE;
 }
@@ -185,9 +172,7 @@ static int open_all(cli_sheets_t *sheets) {
   for (; sheets->count < CLI_SHEETS; sheets->count++) {
     cli_sheet_t *sheet = &sheets->sheet[sheets->count];
     const cli_destination_t *to = &sheet->output.to;
-    if (sheet->path == NULL) {
-      break;
-    }
+    if (sheet->path == NULL) break;
     CLI_TRY(cli_output_begin(&sheet->output, sheet->option, sheet->path, true));
     sheets->noted = sheets->noted && to->beside;
     sheets->chain = cli_crc(sheets->chain, sheet->begin, strlen(sheet->begin));
@@ -205,9 +190,7 @@ static int open_all(cli_sheets_t *sheets) {
   if (sheets->noted && found != NULL && sheets->resume) {
     FILE *notes = fopen(notes_of(sheets), "r");
     const int code = read_notes(sheets, notes, found);
-    if (notes != NULL) {
-      (void)fclose(notes);
-    }
+    if (notes != NULL) (void)fclose(notes);
     CLI_TRY(code);
   }
   return go_on(sheets);
@@ -218,17 +201,14 @@ int cli_sheets_open(cli_sheets_t *sheets, const cli_shard_t *shard,
   uint64_t end = 0;
   cli_shard_range(shard, count, &sheets->first, &end);
   sheets->total = end - sheets->first;
-  for (char *at = sheets->about; (at = strchr(at, '\n')) != NULL;) {
-    *at = ' ';
-  }
+  for (char *at = sheets->about; (at = strchr(at, '\n')) != NULL;) *at = ' ';
   const int code = open_all(sheets);
   sheets->kept = sheets->done;
   sheets->saved = cli_now();
   sheets->progress =
       cli_progress_start(sheets->saved, sheets->sheet->output.to.descriptor);
-  for (int i = 0; i < sheets->count && code != CLI_DONE; i++) {
+  for (int i = 0; i < sheets->count && code != CLI_DONE; i++)
     (void)cli_output_close(&sheets->sheet[i].output, false);
-  }
   return code;
 }
 
@@ -240,9 +220,8 @@ bool cli_sheet_put(cli_sheet_t *sheet, const char *rows, size_t length) {
 
 static bool flush(cli_sheets_t *sheets) {
   bool written = true;
-  for (int i = 0; i < sheets->count; i++) {
+  for (int i = 0; i < sheets->count; i++)
     written = cli_output_flush(&sheets->sheet[i].output) && written;
-  }
   return written;
 }
 
@@ -255,12 +234,9 @@ static bool note(cli_sheets_t *sheets) {
     cli_add(&line, " ");
   }
   cli_add_count(&line, sheets->done.done);
-  for (int i = 0; i < CLI_SHEET_COUNTS; i++) {
+  for (int i = 0; i < CLI_SHEET_COUNTS; i++)
     cli_add_form(&line, " %" PRIu64, sheets->done.count[i]);
-  }
-  if (!flush(sheets)) {
-    return false;
-  }
+  if (!flush(sheets)) return false;
   if (sheets->noted && !write_line(sheets, text)) {
     (void)cli_message(CLI_STOPPED, "%s: cannot be written", notes_of(sheets));
     return false;
@@ -270,9 +246,7 @@ static bool note(cli_sheets_t *sheets) {
 
 bool cli_sheets_save(cli_sheets_t *sheets, bool between) {
   const double now = cli_now();
-  if (now - sheets->saved < SAVE_EVERY) {
-    return true;
-  }
+  if (now - sheets->saved < SAVE_EVERY) return true;
   sheets->saved = between ? now : sheets->saved;
   return between ? note(sheets) : flush(sheets);
 }
@@ -291,8 +265,7 @@ int cli_sheets_close(cli_sheets_t *sheets, int code) {
     code = cli_output_end(&sheets->sheet[i].output, code);
     left = left || sheets->sheet[i].output.to.left;
   }
-  if (sheets->noted && !left && (code != CLI_DONE || !sheets->resume)) {
+  if (sheets->noted && !left && (code != CLI_DONE || !sheets->resume))
     (void)unlink(notes_of(sheets));
-  }
   return code;
 }

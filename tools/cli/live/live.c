@@ -112,9 +112,8 @@ static void put_text(int row, int column, const char *format, ...) {
   va_start(arguments, format);
   (void)vsnprintf(text, sizeof text, format, arguments);
   va_end(arguments);
-  for (int i = 0; text[i] != '\0' && column + i < terminal.columns; i++) {
+  for (int i = 0; text[i] != '\0' && column + i < terminal.columns; i++)
     put_cell(row, column + i, (unsigned char)text[i], NO_INK);
-  }
 }
 
 static void add_cell(const cell_t *cell, cli_buffer_t *text) {
@@ -135,9 +134,7 @@ static void add_cell(const cell_t *cell, cli_buffer_t *text) {
 static void add_row(const cell_t *row, cli_buffer_t *text) {
   int used = COLUMNS;
   unsigned ink = NO_INK;
-  while (used > 0 && row[used - 1].glyph == 0) {
-    used--;
-  }
+  while (used > 0 && row[used - 1].glyph == 0) used--;
   for (int i = 0; i <= used; i++) {
     const unsigned next = i < used ? row[i].ink : (unsigned)NO_INK;
     if (next != ink && terminal.colour) {
@@ -145,9 +142,7 @@ static void add_row(const cell_t *row, cli_buffer_t *text) {
       cli_add(text, colours[next]);
     }
     ink = next;
-    if (i < used) {
-      add_cell(&row[i], text);
-    }
+    if (i < used) add_cell(&row[i], text);
   }
 }
 
@@ -192,12 +187,8 @@ static void plot(const plane_t *plane, const cli_csv_t *at, unsigned ink) {
 static void plot_zeros(const plane_t *plane) {
   const int column = place(&plane->x, 0, 2 * plane->columns);
   const int row = place(&plane->y, 0, 4 * plane->rows);
-  for (int i = 0; i < 2 * plane->columns; i += 2) {
-    put_dot(plane, i, row, AXIS);
-  }
-  for (int i = 1; i < 4 * plane->rows; i += 2) {
-    put_dot(plane, column, i, AXIS);
-  }
+  for (int i = 0; i < 2 * plane->columns; i += 2) put_dot(plane, i, row, AXIS);
+  for (int i = 1; i < 4 * plane->rows; i += 2) put_dot(plane, column, i, AXIS);
 }
 
 // What is drawn. The time that is kept is divided into buckets, each with the
@@ -261,14 +252,12 @@ cli_live_t *cli_live_open(double span) {
 }
 
 void cli_live_note(cli_live_t *live, const cli_csv_t *at) {
-  if (live == NULL || !(at->column[CLI_CSV_t] >= 0) || at->mode >= TF_MODES) {
+  if (live == NULL || !(at->column[CLI_CSV_t] >= 0) || at->mode >= TF_MODES)
     return;
-  }
   const uint64_t number =
       1 + (uint64_t)(at->column[CLI_CSV_t] / live->span * (BUCKETS - 1));
-  if (number < live->newest) {
+  if (number < live->newest)
     memset(live->bucket, 0, sizeof live->bucket); // it began anew
-  }
   bucket_t *bucket = &live->bucket[number % BUCKETS];
   if (bucket->number != number) {
     bucket->number = number;
@@ -299,13 +288,9 @@ static void fit(const cli_live_t *live, axis_t *axis) {
     }
   }
   const double size = axis->high - axis->low;
-  if (low >= axis->low && high <= axis->high && high - low > 0.3 * size) {
-    return;
-  }
+  if (low >= axis->low && high <= axis->high && high - low > 0.3 * size) return;
   double margin = 0.08 * (high - low);
-  if (!(margin > 0)) {
-    margin = low < 0 || low > 0 ? 0.1 * fabs(low) : 1;
-  }
+  if (!(margin > 0)) margin = low < 0 || low > 0 ? 0.1 * fabs(low) : 1;
   axis->low = low - margin;
   axis->high = high + margin;
 }
@@ -318,15 +303,12 @@ static void draw_plane(const cli_live_t *live, plane_t *plane) {
            cli_csv_columns[y->column].name, plane->digits, y->low,
            plane->digits, y->high, cli_csv_columns[x->column].name,
            plane->digits, x->low, plane->digits, x->high);
-  for (int row = HEAD; row < HEAD + plane->rows; row++) {
+  for (int row = HEAD; row < HEAD + plane->rows; row++)
     put_cell(row, plane->column - 1, BORDER, FRAME);
-  }
   plot_zeros(plane);
   for (uint64_t back = BUCKETS; back > 0; back--) {
     const bucket_t *bucket = bucket_at(live, back - 1);
-    if (bucket != NULL) {
-      plot(plane, &bucket->last, bucket->last.mode + 1);
-    }
+    if (bucket != NULL) plot(plane, &bucket->last, bucket->last.mode + 1);
   }
   plot(plane, &live->last, NOW);
 }
@@ -409,9 +391,7 @@ void cli_live_draw(cli_live_t *live, const char *title, double now) {
 }
 
 void cli_live_close(cli_live_t *live, const char *title) {
-  if (live == NULL) {
-    return;
-  }
+  if (live == NULL) return;
   cli_buffer_t text = {drawing, 0, sizeof drawing, false};
   cli_message_divert(NULL, 0);
   (void)measure_terminal();
@@ -422,7 +402,6 @@ void cli_live_close(cli_live_t *live, const char *title) {
   cli_screen_end();
   put(drawing, false);
   for (char *line = strtok(live->said, "\n"); line != NULL;
-       line = strtok(NULL, "\n")) {
+       line = strtok(NULL, "\n"))
     (void)cli_message(CLI_DONE, "%s", line);
-  }
 }

@@ -65,9 +65,7 @@ static const char *read_select(cli_board_command_t *command, const char *rest) {
   uint64_t seed = 0;
   unsigned i = 0;
   (void)snprintf(name, sizeof name, "%.*s", (int)length, rest);
-  while (i < TF_RULES && strcmp(tf_rule_name(i), name) != 0) {
-    i++;
-  }
+  while (i < TF_RULES && strcmp(tf_rule_name(i), name) != 0) i++;
   const bool seed_is_good =
       rest[length] == '\0' ||
       cli_read_whole(rest + length + 1, 0, UINT32_MAX, &seed);
@@ -87,9 +85,8 @@ static const char *read_input(cli_board_command_t *command, const char *rest) {
     const char *why = "";
     (void)snprintf(number, sizeof number, "%.*s", (int)length, rest);
     if (length >= sizeof number || !add_number(command, number, &why) ||
-        (rest[length] == ',') == (i == 3)) {
+        (rest[length] == ',') == (i == 3))
       return "expected input:OMEGA0,R0,FORCE,TORQUE in numbers";
-    }
     rest += length + 1;
   }
   // The speeds are constant, so the turntable's acceleration is 0.
@@ -143,9 +140,7 @@ static int read_command(cli_board_command_t *command, const char *text) {
       const char *why = has_data ? forms[i].read(command, text + length) : NULL;
       return why == NULL ? CLI_DONE : refuse(text, why);
     }
-    if (!has_data) {
-      cli_closest_offer(&closest, forms[i].name);
-    }
+    if (!has_data) cli_closest_offer(&closest, forms[i].name);
   }
   return cli_message(CLI_USAGE,
                      "--send %s: unknown command%s ('twofold help monitor' "
@@ -155,21 +150,18 @@ static int read_command(cli_board_command_t *command, const char *text) {
 
 int cli_read_send(cli_args_t *args, const cli_given_t *given) {
   cli_board_command_t command;
-  if (args->sends == CLI_SENDS) {
+  if (args->sends == CLI_SENDS)
     return refuse(given->value, "too many commands for one line");
-  }
   args->send[args->sends++] = given->value;
   return read_command(&command, given->value);
 }
 
 int cli_board_commands_open(cli_board_commands_t *commands,
                             const cli_args_t *args) {
-  if (args->sends > 0) { // the schema has to be known before any command
+  if (args->sends > 0) // the schema has to be known before any command
     (void)read_command(&commands->list[commands->count++], "describe");
-  }
-  for (size_t i = 0; i < args->sends; i++) {
+  for (size_t i = 0; i < args->sends; i++)
     (void)read_command(&commands->list[commands->count++], args->send[i]);
-  }
   commands->has_key = args->key != NULL;
   const char *wrong =
       commands->has_key ? cli_read_key(args->key, commands->key) : NULL;
@@ -191,9 +183,7 @@ int cli_board_commands_send(cli_board_commands_t *commands,
                             cli_source_t *source) {
   uint8_t wire[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)];
   const double now = cli_now();
-  if (commands->next == commands->count) {
-    return CLI_DONE;
-  }
+  if (commands->next == commands->count) return CLI_DONE;
   const cli_board_command_t *command = &commands->list[commands->next];
   const cli_session_row_t *row = &command->row[receiver->is_float];
   const bool asks = row->type == TF_UP_DESCRIBE;
@@ -218,9 +208,7 @@ int cli_board_commands_send(cli_board_commands_t *commands,
   const size_t length =
       tf_command_seal(wire, row->type, row->length, commands->session, &next, 0,
                       commands->has_key ? commands->key : NULL);
-  if (!asks) {
-    commands->sequence = next;
-  }
+  if (!asks) commands->sequence = next;
   return cli_source_write(source, wire, length)
              ? CLI_DONE
              : cli_message(CLI_STOPPED, "%s: %s", source->name,
@@ -238,9 +226,8 @@ static const char *reason_of(int code, uint32_t number) {
       [-TF_ANSWER_FOREIGN] = "the board was started anew",
       [-TF_ANSWER_TAG] = "its tag is not that of the board's key (--key)",
       [-TF_ANSWER_LINE] = "more than the line carries"};
-  if (code == TF_ANSWER_OLD && number == UINT32_MAX) {
+  if (code == TF_ANSWER_OLD && number == UINT32_MAX)
     return "all numbers of the session are used up: restart the board";
-  }
   return code <= TF_ANSWER_UNKNOWN && code >= TF_ANSWER_LINE
              ? reasons[-code]
              : tf_status_name((tf_status_t)code);
@@ -262,9 +249,7 @@ static void write_range(char *out, size_t room, const tf_frame_t *frame,
                    (uint32_t)tf_wire_get(at, 4));
     return;
   }
-  if (frame->length != ANSWER_BYTES + 3 * R || index >= TF_PARAMETERS) {
-    return;
-  }
+  if (frame->length != ANSWER_BYTES + 3 * R || index >= TF_PARAMETERS) return;
   char number[3][CLI_REAL_ROOM]; // in effect, smallest, largest
   for (size_t i = 0; i < 3; i++) {
     (void)cli_write_number(number[i], cli_receiver_real(receiver, at + i * R),
@@ -284,9 +269,8 @@ void cli_board_commands_answer(cli_board_commands_t *commands,
   cli_session_row_t row = command->row[receiver->is_float];
   if (!commands->waiting || frame->type != TF_DOWN_ANSWER ||
       frame->length < ANSWER_BYTES || tf_wire_get(at, 4) != commands->sent ||
-      at[4] != row.type) {
+      at[4] != row.type)
     return; // it answers another command, or another host
-  }
   const int code = at[5] < 128 ? at[5] : at[5] - 256;
   char range[3 * CLI_REAL_ROOM + 32];
   write_range(range, sizeof range, frame, receiver);

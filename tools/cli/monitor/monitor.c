@@ -59,9 +59,7 @@ static void write_title(const monitor_t *monitor, char title[TITLE_ROOM]) {
 static void begin_rows(monitor_t *monitor) {
   const char *header = monitor->as->header;
   char lines[CLI_RECEIVED_ROOM];
-  if (monitor->begun) {
-    return;
-  }
+  if (monitor->begun) return;
   monitor->begun = true;
   if (monitor->args->provenance) {
     (void)cli_output_lines(&monitor->output, lines,
@@ -82,9 +80,8 @@ static void take_block(monitor_t *monitor, size_t length) {
   cli_receiver_t *receiver = &monitor->receiver;
   receiver->bytes += length;
   receiver->is_device = monitor->source.is_device;
-  if (monitor->args->format == CLI_FORMAT_FRAMES && !monitor->at_end) {
+  if (monitor->args->format == CLI_FORMAT_FRAMES && !monitor->at_end)
     (void)cli_output_lines(&monitor->output, at, length);
-  }
   while (tf_decoder_block(&receiver->decoder, at, length, &taken, &frame)) {
     at += taken;
     length -= taken;
@@ -92,9 +89,7 @@ static void take_block(monitor_t *monitor, size_t length) {
     cli_board_commands_answer(&monitor->commands, &frame, receiver,
                               &monitor->record);
     cli_session_frame(&monitor->record, &frame);
-    if (!completes) {
-      continue;
-    }
+    if (!completes) continue;
     cli_live_note(monitor->live, &row);
     if (as != NULL && as->row != NULL) {
       begin_rows(monitor);
@@ -125,12 +120,9 @@ static int wait_for_device(monitor_t *monitor) {
   cli_source_close(source);
   const cli_args_t *args = monitor->args;
   while (!cli_stop_asked() && !cli_source_open(source, args->source, args->baud,
-                                               monitor->commands.count > 0)) {
+                                               monitor->commands.count > 0))
     cli_sleep(WAIT);
-  }
-  if (!cli_stop_asked()) {
-    (void)cli_message(CLI_DONE, "%s: back", source->name);
-  }
+  if (!cli_stop_asked()) (void)cli_message(CLI_DONE, "%s: back", source->name);
   return CLI_DONE;
 }
 
@@ -142,17 +134,15 @@ static int follow_stream(monitor_t *monitor) {
     CLI_TRY(cli_board_commands_send(commands, &monitor->receiver,
                                     &monitor->source));
     if (commands->count > 0 && commands->next == commands->count &&
-        monitor->as == NULL && monitor->live == NULL) {
+        monitor->as == NULL && monitor->live == NULL)
       return CLI_DONE; // every command is answered, and nothing is shown
-    }
     const cli_source_found_t found =
         cli_source_read(&monitor->source, monitor->block, BLOCK, WAIT, &count);
     const double now = cli_now();
-    if (found == CLI_SOURCE_BYTES) {
+    if (found == CLI_SOURCE_BYTES)
       take_block(monitor, count);
-    } else if (found == CLI_SOURCE_END && !args->follow) {
+    else if (found == CLI_SOURCE_END && !args->follow)
       take_end(monitor);
-    }
     if (cli_live_due(monitor->live, now)) {
       char title[TITLE_ROOM];
       write_title(monitor, title);
@@ -160,18 +150,16 @@ static int follow_stream(monitor_t *monitor) {
     }
     // Rows of a slow board are flushed before the next wait.
     if (monitor->as != NULL && (found != CLI_SOURCE_BYTES ||
-                                now - monitor->output.flushed >= FLUSH_EVERY)) {
+                                now - monitor->output.flushed >= FLUSH_EVERY))
       (void)cli_output_flush(&monitor->output);
-    }
     if (monitor->output.error != 0) {
       return cli_message(CLI_STOPPED, "%s: %s", monitor->output.name,
                          cli_output_reason(&monitor->output));
     }
-    if (found == CLI_SOURCE_END && args->follow) {
+    if (found == CLI_SOURCE_END && args->follow)
       cli_sleep(WAIT); // a file may still grow
-    } else if (found == CLI_SOURCE_GONE) {
+    else if (found == CLI_SOURCE_GONE)
       CLI_TRY(wait_for_device(monitor));
-    }
   }
   return CLI_DONE;
 }
@@ -185,15 +173,10 @@ static int open_both(monitor_t *monitor) {
                            ? "the device does not take this --baud"
                            : strerror(monitor->source.error));
   }
-  if (monitor->as != NULL) {
+  if (monitor->as != NULL)
     CLI_TRY(cli_output_begin(&monitor->output, "--out", args->out, false));
-  }
-  if (args->format == CLI_FORMAT_FRAMES) {
-    monitor->output.last = '\0';
-  }
-  if (monitor->as != NULL && !args->provenance) {
-    begin_rows(monitor);
-  }
+  if (args->format == CLI_FORMAT_FRAMES) monitor->output.last = '\0';
+  if (monitor->as != NULL && !args->provenance) begin_rows(monitor);
   return args->record != NULL ? cli_session_open(&monitor->record, args->record)
                               : CLI_DONE;
 }
@@ -204,9 +187,8 @@ static int open_both(monitor_t *monitor) {
 static const char *fault_of(const monitor_t *monitor) {
   static char where[160];
   const cli_receiver_t *receiver = &monitor->receiver;
-  if (cli_receiver_missing(receiver) > 0) {
+  if (cli_receiver_missing(receiver) > 0)
     return "frames were lost or broken, as is counted";
-  }
   if (receiver->decoder.restarts > 0 && !monitor->args->follow) {
     return "the sender was started again, or frames came twice: these are rows "
            "of more than one run";
@@ -242,12 +224,9 @@ static int judge_stream(const monitor_t *monitor, int code) {
     return cli_message(CLI_STOPPED, "%s: no frame of protocol version %d",
                        monitor->args->source, TF_FRAME_VERSION);
   }
-  if (fault != NULL) {
+  if (fault != NULL)
     return cli_message(CLI_DAMAGED, "%s: %s", monitor->source.name, fault);
-  }
-  if (receiver->not_finite > 0) {
-    return CLI_DAMAGED;
-  }
+  if (receiver->not_finite > 0) return CLI_DAMAGED;
   return receiver->skipped > 0 ? CLI_FLAGGED : cli_tally_code(&flagged);
 }
 
@@ -265,9 +244,8 @@ static int perform(monitor_t *monitor) {
   // What has an end of its own has to be read to its end; all else is read
   // until a signal says that it is enough.
   if (code == CLI_DONE && cli_stop_asked() && !monitor->args->follow &&
-      cli_is_regular(monitor->source.descriptor)) {
+      cli_is_regular(monitor->source.descriptor))
     code = cli_message(CLI_STOPPED, "%s: interrupted", monitor->source.name);
-  }
   write_title(monitor, title);
   cli_live_close(monitor->live, title);
   // A file of rows that are not all of one stream does not get its name, by
@@ -284,13 +262,9 @@ static int perform(monitor_t *monitor) {
   code = closed == whole ? code : closed;
   cli_source_close(&monitor->source);
   monitor->receiver.source = monitor->source.name;
-  if (monitor->args->summary == 0) {
-    cli_receiver_print(&monitor->receiver);
-  }
+  if (monitor->args->summary == 0) cli_receiver_print(&monitor->receiver);
   code = judge_stream(monitor, code);
-  if (monitor->args->summary != 0) {
-    cli_receiver_put(&monitor->receiver, code);
-  }
+  if (monitor->args->summary != 0) cli_receiver_put(&monitor->receiver, code);
   return code;
 }
 
@@ -303,12 +277,10 @@ int cli_monitor_check(cli_args_t *args) {
     return cli_message(CLI_USAGE,
                        "--live --format: rows go to --out FILE only");
   }
-  if (args->out != NULL && args->format == CLI_NOT_GIVEN) {
+  if (args->out != NULL && args->format == CLI_NOT_GIVEN)
     return cli_message(CLI_USAGE, "--out %s: only with --format", args->out);
-  }
-  if (args->provenance && args->format != CLI_FORMAT_CSV) {
+  if (args->provenance && args->format != CLI_FORMAT_CSV)
     return cli_message(CLI_USAGE, "--provenance: only with --format csv");
-  }
   return CLI_DONE;
 }
 

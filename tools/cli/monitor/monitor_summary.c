@@ -45,9 +45,7 @@ void cli_receiver_print(const cli_receiver_t *receiver) {
           " restarts, %" PRIu64 " changes of the run\n",
           decoder->lost, decoder->bad, decoder->too_long, decoder->bad_version,
           decoder->restarts, receiver->other_runs);
-  if (receiver->has_heartbeat) {
-    print_board(&receiver->heartbeat);
-  }
+  if (receiver->has_heartbeat) print_board(&receiver->heartbeat);
   if (receiver->rows > 0 || receiver->has_heartbeat) {
     const tf_tally_t tally = cli_receiver_flagged(receiver);
     cli_tally_print(&tally, "first reported",

@@ -29,9 +29,8 @@ double cli_receiver_real(const cli_receiver_t *receiver, const uint8_t *at) {
 static const uint8_t *reals_at(const cli_receiver_t *receiver,
                                const uint8_t *at, double *values,
                                size_t count) {
-  for (size_t i = 0; i < count; i++, at += real_bytes(receiver)) {
+  for (size_t i = 0; i < count; i++, at += real_bytes(receiver))
     values[i] = cli_receiver_real(receiver, at);
-  }
   return at;
 }
 
@@ -39,11 +38,9 @@ static const uint8_t *reals_at(const cli_receiver_t *receiver,
 static const uint8_t *text_at(const uint8_t *at, const uint8_t *end,
                               char out[CLI_RECEIVED_TEXT]) {
   size_t length = 0;
-  for (; at < end && *at != 0; at++) {
-    if (length + 1 < CLI_RECEIVED_TEXT && *at >= ' ' && *at <= '~') {
+  for (; at < end && *at != 0; at++)
+    if (length + 1 < CLI_RECEIVED_TEXT && *at >= ' ' && *at <= '~')
       out[length++] = (char)*at;
-    }
-  }
   out[length] = '\0';
   return at < end ? at + 1 : end;
 }
@@ -58,9 +55,8 @@ static void note_other(cli_receiver_t *receiver, uint64_t tick) {
 // Of a run all schemas and heartbeats have one hash.
 static void note_run(cli_receiver_t *receiver, uint64_t tick, uint32_t run) {
   const bool is_first = !receiver->has_schema && !receiver->has_heartbeat;
-  if (receiver->breaks || (!is_first && receiver->run != run)) {
+  if (receiver->breaks || (!is_first && receiver->run != run))
     note_other(receiver, tick);
-  }
   receiver->run = run;
 }
 
@@ -89,9 +85,8 @@ static void note_chain(cli_receiver_t *receiver, const tf_frame_t *frame) {
 // A session is that of one start of a board.
 static void note_session(cli_receiver_t *receiver, uint64_t tick,
                          uint32_t session) {
-  if (receiver->session != 0 && session != receiver->session) {
+  if (receiver->session != 0 && session != receiver->session)
     note_other(receiver, tick);
-  }
   receiver->session = session;
 }
 
@@ -99,9 +94,8 @@ static bool take_schema(cli_receiver_t *receiver, const tf_frame_t *frame) {
   const uint8_t *at = frame->payload;
   const uint8_t *end = at + frame->length;
   if (frame->length < SCHEMA_DT + 4 || (at[0] != 4 && at[0] != 8) ||
-      frame->length < SCHEMA_DT + at[0]) {
+      frame->length < SCHEMA_DT + at[0])
     return false;
-  }
   const double before = receiver->dt;
   receiver->is_float = at[0] == 4;
   receiver->hash = (uint32_t)tf_wire_get(at + 9, 4);
@@ -113,14 +107,12 @@ static bool take_schema(cli_receiver_t *receiver, const tf_frame_t *frame) {
   at = reals_at(receiver, at + SCHEMA_DT, &receiver->dt, 1);
   at = text_at(at, end, receiver->scene);
   (void)text_at(at, end, receiver->build);
-  if (!receiver->has_schema && receiver->is_device) {
+  if (!receiver->has_schema && receiver->is_device)
     receiver->before = receiver->missed + receiver->incomplete;
-  }
-  if (frame->tick == 0 || !receiver->has_schema) {
+  if (frame->tick == 0 || !receiver->has_schema)
     receiver->base = 0;
-  } else if (before < receiver->dt || before > receiver->dt) {
+  else if (before < receiver->dt || before > receiver->dt)
     receiver->base += (double)frame->tick * (before - receiver->dt);
-  }
   receiver->has_schema = true;
   return true;
 }
@@ -135,18 +127,14 @@ static void take_state(cli_receiver_t *receiver, const tf_frame_t *frame) {
 
 static void note_row(cli_receiver_t *receiver, const cli_csv_t *row) {
   bool finite = true;
-  for (size_t i = 0; i < CLI_CSV_COLUMNS; i++) {
+  for (size_t i = 0; i < CLI_CSV_COLUMNS; i++)
     finite = finite && row->column[i] >= -DBL_MAX && row->column[i] <= DBL_MAX;
-  }
-  if (!finite && receiver->not_finite++ == 0) {
+  if (!finite && receiver->not_finite++ == 0)
     receiver->first_tick = receiver->tick;
-  }
   const bool repeats =
       receiver->rows++ > 0 && receiver->last_reported == receiver->tick;
   receiver->last_reported = receiver->tick;
-  if (repeats) {
-    return;
-  }
+  if (repeats) return;
   if (receiver->status > TF_OK && !receiver->has_first) {
     receiver->has_first = true;
     receiver->first = row->column[0];

@@ -25,12 +25,9 @@ static bool changes_sign(tf_real_t a, tf_real_t b) {
 
 static bool is_codimension_two(const tf_report_t *before,
                                const tf_report_t *after) {
-  if (after->mode == TF_PINNED) {
-    return before->mode != TF_PINNED;
-  }
-  if (cli_is_stick(before->mode) && cli_is_stick(after->mode)) {
+  if (after->mode == TF_PINNED) return before->mode != TF_PINNED;
+  if (cli_is_stick(before->mode) && cli_is_stick(after->mode))
     return before->mode != after->mode;
-  }
   return cli_is_stick(before->mode) != cli_is_stick(after->mode) &&
          before->mode != TF_PINNED &&
          changes_sign(before->slip.g, after->slip.g);
@@ -38,21 +35,16 @@ static bool is_codimension_two(const tf_report_t *before,
 
 static bool is_two_fold(const tf_report_t *before, const tf_report_t *after) {
   if (!cli_is_stick(before->mode) || !(before->delassus > 0) ||
-      after->delassus > 0) {
+      after->delassus > 0)
     return false;
-  }
-  if (cli_is_stick(after->mode)) {
-    return before->mode == after->mode;
-  }
+  if (cli_is_stick(after->mode)) return before->mode == after->mode;
   return tf_mode_is_slip(after->mode) &&
          !changes_sign(before->slip.g, after->slip.g);
 }
 
 // If there is no memory left the list ends there, so that it has no gap.
 static cli_event_t *new_event(cli_events_t *events) {
-  if (events->used >= events->limit) {
-    return NULL;
-  }
+  if (events->used >= events->limit) return NULL;
   cli_event_t *list =
       cli_grow(events->list, events->used, &events->room, sizeof *list);
   if (list == NULL) {
@@ -66,24 +58,17 @@ static cli_event_t *new_event(cli_events_t *events) {
 static unsigned kinds_between(const tf_report_t *before,
                               const tf_report_t *after) {
   unsigned kinds = 0;
-  if (is_two_fold(before, after)) {
-    kinds |= 1u << CLI_TWO_FOLD;
-  }
-  if (before->mode == after->mode) {
-    return kinds;
-  }
-  if (tf_mode_is_slip(before->mode) && tf_mode_is_slip(after->mode)) {
+  if (is_two_fold(before, after)) kinds |= 1u << CLI_TWO_FOLD;
+  if (before->mode == after->mode) return kinds;
+  if (tf_mode_is_slip(before->mode) && tf_mode_is_slip(after->mode))
     kinds |= 1u << CLI_SLIP_TO_SLIP;
-  } else if (tf_mode_is_slip(before->mode)) {
+  else if (tf_mode_is_slip(before->mode))
     kinds |= 1u << CLI_SLIP_TO_STICK;
-  } else if (tf_mode_is_slip(after->mode)) {
+  else if (tf_mode_is_slip(after->mode))
     kinds |= 1u << CLI_STICK_TO_SLIP;
-  } else if (before->mode == TF_PINNED) {
+  else if (before->mode == TF_PINNED)
     kinds |= 1u << CLI_PINNED_TO_STICK;
-  }
-  if (is_codimension_two(before, after)) {
-    kinds |= 1u << CLI_CODIMENSION_TWO;
-  }
+  if (is_codimension_two(before, after)) kinds |= 1u << CLI_CODIMENSION_TWO;
   return kinds;
 }
 
@@ -103,9 +88,7 @@ void cli_events_observe(cli_events_t *events, const tf_report_t *before,
     events->ambiguous++;
     events->ambiguous_since = fmin(events->ambiguous_since, t); // NAN loses
   }
-  if (kinds == 0) {
-    return;
-  }
+  if (kinds == 0) return;
   const bool winds = events->away && kinds == 1u << CLI_SLIP_TO_SLIP;
   events->windings += winds;
   if (kinds >> CLI_TWO_FOLD & 1u) {
@@ -117,17 +100,14 @@ void cli_events_observe(cli_events_t *events, const tf_report_t *before,
     kinds |= 1u << CLI_RETURNED;
   }
   events->steps++;
-  for (unsigned kind = 0; kind < CLI_EVENT_KINDS; kind++) {
+  for (unsigned kind = 0; kind < CLI_EVENT_KINDS; kind++)
     events->counts[kind] += (kinds >> kind) & 1u;
-  }
   if (winds && events->limit < UINT64_MAX) {
     events->merged++;
     return;
   }
   cli_event_t *event = new_event(events);
-  if (event == NULL) {
-    return;
-  }
+  if (event == NULL) return;
   event->merged = events->merged;
   events->merged = 0;
   event->windings = events->windings;

@@ -19,9 +19,7 @@ void cli_run_show(const cli_run_t *run) {
 
 cli_setup_t cli_run_setup(const cli_run_t *run) {
   cli_setup_t setup = *run->setup;
-  if (run->replays) {
-    setup.params = run->replay.link.params;
-  }
+  if (run->replays) setup.params = run->replay.link.params;
   setup.seed = run->system.state.seed;
   return setup;
 }
@@ -42,9 +40,7 @@ size_t cli_run_changes(const cli_run_t *run, char out[CLI_CHANGES_ROOM]) {
   const bool draws = now.params.rule == TF_RULE_RANDOM;
   if (was->rule != now.params.rule || (draws && run->setup->seed != now.seed)) {
     cli_add_form(&text, " --select %s", tf_rule_name(now.params.rule));
-    if (draws) {
-      cli_add_form(&text, ":%" PRIu64, (uint64_t)now.seed);
-    }
+    if (draws) cli_add_form(&text, ":%" PRIu64, (uint64_t)now.seed);
   }
   return text.used;
 }
@@ -57,9 +53,8 @@ void cli_run_observe(cli_run_t *run, const tf_report_t *after) {
   const double t = cli_run_time(run, run->done);
   cli_events_observe(&run->events, &run->report, after, &run->system.state, t);
   tf_tally_count(&run->tally, run->done, after->status);
-  if (!tf_mode_is_slip(after->mode)) {
+  if (!tf_mode_is_slip(after->mode))
     run->largest_h = fmax(run->largest_h, fabs((double)after->slip.h));
-  }
   run->largest_residual = fmax(run->largest_residual, (double)after->residual);
   run->report = *after;
   cli_run_show(run);
@@ -70,9 +65,7 @@ void cli_run_observe(cli_run_t *run, const tf_report_t *after) {
 
 bool cli_run_save(cli_run_t *run, const char *path) {
   char text[CLI_STATE_BYTES];
-  if (path == NULL) {
-    return true;
-  }
+  if (path == NULL) return true;
   const cli_setup_t setup = cli_run_setup(run);
   const cli_stand_t stand = {run->system.state,
                              run->system.low,
@@ -112,9 +105,7 @@ static void take_inputs(cli_run_t *run, const cli_args_t *args,
                : has_table        ? "with another table of --inputs"
                                   : "with --inputs, and goes on without");
   }
-  if (stand->held.source == TF_INPUT_SCENE) {
-    return;
-  }
+  if (stand->held.source == TF_INPUT_SCENE) return;
   if (has_table) {
     note(args, "with inputs by a command, and goes on with --inputs");
     return;

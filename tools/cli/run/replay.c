@@ -21,9 +21,8 @@ int cli_replay_read(cli_replay_t *replay, const char *path,
                     cli_setup_t *setup) {
   CLI_TRY(cli_session_read(&replay->session, path));
   const uint8_t there = replay->session.schema.data[SCHEMA_SCHEME];
-  if (setup->scheme == MOTION_SCHEMES && there < MOTION_SCHEMES) {
+  if (setup->scheme == MOTION_SCHEMES && there < MOTION_SCHEMES)
     setup->scheme = (motion_scheme_t)there;
-  }
   return CLI_DONE;
 }
 
@@ -115,16 +114,12 @@ int cli_replay_begin(cli_replay_t *replay, cli_setup_t *setup,
 static bool perform(cli_replay_t *replay, const cli_session_row_t *row) {
   uint8_t wire[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)];
   uint32_t down = 0;
-  if (row->length > TF_COMMAND_MOST) {
-    return false;
-  }
+  if (row->length > TF_COMMAND_MOST) return false;
   memcpy(wire + TF_COMMAND_AT, row->data, row->length);
   const size_t length =
       tf_command_seal(wire, row->type, row->length, replay->link.session,
                       &replay->sequence, 0, NULL);
-  for (size_t i = 0; i < length; i++) {
-    tf_link_receive(&replay->link, wire[i]);
-  }
+  for (size_t i = 0; i < length; i++) tf_link_receive(&replay->link, wire[i]);
   const unsigned done = tf_link_boundary(&replay->link, &replay->simulation);
   (void)tf_link_answer(&replay->link, wire, &down);
   replay->commands += done;
@@ -133,9 +128,7 @@ static bool perform(cli_replay_t *replay, const cli_session_row_t *row) {
 
 static bool same_state(const cli_session_row_t *row, const tf_state_t *state) {
   tf_state_t there;
-  if (row->length != TF_STATE_BYTES) {
-    return false;
-  }
+  if (row->length != TF_STATE_BYTES) return false;
   tf_read_state(row->data, row->tick, &there);
   return memcmp(&there.r, &state->r, sizeof there.r) == 0 &&
          memcmp(&there.v, &state->v, sizeof there.v) == 0 &&
@@ -171,13 +164,11 @@ bool cli_replay_next(cli_replay_t *replay, motion_t *system,
     const cli_session_row_t *row = &replay->session.rows[replay->next++];
     if (row->type == TF_DOWN_STATE) {
       replay->states++;
-      if (!same_state(row, &simulation->state)) {
+      if (!same_state(row, &simulation->state))
         replay->failed = "the state is not that of the board";
-      }
     } else if (row->type == TF_DOWN_EXPIRED) {
-      if (simulation->source != TF_INPUT_SET || simulation->deadman == 0) {
+      if (simulation->source != TF_INPUT_SET || simulation->deadman == 0)
         replay->failed = "inputs expire that do not hold";
-      }
       simulation->left = 0; // the next step finds that they have
     } else if (!perform(replay, row)) {
       replay->failed = "a command is refused that the board took";
@@ -187,9 +178,8 @@ bool cli_replay_next(cli_replay_t *replay, motion_t *system,
   }
   system->state = simulation->state;
   system->machine.machine = simulation->machine;
-  if (replay->failed != NULL || replay->next == replay->session.count) {
+  if (replay->failed != NULL || replay->next == replay->session.count)
     return false;
-  }
   if (!simulation->running) {
     replay->failed = "the board stood still, and is said to have moved";
     return false;

@@ -68,11 +68,10 @@ static size_t json(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
   for (size_t i = 0; i < CLI_CSV_COLUMNS; i++) {
     cli_add_form(&text, "%s\"%s\":", i == 0 ? "{" : ",",
                  i == 0 ? "timestamp" : cli_csv_columns[i].name);
-    if (isfinite(row->column[i])) {
+    if (isfinite(row->column[i]))
       add(&text, row, i);
-    } else {
+    else
       cli_add(&text, "null"); // JSON has no other word for it
-    }
   }
   cli_add_form(&text, ",\"mode\":%" PRIu64 ",\"choices\":%" PRIu64 "}\n",
                (uint64_t)row->mode, (uint64_t)row->choices);

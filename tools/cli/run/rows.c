@@ -12,9 +12,8 @@
 #include "row.h"
 
 static void put(cli_run_t *run, const void *bytes, size_t length) {
-  if (!cli_output_lines(&run->output, bytes, length)) {
+  if (!cli_output_lines(&run->output, bytes, length))
     run->end = CLI_NOT_WRITTEN;
-  }
 }
 
 static void put_text(cli_run_t *run, const char *text) {
@@ -42,9 +41,7 @@ static void glance_at(cli_run_t *run, const cli_csv_t *row) {
   }
   (void)snprintf(line + used, GLANCE_ROOM - used, " %-6s %u\n",
                  tf_mode_name(row->mode), row->choices);
-  if (glance.rows <= GLANCE) {
-    put_text(run, line);
-  }
+  if (glance.rows <= GLANCE) put_text(run, line);
 }
 
 static void end_glance(cli_run_t *run) {
@@ -53,9 +50,8 @@ static void end_glance(cli_run_t *run) {
   const uint64_t shown = left < GLANCE ? left : GLANCE;
   char line[GLANCE_ROOM];
   put_text(run, left > shown ? "        ...\n" : "");
-  for (uint64_t i = rows - shown; i < rows; i++) {
+  for (uint64_t i = rows - shown; i < rows; i++)
     put_text(run, glance.last[i % GLANCE]);
-  }
   (void)snprintf(line, sizeof line,
                  "%" PRIu64
                  " rows; all of them, with all digits: --out FILE, "
@@ -133,9 +129,7 @@ static uint32_t at_most_32_bits(uint64_t count) {
 // interrupted has no end, by which a reader recognises it.
 static void end_frames(cli_run_t *run) {
   uint8_t frame[FRAME_ROOM];
-  if (run->end == CLI_NOT_WRITTEN || run->end == CLI_INTERRUPTED) {
-    return;
-  }
+  if (run->end == CLI_NOT_WRITTEN || run->end == CLI_INTERRUPTED) return;
   const tf_tally_t *tally = &run->tally;
   const tf_heartbeat_t beat = {
       .steps = (uint32_t)(run->done - run->first),
@@ -165,9 +159,8 @@ size_t cli_run_provenance(const cli_run_t *run, const char *units,
     cli_add_form(&text, ", %s inputs ", table->linear ? "linear" : "held");
     cli_add_hash(&text, cli_inputs_hash(table));
   }
-  if (run->args->accuracy > 0) {
+  if (run->args->accuracy > 0)
     cli_add_form(&text, ", accuracy %g", run->args->accuracy);
-  }
   if (run->replays) {
     cli_add(&text, ", replayed from a record that begins so, ");
     cli_add_hash(&text, run->replay.session.hash);
@@ -194,9 +187,7 @@ static void begin_frames(cli_run_t *run) {
 
 void cli_rows_begin(cli_run_t *run) {
   char lines[CLI_PROVENANCE_ROOM];
-  if (run->rowless) {
-    return;
-  }
+  if (run->rowless) return;
   if (run->glance) {
     put_text(run,
              "       t[s]       r[m]     v[m/s] omega[/s]     h[m/s]  "
@@ -204,9 +195,8 @@ void cli_rows_begin(cli_run_t *run) {
   } else if (run->args->format == CLI_FORMAT_FRAMES) {
     begin_frames(run);
   } else {
-    if (run->args->provenance) {
+    if (run->args->provenance)
       put(run, lines, cli_run_provenance(run, CLI_CSV_UNITS, lines));
-    }
     put_text(run, cli_streams[run->args->format].header);
   }
 }
@@ -217,23 +207,19 @@ void cli_rows_add(cli_run_t *run) {
   const cli_csv_t row = cli_row(t, &run->system.state, &run->report);
   char text[CLI_ROW_ROOM];
   run->written = run->done;
-  if (run->rowless) {
-    return;
-  }
-  if (run->glance) {
+  if (run->rowless) return;
+  if (run->glance)
     glance_at(run, &row);
-  } else if (run->args->format == CLI_FORMAT_FRAMES) {
+  else if (run->args->format == CLI_FORMAT_FRAMES)
     put_state(run);
-  } else {
+  else
     put(run, text, cli_streams[run->args->format].row(&row, text));
-  }
   run->output_seconds += cli_now() - started;
 }
 
 void cli_rows_end(cli_run_t *run) {
-  if (run->glance) {
+  if (run->glance)
     end_glance(run);
-  } else if (run->args->format == CLI_FORMAT_FRAMES && !run->rowless) {
+  else if (run->args->format == CLI_FORMAT_FRAMES && !run->rowless)
     end_frames(run);
-  }
 }

@@ -35,13 +35,9 @@ static bool next_input(cli_run_t *run, tf_input_t *input) {
     run->replay.link.describe = false;
     cli_rows_schema(run);
   }
-  if (goes_on) {
-    return true;
-  }
+  if (goes_on) return true;
   run->steps = run->done;
-  if (run->replay.failed != NULL) {
-    run->end = CLI_NOT_REPLAYED;
-  }
+  if (run->replay.failed != NULL) run->end = CLI_NOT_REPLAYED;
   return false;
 }
 
@@ -70,9 +66,7 @@ static void await_step(cli_run_t *run) {
   const double before = cli_now();
   const double time = run->start + cli_run_time(run, run->done + 1);
   run->began = before - time;
-  if (before >= time) {
-    return;
-  }
+  if (before >= time) return;
   if (time - before >= IDLE && !cli_output_flush(&run->output)) {
     run->end = CLI_NOT_WRITTEN;
     return;
@@ -86,9 +80,7 @@ static void await_step(cli_run_t *run) {
 // What is early, by the rounding of the clock, is on time.
 static unsigned lateness_bin(double late) {
   const double us = late * 1e6;
-  if (us >= CLI_LATENESS_BINS) {
-    return CLI_LATENESS_BINS;
-  }
+  if (us >= CLI_LATENESS_BINS) return CLI_LATENESS_BINS;
   return us > 0 ? (unsigned)us : 0;
 }
 
@@ -109,19 +101,12 @@ static void take_batch(cli_run_t *run) {
   const bool real_time = run->args->real_time;
   for (unsigned left = real_time ? 1 : BATCH;
        left > 0 && run->done < run->steps && run->end == CLI_ENDED; left--) {
-    if (real_time) {
-      await_step(run);
-    }
-    if (run->end == CLI_ENDED && cli_stop_asked()) {
-      run->end = CLI_INTERRUPTED;
-    }
+    if (real_time) await_step(run);
+    if (run->end == CLI_ENDED && cli_stop_asked()) run->end = CLI_INTERRUPTED;
     if (run->end == CLI_ENDED && take_step(run) &&
-        run->system.state.tick % run->args->every == 0) {
+        run->system.state.tick % run->args->every == 0)
       cli_rows_add(run);
-    }
-    if (real_time && run->end == CLI_ENDED) {
-      check_time(run);
-    }
+    if (real_time && run->end == CLI_ENDED) check_time(run);
   }
 }
 
@@ -151,18 +136,13 @@ static void step_through(cli_run_t *run) {
       run->end = cli_output_flush(&run->output) ? run->end : CLI_NOT_WRITTEN;
       run->output_seconds += cli_now() - now;
     }
-    if (cli_progress_due(&progress, now)) {
-      show_progress(&progress, now, run);
-    }
-    if (cli_live_due(run->live, now)) {
+    if (cli_progress_due(&progress, now)) show_progress(&progress, now, run);
+    if (cli_live_due(run->live, now))
       cli_live_draw(run->live, run->setup->scene->name, now);
-    }
   }
   run->seconds = cli_now() - started - run->output_seconds - run->idle_seconds;
   cli_progress_clear(&progress);
-  if (run->written != run->done) {
-    cli_rows_add(run);
-  }
+  if (run->written != run->done) cli_rows_add(run);
 }
 
 static int write_lateness(cli_run_t *run) {
@@ -170,9 +150,8 @@ static int write_lateness(cli_run_t *run) {
   cli_output_t *output = &run->late_rows;
   char text[CLI_PROVENANCE_ROOM];
   size_t length = 0;
-  if (run->args->provenance) {
+  if (run->args->provenance)
     length = cli_run_provenance(run, "us us, began and ended 1 (steps)", text);
-  }
   (void)cli_output_lines(output, text, length);
   (void)cli_output_lines(output, header, sizeof header - 1);
   for (unsigned us = 0; us <= CLI_LATENESS_BINS; us++) {
@@ -206,9 +185,7 @@ static int open_files(cli_run_t *run, const cli_args_t *args) {
 static int perform(cli_run_t *run, const cli_args_t *args) {
   CLI_TRY(cli_output_begin(&run->output, "--out", args->out, false));
   int code = open_files(run, args);
-  if (code != CLI_DONE) {
-    return cli_output_end(&run->output, code);
-  }
+  if (code != CLI_DONE) return cli_output_end(&run->output, code);
   run->live = args->live ? cli_live_open(cli_run_time(run, run->steps)) : NULL;
   run->rowless =
       run->live != NULL && run->output.to.descriptor == STDOUT_FILENO;
@@ -218,21 +195,16 @@ static int perform(cli_run_t *run, const cli_args_t *args) {
                 !args->real_time && !run->rowless &&
                 cli_is_terminal(STDOUT_FILENO);
   const char *why = args->priority ? cli_take_priority() : NULL;
-  if (why != NULL) {
-    cli_say("twofold: --priority: not given: %s\n", why);
-  }
+  if (why != NULL) cli_say("twofold: --priority: not given: %s\n", why);
   cli_rows_begin(run);
   step_through(run);
   cli_rows_end(run);
   cli_live_close(run->live, run->setup->scene->name);
-  if (!cli_output_close(&run->output, run->end == CLI_ENDED)) {
+  if (!cli_output_close(&run->output, run->end == CLI_ENDED))
     run->end = CLI_NOT_WRITTEN;
-  }
   const bool saved = cli_run_save(run, args->save);
   code = cli_tally_code(&run->tally);
-  if (run->end != CLI_ENDED || !saved) {
-    code = CLI_STOPPED;
-  }
+  if (run->end != CLI_ENDED || !saved) code = CLI_STOPPED;
   cli_summary(run, args->summary != 0, code);
   const int written = args->lateness != NULL ? write_lateness(run) : CLI_DONE;
   return written == CLI_DONE ? code : written;
@@ -253,14 +225,12 @@ static int prepare_replay(cli_run_t *run, cli_setup_t *setup) {
 static int prepare(cli_run_t *run, cli_setup_t *setup) {
   const cli_args_t *args = run->args;
   CLI_TRY(cli_setup_read(setup, args->scene, &args->settings, args->select));
-  if (args->scheme != CLI_NOT_GIVEN) {
+  if (args->scheme != CLI_NOT_GIVEN)
     setup->scheme = (motion_scheme_t)args->scheme;
-  }
-  if (args->from != NULL) {
+  if (args->from != NULL)
     CLI_TRY(cli_state_read(&run->from, args->from, setup));
-  } else if (args->replay != NULL) {
+  else if (args->replay != NULL)
     CLI_TRY(cli_replay_read(&run->replay, args->replay, setup));
-  }
   CLI_TRY(cli_setup_scheme(setup, args));
   if (args->accuracy > 0 && setup->scheme != MOTION_MOREAU) {
     return cli_message(CLI_REFUSED,
@@ -274,15 +244,11 @@ static int prepare(cli_run_t *run, cli_setup_t *setup) {
   cli_drive_notes(&run->drive, setup);
   CLI_TRY(cli_setup_start(setup));
   CLI_TRY(cli_count_steps(args, setup->machine.dt, &run->steps));
-  if (args->replay != NULL) {
-    CLI_TRY(prepare_replay(run, setup));
-  }
+  if (args->replay != NULL) CLI_TRY(prepare_replay(run, setup));
   run->system = setup->motion;
   run->report = run->system.report;
   run->drive.accuracy = (tf_real_t)args->accuracy;
-  if (args->from != NULL) {
-    CLI_TRY(cli_run_go_on(run, args, setup));
-  }
+  if (args->from != NULL) CLI_TRY(cli_run_go_on(run, args, setup));
   cli_events_begin(&run->events, args->listed,
                    run->first == 0 ? &run->report : NULL);
   cli_setup_notes(setup);
@@ -295,12 +261,9 @@ int cli_run_check(cli_args_t *args) {
                       : args->t_end.text != NULL ? "--t-end"
                                                  : NULL;
   args->glance = args->format == CLI_NOT_GIVEN;
-  if (args->glance) {
-    args->format = CLI_FORMAT_CSV;
-  }
-  if (args->provenance && args->format != CLI_FORMAT_CSV) {
+  if (args->glance) args->format = CLI_FORMAT_CSV;
+  if (args->provenance && args->format != CLI_FORMAT_CSV)
     return cli_message(CLI_USAGE, "--provenance: only with --format csv");
-  }
   if (args->replay != NULL && other != NULL) {
     return cli_message(CLI_USAGE,
                        "--replay %s: not with %s: a record has its own inputs, "
@@ -316,9 +279,7 @@ int cli_run(const cli_args_t *args) {
   run.setup = &setup;
   run.args = args;
   int code = prepare(&run, &setup);
-  if (code == CLI_DONE) {
-    code = perform(&run, args);
-  }
+  if (code == CLI_DONE) code = perform(&run, args);
   cli_drive_free(&run.drive);
   free(run.replay.session.rows);
   free(run.events.list);

@@ -35,9 +35,8 @@ static size_t print_row(const cli_session_row_t *row, const char *text,
                         char line[LINE_ROOM]) {
   int at = snprintf(line, LINE_ROOM, "%" PRIu64 ",%02x,", row->tick,
                     (unsigned)row->type);
-  for (size_t i = 0; i < row->length; i++) {
+  for (size_t i = 0; i < row->length; i++)
     at += snprintf(line + at, 3, "%02x", (unsigned)row->data[i]);
-  }
   at += snprintf(line + at, LINE_ROOM - (size_t)at, ",%.64s\n", text);
   return (size_t)at;
 }
@@ -62,37 +61,27 @@ int cli_session_open(cli_session_file_t *file, const char *path) {
 
 void cli_session_frame(cli_session_file_t *file, const tf_frame_t *frame) {
   const bool begins = file->rows == 0;
-  if (!file->is_open) {
-    return;
-  }
+  if (!file->is_open) return;
   cli_session_row_t row = {
       .tick = frame->tick, .type = frame->type, .length = frame->length};
   memcpy(row.data, frame->payload, frame->length);
-  if (frame->type == (begins ? TF_DOWN_SCHEMA : TF_DOWN_EXPIRED)) {
+  if (frame->type == (begins ? TF_DOWN_SCHEMA : TF_DOWN_EXPIRED))
     put_row(file, &row, begins ? CLI_RECORD_SCHEMA : "inputs expired");
-  } else if (frame->type == TF_DOWN_STATE && !begins) {
+  else if (frame->type == TF_DOWN_STATE && !begins)
     file->state = row;
-  }
 }
 
 void cli_session_command(cli_session_file_t *file, const cli_session_row_t *row,
                          const char *text) {
-  if (file->is_open) {
-    put_row(file, row, text);
-  }
+  if (file->is_open) put_row(file, row, text);
 }
 
 int cli_session_close(cli_session_file_t *file, int code) {
   char line[LINE_ROOM];
-  if (!file->is_open) {
-    return code;
-  }
-  if (file->state.length > 0) {
-    put_row(file, &file->state, "state");
-  }
-  if (code == CLI_DONE) {
+  if (!file->is_open) return code;
+  if (file->state.length > 0) put_row(file, &file->state, "state");
+  if (code == CLI_DONE)
     put_line(file, line, last_line(file->rows, file->crc, line));
-  }
   return cli_output_end(&file->output, code);
 }
 
@@ -131,9 +120,8 @@ static int take_row(cli_session_t *session, const cli_lines_t *lines,
   cli_session_row_t row;
   const char *text = read_row(line, &row);
   if (text == NULL || (row.type == TF_DOWN_SCHEMA) != begins ||
-      (begins && row.length < SCHEMA_LEAST)) {
+      (begins && row.length < SCHEMA_LEAST))
     return no_record(lines);
-  }
   if (begins) {
     session->schema = row;
     return strcmp(text, CLI_RECORD_SCHEMA) == 0
@@ -145,9 +133,8 @@ static int take_row(cli_session_t *session, const cli_lines_t *lines,
   }
   cli_session_row_t *rows =
       cli_grow(session->rows, session->count, &session->room, sizeof *rows);
-  if (rows == NULL) {
+  if (rows == NULL)
     return cli_message(CLI_STOPPED, "%s: out of memory", session->name);
-  }
   session->rows = rows;
   session->rows[session->count++] = row;
   return CLI_DONE;
@@ -159,32 +146,21 @@ static int read_lines(cli_session_t *session, cli_lines_t lines) {
   uint64_t rows = 0; // with the schema
   bool has_header = false, is_whole = false;
   while (cli_next_line(&lines, line, sizeof line)) {
-    if (strlen(line) != lines.length) {
-      return no_record(&lines);
-    }
-    if (is_whole) {
-      return cut_off(&lines);
-    }
+    if (strlen(line) != lines.length) return no_record(&lines);
+    if (is_whole) return cut_off(&lines);
     last[last_line(rows, session->hash, last) - 1] = '\0';
     is_whole = strcmp(line, last) == 0;
-    if (is_whole) {
-      continue;
-    }
+    if (is_whole) continue;
     session->hash = cli_crc(session->hash, line, lines.length);
     session->hash = cli_crc(session->hash, "\n", 1);
-    if (line[0] == '#') {
-      continue;
-    }
-    if (has_header) {
+    if (line[0] == '#') continue;
+    if (has_header)
       CLI_TRY(take_row(session, &lines, line, rows++ == 0));
-    } else if (strcmp(line, HEADER) != 0) {
+    else if (strcmp(line, HEADER) != 0)
       return no_record(&lines);
-    }
     has_header = true;
   }
-  if (rows == 0) {
-    return no_record(&lines);
-  }
+  if (rows == 0) return no_record(&lines);
   return is_whole ? CLI_DONE : cut_off(&lines);
 }
 

@@ -83,13 +83,12 @@ static uint64_t whole_of(const cli_stand_t *stand, size_t i) {
 
 static void put_whole(cli_stand_t *stand, size_t i, uint64_t value) {
   void *at = (char *)stand + members[i].at;
-  if (members[i].size == 8) {
+  if (members[i].size == 8)
     *(uint64_t *)at = value;
-  } else if (members[i].size == 4) {
+  else if (members[i].size == 4)
     *(uint32_t *)at = (uint32_t)value;
-  } else {
+  else
     *(uint8_t *)at = (uint8_t)value;
-  }
 }
 
 size_t cli_state_print(const cli_stand_t *stand, const cli_setup_t *setup,
@@ -100,13 +99,9 @@ size_t cli_state_print(const cli_stand_t *stand, const cli_setup_t *setup,
                VERSION, CLI_NUMBER_TYPE, motion_scheme_name(setup->scheme));
   cli_add_hash(&text, stand->inputs);
   cli_add(&text, "\n");
-  if (holds) {
-    cli_add_form(&text, "source %s\n", sources[stand->held.source]);
-  }
+  if (holds) cli_add_form(&text, "source %s\n", sources[stand->held.source]);
   for (size_t i = 0; i < MEMBERS; i++) {
-    if (members[i].held && !holds) {
-      continue;
-    }
+    if (members[i].held && !holds) continue;
     cli_add_form(&text, "%s ", members[i].name);
     if (members[i].most > 0) {
       cli_add_count(&text, whole_of(stand, i));
@@ -136,9 +131,8 @@ static const char *next_value(reader_t *reader, const char *key) {
   const size_t length = strlen(key);
   char *end = strchr(reader->at, '\n');
   if (end == NULL || strncmp(reader->at, key, length) != 0 ||
-      reader->at[length] != ' ') {
+      reader->at[length] != ' ')
     return "";
-  }
   const char *value = reader->at + length + 1;
   *end = '\0';
   reader->at = end + 1;
@@ -152,9 +146,7 @@ static int no_state(const reader_t *reader) {
 // Refuses what is not the same there, in the file, as here.
 static int same(const reader_t *reader, const char *what, const char *there,
                 const char *here) {
-  if (there[0] == '\0') {
-    return no_state(reader);
-  }
+  if (there[0] == '\0') return no_state(reader);
   return strcmp(there, here) == 0
              ? CLI_DONE
              : cli_message(CLI_REFUSED, "--from %s: %s is %s there and %s here",
@@ -177,9 +169,7 @@ static int read_scheme(reader_t *reader, cli_setup_t *setup) {
 
 static int compare_scene(const reader_t *reader, const cli_setup_t *setup) {
   cli_scene_file_t file;
-  if (strncmp(reader->at, "scene\n", 6) != 0) {
-    return no_state(reader);
-  }
+  if (strncmp(reader->at, "scene\n", 6) != 0) return no_state(reader);
   const char *text = reader->at + 6;
   CLI_TRY(cli_scene_parse(&file, reader->path, text, strlen(text)));
   const tf_params_t *there = &file.scene.params, *here = &setup->params;
@@ -213,15 +203,12 @@ static int read_member(reader_t *reader, size_t i, cli_stand_t *stand) {
   tf_real_t real = 0;
   const char *value = next_value(reader, members[i].name);
   if (members[i].most > 0) {
-    if (!cli_read_whole(value, 0, members[i].most, &whole)) {
+    if (!cli_read_whole(value, 0, members[i].most, &whole))
       return no_state(reader);
-    }
     put_whole(stand, i, whole);
     return CLI_DONE;
   }
-  if (!cli_read_real(value, &real, &why)) {
-    return no_state(reader);
-  }
+  if (!cli_read_real(value, &real, &why)) return no_state(reader);
   memcpy((char *)stand + members[i].at, &real, sizeof real);
   return isfinite(real)
              ? CLI_DONE
@@ -232,24 +219,16 @@ static int read_member(reader_t *reader, size_t i, cli_stand_t *stand) {
 static int read_values(reader_t *reader, cli_stand_t *stand) {
   const tf_state_t *x = &stand->state;
   const char *hash = next_value(reader, "inputs");
-  if (strlen(hash) != 8 || strspn(hash, "0123456789abcdef") != 8) {
+  if (strlen(hash) != 8 || strspn(hash, "0123456789abcdef") != 8)
     return no_state(reader);
-  }
   stand->inputs = (uint32_t)strtoul(hash, NULL, 16);
   const char *source = next_value(reader, "source");
   size_t found = 0;
-  while (found < SOURCES && strcmp(source, sources[found]) != 0) {
-    found++;
-  }
-  if (found == SOURCES) {
-    return no_state(reader);
-  }
+  while (found < SOURCES && strcmp(source, sources[found]) != 0) found++;
+  if (found == SOURCES) return no_state(reader);
   stand->held.source = (tf_input_source_t)found;
-  for (size_t i = 0; i < MEMBERS; i++) {
-    if (!members[i].held || found > 0) {
-      CLI_TRY(read_member(reader, i, stand));
-    }
-  }
+  for (size_t i = 0; i < MEMBERS; i++)
+    if (!members[i].held || found > 0) CLI_TRY(read_member(reader, i, stand));
   const double reach =
       fabs((double)x->r) + fabs((double)x->v) + fabs((double)x->w);
   return reach <= (double)TF_STATE_LIMIT
@@ -262,9 +241,7 @@ static int read_values(reader_t *reader, cli_stand_t *stand) {
 // Cuts the last line off, the checksum. crc: out. Returns: whether it is right.
 static bool is_whole(char *text, size_t size, uint32_t *crc) {
   char line[CRC_LINE + 1];
-  if (size < CRC_LINE || memchr(text, 0, size) != NULL) {
-    return false;
-  }
+  if (size < CRC_LINE || memchr(text, 0, size) != NULL) return false;
   *crc = cli_crc(0, text, size - CRC_LINE);
   (void)snprintf(line, sizeof line, "crc32 %08" PRIx32 "\n", *crc);
   const bool right = memcmp(text + size - CRC_LINE, line, CRC_LINE) == 0;
@@ -276,9 +253,8 @@ int cli_state_parse(cli_stand_t *stand, const char *path, char *text,
                     size_t size, cli_setup_t *setup) {
   reader_t reader = {path, text};
   *stand = (cli_stand_t){.state = {.r = 0}};
-  if (strncmp(text, "twofold-state ", 14) != 0 || strchr(text, '\n') == NULL) {
+  if (strncmp(text, "twofold-state ", 14) != 0 || strchr(text, '\n') == NULL)
     return no_state(&reader);
-  }
   if (!is_whole(text, size, &stand->hash)) {
     return cli_message(CLI_REFUSED,
                        "--from %s: cut off or changed: its checksum is wrong",

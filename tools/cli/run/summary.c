@@ -27,17 +27,14 @@ static void print_request(const cli_run_t *run) {
   cli_say("\nsteps      %" PRIu64 " of %" PRIu64 ", dt = %g s, t = %g s",
           run->done, run->steps, (double)setup.machine.dt,
           cli_run_time(run, run->done));
-  if (run->first > 0) {
+  if (run->first > 0)
     cli_say(", %" PRIu64 " of them by another run", run->first);
-  }
   cli_say("\n");
 }
 
 // The rows of a table that the steps came to see, and what was applied to them.
 static void print_table(const cli_inputs_t *table) {
-  if (table->count == 0) {
-    return;
-  }
+  if (table->count == 0) return;
   cli_say("inputs     %s, %s: %zu of %zu rows, t = %g to %g s%s", table->name,
           table->linear ? "linear" : "held",
           table->last - table->first + 1 - table->passed, table->count,
@@ -76,9 +73,8 @@ static void print_held(const tf_simulation_t *simulation) {
         "%.6g N,\n           torque = %.6g N m, alpha = %.6g rad/s^2",
         (double)input->omega0, (double)input->r0, (double)input->force,
         (double)input->torque, (double)input->alpha);
-    if (simulation->deadman > 0) {
+    if (simulation->deadman > 0)
       cli_say(", for %" PRIu32 " more steps", simulation->left);
-    }
     cli_say("\n");
   }
 }
@@ -89,9 +85,8 @@ static void print_drive(const cli_run_t *run) {
             " states were compared\n",
             run->replay.session.name, run->replay.commands, run->replay.states);
     char changes[CLI_CHANGES_ROOM];
-    if (cli_run_changes(run, changes) > 0) {
+    if (cli_run_changes(run, changes) > 0)
       cli_say("           which now needs%s\n", changes);
-    }
   } else {
     print_table(&run->drive.profile);
     print_table(&run->drive.table);
@@ -135,9 +130,8 @@ static void describe(const cli_event_t *event, char out[EVENT_ROOM]) {
 }
 
 static void print_merged(uint64_t merged) {
-  if (merged > 0) {
+  if (merged > 0)
     cli_say("  ... %" PRIu64 " x slip to slip (--events all)\n", merged);
-  }
 }
 
 static void print_list(const cli_events_t *events) {
@@ -153,9 +147,8 @@ static void print_list(const cli_events_t *events) {
     print_merged(event->merged);
     left -= event->merged + 1;
     describe(event, text);
-    if (!isnan(event->lambda)) {
+    if (!isnan(event->lambda))
       (void)snprintf(lambda, sizeof lambda, "%.5g", event->lambda);
-    }
     cli_say("  %-11.7g%11.5g%15.5g%12.5g%12s  %s\n", event->t, event->r,
             event->omega, event->g, lambda, text);
   }
@@ -163,9 +156,7 @@ static void print_list(const cli_events_t *events) {
     print_merged(events->merged);
     left -= events->merged;
   }
-  if (left > 0) {
-    cli_say("  ... %" PRIu64 " more events (--events all)\n", left);
-  }
+  if (left > 0) cli_say("  ... %" PRIu64 " more events (--events all)\n", left);
 }
 
 static void print_events(const cli_events_t *events) {
@@ -190,12 +181,10 @@ static void print_ambiguity(const cli_run_t *run) {
   cli_say("ambiguous  several modes %sin %" PRIu64 " steps",
           events->choices_at_start > 1 ? "at the start and " : "",
           events->ambiguous);
-  if (events->ambiguous > 0) {
+  if (events->ambiguous > 0)
     cli_say(" (%.3g %%)", 100 * (double)events->ambiguous / steps);
-  }
-  if (!isnan(events->ambiguous_since)) {
+  if (!isnan(events->ambiguous_since))
     cli_say(", first at t = %g s", events->ambiguous_since);
-  }
   cli_say("\n");
 }
 
@@ -216,18 +205,15 @@ static void print_final(const cli_run_t *run) {
           (double)state->r + (double)compensation->r,
           (double)state->v + (double)compensation->v,
           (double)state->w + (double)compensation->w);
-  if (run->setup->machine.with_angle) {
+  if (run->setup->machine.with_angle)
     cli_say(", phi = %.9g rad", (double)state->phi + (double)compensation->phi);
-  }
   cli_say("\n           h = %.9g m/s, g = %.9g m/s, %s\n",
           (double)run->report.slip.h, (double)run->report.slip.g,
           tf_mode_name(state->mode));
 }
 
 static void print_cost(const cli_run_t *run) {
-  if (run->done == run->first || run->seconds <= 0) {
-    return;
-  }
+  if (run->done == run->first || run->seconds <= 0) return;
   const double rate = (double)(run->done - run->first) / run->seconds;
   cli_say(
       "cost       %.0f ns a step, %.3g steps/s, %.3g x real time (and %.3g s "
@@ -289,9 +275,7 @@ static void put_request(const cli_run_t *run) {
 
 static void put_replay(const cli_run_t *run) {
   char changes[CLI_CHANGES_ROOM];
-  if (!run->replays) {
-    return;
-  }
+  if (!run->replays) return;
   (void)cli_run_changes(run, changes);
   cli_say("\"replay\": {");
   cli_put_word("name", run->replay.session.name);
@@ -303,9 +287,7 @@ static void put_replay(const cli_run_t *run) {
 
 static void put_held(const tf_simulation_t *simulation) {
   const tf_input_t *input = &simulation->input;
-  if (simulation->source == TF_INPUT_SCENE) {
-    return;
-  }
+  if (simulation->source == TF_INPUT_SCENE) return;
   cli_say("\"held\": {");
   cli_put_word("source",
                simulation->source == TF_INPUT_SAFE ? "safe" : "outside");
@@ -321,9 +303,7 @@ static void put_held(const tf_simulation_t *simulation) {
 }
 
 static void put_table(const char *key, const cli_inputs_t *table) {
-  if (table->count == 0) {
-    return;
-  }
+  if (table->count == 0) return;
   cli_say("\"%s\": {", key);
   cli_put_word("name", table->name);
   cli_put_word("between", table->linear ? "linear" : "held");
@@ -372,9 +352,8 @@ static void put_events(const cli_events_t *events) {
       "slip_to_stick", "stick_to_slip", "slip_to_slip", "pinned_to_stick",
       "codim2",        "two_fold",      "returned"};
   cli_say("\"events\": {");
-  for (size_t i = 0; i < CLI_EVENT_KINDS; i++) {
+  for (size_t i = 0; i < CLI_EVENT_KINDS; i++)
     cli_put_count(names[i], events->counts[i]);
-  }
   cli_say("\"list\": [");
   for (size_t i = 0; i < events->used; i++) {
     const cli_event_t *event = &events->list[i];
@@ -450,8 +429,6 @@ void cli_summary(const cli_run_t *run, bool json, int code) {
   }
   print_end(run);
   cli_output_tell_part(&run->output);
-  if (json) {
-    put_all(run, code);
-  }
+  if (json) put_all(run, code);
   (void)fflush(stderr);
 }

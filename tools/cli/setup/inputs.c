@@ -21,9 +21,8 @@ const tf_parameter_range_t cli_input_columns[CLI_INPUTS + 1] = {
 static int add_row(cli_inputs_t *inputs, const cli_input_row_t *row) {
   cli_input_row_t *rows =
       cli_grow(inputs->rows, inputs->count, &inputs->room, sizeof *rows);
-  if (rows == NULL) {
+  if (rows == NULL)
     return cli_message(CLI_STOPPED, "%s: out of memory", inputs->name);
-  }
   inputs->rows = rows;
   inputs->rows[inputs->count++] = *row;
   return CLI_DONE;
@@ -90,9 +89,8 @@ static int read_header(reader_t *reader, char *line) {
       return refuse(reader, CLI_USAGE, reader->fields, name,
                     "is misplaced: the first column, and no other, is t");
     }
-    if (given[kind]) {
+    if (given[kind])
       return refuse(reader, CLI_USAGE, reader->fields, name, "comes twice");
-    }
     given[kind] = true;
     reader->kind[reader->fields++] = kind;
   }
@@ -107,12 +105,9 @@ static int read_field(const reader_t *reader, size_t field, const char *text,
   const tf_parameter_range_t *range = &cli_input_columns[reader->kind[field]];
   const size_t parameter = cli_number_index(range->name);
   const char *why = "";
-  if (parameter < TF_PARAMETERS) {
-    range = cli_number(parameter);
-  }
-  if (!cli_read_real(text, value, &why)) {
+  if (parameter < TF_PARAMETERS) range = cli_number(parameter);
+  if (!cli_read_real(text, value, &why))
     return refuse(reader, CLI_USAGE, field, text, why);
-  }
   return cli_is_in(range, *value)
              ? CLI_DONE
              : cli_message(CLI_REFUSED, "%s:%lu: column %zu: %s = %s %s",
@@ -149,9 +144,7 @@ static int read_row(reader_t *reader, char *line) {
 }
 
 static int read_line(reader_t *reader, char *line) {
-  if (line[0] == '#' || line[strspn(line, " \t")] == '\0') {
-    return CLI_DONE;
-  }
+  if (line[0] == '#' || line[strspn(line, " \t")] == '\0') return CLI_DONE;
   return reader->fields == 0 ? read_header(reader, line)
                              : read_row(reader, line);
 }
@@ -197,9 +190,7 @@ int cli_drive_read(cli_drive_t *drive, const tf_scene_t *scene,
                    const cli_drive_args_t *args) {
   memset(drive, 0, sizeof *drive);
   CLI_TRY(read_profile(&drive->profile, scene));
-  if (args->inputs == NULL) {
-    return CLI_DONE;
-  }
+  if (args->inputs == NULL) return CLI_DONE;
   if (args->between == CLI_NOT_GIVEN) {
     return cli_message(CLI_USAGE,
                        "--inputs %s: say what holds between two rows, by "
@@ -208,9 +199,7 @@ int cli_drive_read(cli_drive_t *drive, const tf_scene_t *scene,
   }
   drive->table.linear = args->between == 1;
   const int code = read_file(&drive->table, args->inputs);
-  if (drive->table.given[CLI_INPUT_OMEGA0]) {
-    cli_inputs_free(&drive->profile);
-  }
+  if (drive->table.given[CLI_INPUT_OMEGA0]) cli_inputs_free(&drive->profile);
   return code;
 }
 
@@ -219,11 +208,9 @@ uint32_t cli_inputs_hash(const cli_inputs_t *inputs) {
   for (size_t i = 0; i < inputs->count; i++) {
     const cli_input_row_t *row = &inputs->rows[i];
     sum = cli_crc_of(sum, "%d %a", inputs->linear, (double)row->t);
-    for (size_t column = 0; column < CLI_INPUTS; column++) {
-      if (inputs->given[column]) {
+    for (size_t column = 0; column < CLI_INPUTS; column++)
+      if (inputs->given[column])
         sum = cli_crc_of(sum, " %zu:%a", column, (double)row->value[column]);
-      }
-    }
   }
   return sum;
 }
@@ -284,14 +271,9 @@ static void set(const cli_inputs_t *inputs, const tf_real_t value[CLI_INPUTS],
                 tf_input_t *input) {
   tf_real_t *const members[CLI_INPUTS] = {&input->omega0, &input->r0,
                                           &input->force, &input->torque};
-  for (size_t i = 0; i < CLI_INPUTS; i++) {
-    if (inputs->given[i]) {
-      *members[i] = value[i];
-    }
-  }
-  if (inputs->given[CLI_INPUT_OMEGA0]) {
-    input->alpha = 0;
-  }
+  for (size_t i = 0; i < CLI_INPUTS; i++)
+    if (inputs->given[i]) *members[i] = value[i];
+  if (inputs->given[CLI_INPUT_OMEGA0]) input->alpha = 0;
 }
 
 static void note(cli_inputs_t *inputs, const tf_real_t value[CLI_INPUTS]) {
@@ -307,9 +289,7 @@ void cli_inputs_over(cli_inputs_t *inputs, const cli_span_t *span,
                      tf_input_t *input) {
   tf_real_t before[CLI_INPUTS], after[CLI_INPUTS], mean[CLI_INPUTS];
   tf_real_t jumps = 0;
-  if (inputs->count == 0) {
-    return;
-  }
+  if (inputs->count == 0) return;
   const size_t was = inputs->at;
   look_up(inputs, span->from, span->off, before);
   if (!inputs->linear) {
@@ -336,14 +316,12 @@ void cli_inputs_over(cli_inputs_t *inputs, const cli_span_t *span,
       inputs->within++;
     }
   }
-  for (size_t i = 0; i < CLI_INPUTS; i++) {
+  for (size_t i = 0; i < CLI_INPUTS; i++)
     mean[i] = mean_of(inputs, i, next, end, span, before[i], after[i]);
-  }
   mean[CLI_INPUT_OMEGA0] = before[CLI_INPUT_OMEGA0] + jumps;
   set(inputs, mean, input);
-  if (inputs->given[CLI_INPUT_OMEGA0]) {
+  if (inputs->given[CLI_INPUT_OMEGA0])
     tf_turntable_to(input, after[CLI_INPUT_OMEGA0], span->dt);
-  }
   mean[CLI_INPUT_OMEGA0] = after[CLI_INPUT_OMEGA0];
   note(inputs, mean);
 }
@@ -353,9 +331,7 @@ void cli_inputs_over(cli_inputs_t *inputs, const cli_span_t *span,
 static void begin_at(cli_inputs_t *inputs, const cli_span_t *span,
                      tf_input_t *input) {
   tf_real_t value[CLI_INPUTS];
-  if (inputs->count == 0) {
-    return;
-  }
+  if (inputs->count == 0) return;
   cli_inputs_over(inputs, span, input);
   const tf_real_t alpha = input->alpha;
   look_up(inputs, span->from, span->off, value);
@@ -403,18 +379,15 @@ tf_real_t cli_drive_next(const cli_drive_t *drive, const cli_span_t *span) {
   for (size_t i = 0; i < 2; i++) {
     size_t k = both[i]->at;
     while (k < both[i]->count && both[i]->rows[k].t <= span->from + off) k++;
-    if (both[i]->linear && k < both[i]->count && both[i]->rows[k].t <= least) {
+    if (both[i]->linear && k < both[i]->count && both[i]->rows[k].t <= least)
       next = least = both[i]->rows[k].t;
-    }
   }
   return next;
 }
 
 tf_status_t cli_step(cli_drive_t *drive, motion_scheme_t scheme,
                      motion_t *motion, const tf_input_t *input) {
-  if (!(drive->accuracy > 0)) {
-    return motion_step(motion, scheme, input);
-  }
+  if (!(drive->accuracy > 0)) return motion_step(motion, scheme, input);
   tf_real_t error;
   const tf_status_t status =
       tf_step_estimated(&motion->machine.machine, &motion->state, input,
@@ -442,16 +415,13 @@ tf_status_t cli_drive_take(cli_drive_t *drive, const cli_setup_t *setup,
     last = !(span.to < rest.to);
     span.dt = last ? rest.dt : span.to - span.from;
     *input = cli_drive_over(drive, &setup->machine, &span);
-    if (last && part == 0) {
-      return cli_step(drive, scheme, motion, input);
-    }
+    if (last && part == 0) return cli_step(drive, scheme, motion, input);
     tf_params_t params = setup->params;
     params.dt = span.dt;
     (void)motion_prepare(motion, scheme, &params, NULL);
     motion->state.tick = before.tick + part * PART_OF_TICK;
-    if (cli_step(drive, scheme, motion, input) >= 0 && met.status > TF_OK) {
+    if (cli_step(drive, scheme, motion, input) >= 0 && met.status > TF_OK)
       report->status = met.status;
-    }
     if (met.choices > report->choices) {
       report->choices = met.choices;
       report->set = met.set;
@@ -461,11 +431,10 @@ tf_status_t cli_drive_take(cli_drive_t *drive, const cli_setup_t *setup,
     rest.dt -= span.dt;
   }
   motion->machine.machine = setup->machine;
-  if (met.status < 0) {
+  if (met.status < 0)
     motion->state = before;
-  } else {
+  else
     motion->state.tick = before.tick + 1;
-  }
   return met.status;
 }
 

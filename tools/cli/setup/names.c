@@ -72,9 +72,8 @@ size_t cli_parameter_out(const tf_params_t *params) {
     const tf_parameter_range_t *range = &tf_parameter_ranges[i];
     const tf_real_t value = cli_parameter(params, i);
     const bool used = (range->laws >> (unsigned)params->law & 1u) != 0;
-    if (!cli_is_in(range, value) && (used || !(value >= 0 && value <= 0))) {
+    if (!cli_is_in(range, value) && (used || !(value >= 0 && value <= 0)))
       return i;
-    }
   }
   return TF_PARAMETERS;
 }
@@ -121,13 +120,12 @@ int cli_set_word(tf_params_t *params, const char *what, const char *option,
                        text, kinds[kind].what, name, kinds[kind].all, list,
                        closest.hint);
   }
-  if (kind == 0) {
+  if (kind == 0)
     params->law = (tf_tyre_law_t)i;
-  } else if (kind == 1) {
+  else if (kind == 1)
     params->rest = (tf_rest_law_t)i;
-  } else {
+  else
     params->rule = (tf_rule_t)i;
-  }
   return CLI_DONE;
 }
 
@@ -151,9 +149,7 @@ int cli_read_rule(const char *select, tf_params_t *params, uint32_t *seed) {
   const size_t length = strcspn(select, ":");
   (void)snprintf(name, sizeof name, "%.*s", (int)length, select);
   CLI_TRY(cli_set_word(params, "rule", "--select", select, name));
-  if (select[length] == '\0') {
-    return CLI_DONE;
-  }
+  if (select[length] == '\0') return CLI_DONE;
   if (params->rule != TF_RULE_RANDOM) {
     return cli_message(
         CLI_USAGE, "--select %s: only the rule random takes a seed", select);

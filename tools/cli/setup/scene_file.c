@@ -69,9 +69,8 @@ static int read_number(reader_t *reader, size_t key, const char *text) {
     return cli_message(CLI_REFUSED, "%s %s must be a whole number",
                        reader->place, reader->key);
   }
-  if (key >= TF_PARAMETERS && !cli_is_in(number_of(key), value)) {
+  if (key >= TF_PARAMETERS && !cli_is_in(number_of(key), value))
     return refuse(reader, number_of(key), value);
-  }
   memcpy(key < TF_PARAMETERS ? (char *)&scene->params + number_of(key)->offset
                              : (char *)members[key - CLI_R],
          &value, sizeof value);
@@ -92,9 +91,7 @@ static int read_knot(reader_t *reader, char *text) {
   }
   *omega0++ = '\0';
   CLI_TRY(cli_read_number(reader->place, "profile", text, &knot.t));
-  if (!cli_is_in(&times, knot.t)) {
-    return refuse(reader, &times, knot.t);
-  }
+  if (!cli_is_in(&times, knot.t)) return refuse(reader, &times, knot.t);
   CLI_TRY(cli_read_number(reader->place, "profile", omega0, &knot.omega0));
   if (!cli_is_in(range, knot.omega0)) {
     return cli_message(CLI_REFUSED, "%s profile: omega0 = %s %s", reader->place,
@@ -120,9 +117,7 @@ static int read_knot(reader_t *reader, char *text) {
 static int read_profile(reader_t *reader, char *text) {
   reader->file->scene.knots = 0;
   memset(reader->file->scene.profile, 0, sizeof reader->file->scene.profile);
-  if (strcmp(text, "none") == 0) {
-    return CLI_DONE;
-  }
+  if (strcmp(text, "none") == 0) return CLI_DONE;
   while (*text != '\0') {
     char *end = text + strcspn(text, " \t");
     const size_t blanks = strspn(end, " \t");
@@ -217,9 +212,8 @@ static size_t key_of(const char *name) {
 
 static int unknown_key(const reader_t *reader, const char *name) {
   cli_closest_t closest = cli_closest_to(name);
-  for (size_t key = 0; key < KEYS; key++) {
+  for (size_t key = 0; key < KEYS; key++)
     cli_closest_offer(&closest, name_of(key));
-  }
   return cli_message(CLI_USAGE,
                      "%s unknown key '%s'%s ('twofold help scene' lists them)",
                      reader->place, name, closest.hint);
@@ -228,17 +222,13 @@ static int unknown_key(const reader_t *reader, const char *name) {
 static int read_line(reader_t *reader, char *line) {
   line[strcspn(line, "#")] = '\0';
   line = cli_trim(line);
-  if (*line == '\0') {
-    return CLI_DONE;
-  }
+  if (*line == '\0') return CLI_DONE;
   char *end = line + strcspn(line, " \t=");
   char *value = end + strspn(end, " \t");
   value = cli_trim(*value == '=' ? value + 1 : value);
   *end = '\0';
   const size_t key = key_of(line);
-  if (key == KEYS) {
-    return unknown_key(reader, line);
-  }
+  if (key == KEYS) return unknown_key(reader, line);
   if (*value == '\0') {
     return cli_message(CLI_USAGE, "%s %s: expected a value", reader->place,
                        line);
@@ -279,9 +269,7 @@ static int read_lines(reader_t *reader) {
 static int check_parameters(reader_t *reader) {
   const tf_params_t *params = &reader->file->scene.params;
   const size_t out = cli_parameter_out(params);
-  if (out == TF_PARAMETERS) {
-    return CLI_DONE;
-  }
+  if (out == TF_PARAMETERS) return CLI_DONE;
   const tf_parameter_range_t *range = cli_number(out);
   if (reader->given[out] != 0) {
     (void)place_of(reader, reader->given[out]);
@@ -318,9 +306,7 @@ static void name_it(cli_scene_file_t *file, const char *path) {
   const char *slash = strrchr(path, '/');
   const char *base = slash != NULL ? slash + 1 : path;
   const size_t length = strcspn(base, ".");
-  if (is_name(base, length)) {
-    memcpy(file->name, base, length);
-  }
+  if (is_name(base, length)) memcpy(file->name, base, length);
 }
 
 int cli_scene_parse(cli_scene_file_t *file, const char *path, const char *text,
@@ -352,9 +338,7 @@ static int read_file(cli_scene_file_t *file, const char *path) {
   size_t size = 0;
   CLI_TRY(cli_read_text("", path, CLI_SCENE_BYTES, &text, &size));
   int code = cli_scene_parse(file, path, text, size);
-  if (code == CLI_DONE && text[size - 1] != '\n') {
-    code = cli_note_open(path);
-  }
+  if (code == CLI_DONE && text[size - 1] != '\n') code = cli_note_open(path);
   free(text);
   return code;
 }
@@ -393,9 +377,7 @@ static void pad_to(cli_buffer_t *out, size_t line, size_t column) {
 static void add_line(cli_buffer_t *out, const char *key, const char *value,
                      const char *unit) {
   const size_t line = out->used;
-  if (value[0] == '\0') {
-    return;
-  }
+  if (value[0] == '\0') return;
   cli_add(out, key);
   pad_to(out, line, VALUES);
   cli_add_form(out, value[0] == '=' ? "= %s" : "%s", value);
@@ -422,9 +404,8 @@ void cli_scene_print(const tf_scene_t *scene, const tf_params_t *params,
   add_line(out, "rest", tf_rest_law_name(params->rest), "1");
   add_line(out, "rule", tf_rule_name(params->rule), "1");
   add_line(out, "with-angle", params->with_angle ? "yes" : "no", "1");
-  for (size_t i = 0; i < TF_PARAMETERS; i++) {
+  for (size_t i = 0; i < TF_PARAMETERS; i++)
     add_number(out, i, cli_parameter(params, i));
-  }
   cli_add(out, "\n# the start, by its speed v or its slip speed h\n");
   add_number(out, CLI_R, scene->r);
   add_number(out, CLI_OMEGA, scene->omega);

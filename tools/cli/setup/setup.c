@@ -15,11 +15,8 @@
 
 const cli_setting_t *cli_settings_find(const cli_settings_t *settings,
                                        const char *name) {
-  for (size_t i = 0; i < settings->count; i++) {
-    if (strcmp(settings->list[i].name, name) == 0) {
-      return &settings->list[i];
-    }
-  }
+  for (size_t i = 0; i < settings->count; i++)
+    if (strcmp(settings->list[i].name, name) == 0) return &settings->list[i];
   return NULL;
 }
 
@@ -47,9 +44,8 @@ int cli_settings_add(cli_settings_t *settings, const char *option,
                      const char *text) {
   char name[CLI_NAME_ROOM];
   const size_t length = strcspn(text, "=");
-  if (length == 0 || text[length] == '\0') {
+  if (length == 0 || text[length] == '\0')
     return cli_message(CLI_USAGE, "%s %s: expected NAME=VALUE", option, text);
-  }
   if (length >= sizeof name) {
     return cli_message(CLI_USAGE,
                        "%s %s: unknown name ('twofold help run' lists them)",
@@ -80,9 +76,8 @@ static int read_setting(cli_setup_t *setup, const cli_setting_t *setting) {
   }
   if (number == CLI_NUMBERS) {
     cli_closest_t closest = cli_closest_to(name);
-    for (size_t i = 0; i < CLI_NUMBERS; i++) {
+    for (size_t i = 0; i < CLI_NUMBERS; i++)
       cli_closest_offer(&closest, cli_number(i)->name);
-    }
     cli_closest_offer(&closest, "law");
     cli_closest_offer(&closest, "rest");
     return cli_message(CLI_USAGE, "%s %s: unknown name '%s'%s", setting->option,
@@ -108,9 +103,8 @@ int cli_setup_read(cli_setup_t *setup, const tf_scene_t *scene,
   setup->scheme = MOTION_SCHEMES;
   setup->params = scene->params;
   setup->start = motion_start(scene, 0);
-  for (size_t i = 0; i < settings->count; i++) {
+  for (size_t i = 0; i < settings->count; i++)
     CLI_TRY(read_setting(setup, &settings->list[i]));
-  }
   setup->start.from_h = setup->set[CLI_V] == NULL &&
                         (setup->set[CLI_H] != NULL || !scene->v_is_given);
   return select != NULL ? cli_read_rule(select, &setup->params, &setup->seed)
@@ -210,9 +204,7 @@ void cli_setup_notes(const cli_setup_t *setup) {
     const char *name = cli_number(i)->name;
     char text[128] = "";
     cli_buffer_t reason = {text, 0, sizeof text, false};
-    if (setting == NULL) {
-      continue;
-    }
+    if (setting == NULL) continue;
     if (!is_used(setup, i)) {
       cli_add_form(&reason, ": law %s does not use %s",
                    tf_tyre_law_name(setup->params.law), name);
@@ -251,11 +243,9 @@ uint32_t cli_scene_hash(const cli_setup_t *setup) {
   const motion_start_t *start = &setup->start;
   uint32_t sum = cli_crc_of(0, "%08" PRIx32 " %d",
                             tf_params_hash(&setup->params), !start->from_h);
-  for (size_t i = CLI_R; i < CLI_NUMBERS; i++) {
-    if (i != (start->from_h ? CLI_V : CLI_H)) {
+  for (size_t i = CLI_R; i < CLI_NUMBERS; i++)
+    if (i != (start->from_h ? CLI_V : CLI_H))
       sum = cli_crc_of(sum, " %a", (double)value_of(setup, i));
-    }
-  }
   for (unsigned i = 0; i < scene->knots; i++) {
     sum = cli_crc_of(sum, " %a %a", (double)scene->profile[i].t,
                      (double)scene->profile[i].omega0);

@@ -103,9 +103,8 @@ static void see(point_t *point, uint64_t i, const tf_input_t *input,
     point->first_arrival = arrivals == 0 ? t : point->first_arrival;
     point->last_arrival = t;
   }
-  if (report->mode == TF_PINNED && point->report.mode != TF_PINNED) {
+  if (report->mode == TF_PINNED && point->report.mode != TF_PINNED)
     point->pinned_since = t;
-  }
   point->steps = i;
   point->input = *input;
   point->modes |= TF_MODE_BIT(report->mode);
@@ -160,13 +159,12 @@ static void add_outcomes(const point_t *point, cli_buffer_t *text) {
     const cli_measure_info_t *info = &cli_measures[args->measure[i]];
     const double value = values[args->measure[i]];
     cli_add(text, ",");
-    if (info->unit[0] == '\0') {
+    if (info->unit[0] == '\0')
       add_modes((unsigned)value, text);
-    } else if (info->counts) {
+    else if (info->counts)
       cli_add_count(text, (uint64_t)value);
-    } else if (isfinite(value)) {
+    else if (isfinite(value))
       cli_add_real(text, (tf_real_t)value);
-    }
   }
 }
 
@@ -228,16 +226,12 @@ static int check_end(cli_sweep_t *sweep, bool last) {
       setting->option = "--over";
       setting->text = axis->range.text;
     }
-    if (cli_number_index(axis->name) < TF_PARAMETERS) {
-      sweep->together = 1;
-    }
+    if (cli_number_index(axis->name) < TF_PARAMETERS) sweep->together = 1;
   }
   CLI_TRY(prepare(&point, sweep, &steps));
   CLI_TRY(cli_setup_check_starts(&point.setup));
-  if (sweep->scheme != MOTION_MOREAU ||
-      point.setup.params.law != TF_TYRE_JUMP) {
+  if (sweep->scheme != MOTION_MOREAU || point.setup.params.law != TF_TYRE_JUMP)
     sweep->together = 1;
-  }
   if (!last) {
     sweep->hash = cli_scene_hash(&point.setup);
     cli_setup_notes(&point.setup);
@@ -305,29 +299,22 @@ static void step_together(size_t count, uint64_t i) {
 
 // Returns: whether the motions have come to their ends.
 static bool follow(size_t count, uint64_t steps) {
-  for (size_t n = 0; n < TF_LANES; n++) { // nobody sees lanes beyond count
+  for (size_t n = 0; n < TF_LANES; n++) // nobody sees lanes beyond count
     tf_ensemble_put(&group.states, n, &group.points[n].setup.motion.state);
-  }
   for (uint64_t i = 1; i <= steps && group.going > 0; i++) {
-    if (i % BATCH == 0 && cli_stop_asked()) {
-      return false;
-    }
-    if (count > 1) {
+    if (i % BATCH == 0 && cli_stop_asked()) return false;
+    if (count > 1)
       step_together(count, i);
-    } else {
+    else
       step_alone(&group.points[0], i);
-    }
   }
   return true;
 }
 
 // No field needs quotes, which not every reader of CSV knows.
 static void drop_commas(char *text) {
-  for (; *text != '\0'; text++) {
-    if (*text == ',' || *text == '\n') {
-      *text = ';';
-    }
-  }
+  for (; *text != '\0'; text++)
+    if (*text == ',' || *text == '\n') *text = ';';
 }
 
 static bool write_row(cli_sweep_t *sweep, uint64_t index, point_t *point) {
@@ -345,9 +332,8 @@ static bool write_row(cli_sweep_t *sweep, uint64_t index, point_t *point) {
   }
   drop_commas(point->reason);
   cli_add_count(&text, index);
-  for (size_t i = 0; i < args->axes; i++) {
+  for (size_t i = 0; i < args->axes; i++)
     cli_add_form(&text, ",%s", strchr(point->text[i], '=') + 1);
-  }
   cli_add_form(&text, ",%s,%s,", cli_point_ends[point->end], point->reason);
   if (point->end != CLI_POINT_REFUSED) {
     cli_add_real(&text, (tf_real_t)((double)point->steps *
@@ -374,13 +360,10 @@ bool cli_points_follow(cli_sweep_t *sweep, uint64_t index, size_t count) {
     code = code == CLI_DONE ? cli_setup_start(&point->setup) : code;
     cli_message_divert(NULL, 0);
     point->end = code == CLI_DONE ? CLI_POINT_DONE : CLI_POINT_REFUSED;
-    if (code == CLI_DONE) {
-      begin(point);
-    }
+    if (code == CLI_DONE) begin(point);
   }
   bool goes_on = follow(count, steps);
-  for (size_t n = 0; n < count && goes_on; n++) {
+  for (size_t n = 0; n < count && goes_on; n++)
     goes_on = write_row(sweep, index + n, &group.points[n]);
-  }
   return goes_on && cli_sheets_save(&sweep->sheets, true);
 }

@@ -38,9 +38,8 @@ static void summarise(const cli_sweep_t *sweep, double seconds) {
   const cli_sheets_t *sheets = &sweep->sheets;
   cli_say("points     %" PRIu64 " of %" PRIu64, sheets->done.done,
           sheets->total);
-  if (sheets->kept.done > 0) {
+  if (sheets->kept.done > 0)
     cli_say(", of which %" PRIu64 " were there", sheets->kept.done);
-  }
   for (int i = 0; i < CLI_POINT_ENDS; i++) {
     if (sweep->ends[i] > 0) {
       cli_say("%s%s %" PRIu64, separator, cli_point_ends[i], sweep->ends[i]);
@@ -58,9 +57,8 @@ static void summarise_json(const cli_sweep_t *sweep, double seconds, int code) {
   cli_put_word("scheme", motion_scheme_name(sweep->scheme));
   cli_put_count("points", sweep->sheets.total);
   cli_put_count("kept", sweep->sheets.kept.done);
-  for (int i = 0; i < CLI_POINT_ENDS; i++) {
+  for (int i = 0; i < CLI_POINT_ENDS; i++)
     cli_put_count(cli_point_ends[i], sweep->ends[i]);
-  }
   cli_put_count("together", sweep->together);
   cli_put_end(seconds, code);
 }
@@ -74,9 +72,7 @@ static void add_provenance(const cli_sweep_t *sweep, cli_buffer_t *text) {
   cli_add_hash(text, sweep->hash);
   cli_add_form(text, "\n# sweep %s --scheme %s --t-end %g", args->scene->name,
                motion_scheme_name(sweep->scheme), (double)cli_end_of(args));
-  if (args->select != NULL) {
-    cli_add_form(text, " --select %s", args->select);
-  }
+  if (args->select != NULL) cli_add_form(text, " --select %s", args->select);
   if (args->drive.inputs != NULL) {
     cli_add_form(text, " --inputs %s --between %s (", args->drive.inputs,
                  args->drive.between == 1 ? "linear" : "held");
@@ -85,16 +81,13 @@ static void add_provenance(const cli_sweep_t *sweep, cli_buffer_t *text) {
   }
   for (size_t i = 0; i < args->settings.count; i++) {
     const cli_setting_t *setting = &args->settings.list[i];
-    if (strcmp(setting->option, "--over") != 0) {
+    if (strcmp(setting->option, "--over") != 0)
       cli_add_form(text, " %s %s", setting->option, setting->text);
-    }
   }
-  for (size_t i = 0; i < args->axes; i++) {
+  for (size_t i = 0; i < args->axes; i++)
     cli_add_form(text, " --over %s", args->axis[i].range.text);
-  }
-  for (size_t i = 0; i < args->measures; i++) {
+  for (size_t i = 0; i < args->measures; i++)
     cli_add_form(text, " --outcome %s", cli_measures[args->measure[i]].name);
-  }
   cli_add(text, "\n# units:");
   for (size_t i = 0; i < args->axes; i++) {
     const size_t number = cli_number_index(args->axis[i].name);
@@ -103,22 +96,19 @@ static void add_provenance(const cli_sweep_t *sweep, cli_buffer_t *text) {
   }
   for (size_t i = 0; i < args->measures; i++) {
     const cli_measure_info_t *info = &cli_measures[args->measure[i]];
-    if (info->unit[0] != '\0') {
+    if (info->unit[0] != '\0')
       cli_add_form(text, " %s %s,", info->name, info->unit);
-    }
   }
   cli_add(text, " t s\n");
 }
 
 static void add_header(const cli_args_t *args, cli_buffer_t *text) {
   cli_add(text, "point");
-  for (size_t i = 0; i < args->axes; i++) {
+  for (size_t i = 0; i < args->axes; i++)
     cli_add_form(text, ",%s", args->axis[i].name);
-  }
   cli_add(text, ",status,reason,t");
-  for (size_t i = 0; i < args->measures; i++) {
+  for (size_t i = 0; i < args->measures; i++)
     cli_add_form(text, ",%s", cli_measures[args->measure[i]].name);
-  }
   cli_add(text, "\n");
 }
 
@@ -136,9 +126,8 @@ static int open_sheet(cli_sweep_t *sweep) {
   }
   cli_add_form(&about, "shard %" PRIu64 "/%" PRIu64, args->shard.index,
                args->shard.of);
-  if (begin.truncated || about.truncated) {
+  if (begin.truncated || about.truncated)
     return cli_message(CLI_USAGE, "sweep: the command line is too long");
-  }
   sheets->what = "sweep";
   sheets->resume = args->resume;
   sheets->noted = true;
@@ -167,15 +156,10 @@ static int perform(cli_sweep_t *sweep) {
     code = cli_sheets_close(sheets, code);
     seconds = cli_now() - sheets->progress.started;
   }
-  if (args->summary == 0 && !sheets->whole) {
-    summarise(sweep, seconds);
-  }
-  if (code != CLI_DONE && sheets->sheet->output.to.left) {
+  if (args->summary == 0 && !sheets->whole) summarise(sweep, seconds);
+  if (code != CLI_DONE && sheets->sheet->output.to.left)
     (void)cli_message(code, "the same command with --resume goes on");
-  }
-  if (args->summary != 0) {
-    summarise_json(sweep, seconds, code);
-  }
+  if (args->summary != 0) summarise_json(sweep, seconds, code);
   return code;
 }
 
@@ -221,9 +205,8 @@ static int check_seed(const cli_args_t *args, const cli_range_t *range) {
 int cli_read_over(cli_args_t *args, const cli_given_t *option) {
   const char *text = option->value, *equals = strchr(text, '=');
   cli_axis_t *axis = &args->axis[args->axes];
-  if (equals == NULL || equals == text) {
+  if (equals == NULL || equals == text)
     return cli_message(CLI_USAGE, "--over %s: expected NAME=A:B:N", text);
-  }
   if (args->axes == CLI_AXES) {
     return cli_message(CLI_USAGE, "--over %s: more than %d axes", text,
                        CLI_AXES);
@@ -283,12 +266,10 @@ int cli_read_outcome(cli_args_t *args, const cli_given_t *option) {
 int cli_sweep_check(cli_args_t *args) {
   static const cli_given_t usual = {"--outcome",
                                     "modes,rest,recurrence,energy,ambiguous"};
-  if (args->axes == 0) {
+  if (args->axes == 0)
     return cli_message(CLI_USAGE, "sweep: --over NAME=A:B:N is missing");
-  }
-  if (args->resume && (args->out == NULL || strcmp(args->out, "-") == 0)) {
+  if (args->resume && (args->out == NULL || strcmp(args->out, "-") == 0))
     return cli_message(CLI_USAGE, "--resume: only with --out FILE");
-  }
   for (size_t i = 0; i < args->axes; i++) {
     if (args->axis[i].is_seed &&
         (args->select == NULL || strcmp(args->select, "random") != 0)) {

@@ -32,17 +32,14 @@ void cli_add_form(cli_buffer_t *buffer, const char *form, ...) {
     const size_t plain = strcspn(form, "%");
     add_bytes(buffer, form, plain);
     form += plain;
-    if (*form == '\0') {
-      break;
-    }
+    if (*form == '\0') break;
     form += strspn(form, "%l"); // of a count: the length of its type
-    if (*form == 's') {
+    if (*form == 's')
       cli_add(buffer, va_arg(arguments, const char *));
-    } else if (*form == 'g') {
+    else if (*form == 'g')
       cli_add_real(buffer, (tf_real_t)va_arg(arguments, double));
-    } else {
+    else
       cli_add_count(buffer, va_arg(arguments, uint64_t));
-    }
     form++;
   }
   va_end(arguments);
@@ -59,9 +56,8 @@ void cli_add_number(cli_buffer_t *buffer, double value, bool is_float) {
 }
 
 void cli_add_hash(cli_buffer_t *buffer, uint32_t value) {
-  for (unsigned at = 32; at > 0; at -= 4) {
+  for (unsigned at = 32; at > 0; at -= 4)
     add_bytes(buffer, &"0123456789abcdef"[value >> (at - 4) & 15u], 1);
-  }
 }
 
 void cli_add_count(cli_buffer_t *buffer, uint64_t value) {
@@ -72,9 +68,7 @@ void cli_add_count(cli_buffer_t *buffer, uint64_t value) {
 
 void *cli_grow(void *list, size_t used, size_t *room, size_t size) {
   const size_t more = *room == 0 ? 64 : 2 * *room;
-  if (used < *room) {
-    return list;
-  }
+  if (used < *room) return list;
   list = more <= SIZE_MAX / size ? realloc(list, more * size) : NULL;
   *room = list != NULL ? more : *room;
   return list;
@@ -86,9 +80,7 @@ bool cli_next_line(cli_lines_t *lines, char *out, size_t room) {
     lines->text += 3;
     lines->size -= 3;
   }
-  if (lines->size == 0) {
-    return false;
-  }
+  if (lines->size == 0) return false;
   const char *newline = memchr(lines->text, '\n', lines->size);
   const size_t all =
       newline != NULL ? (size_t)(newline - lines->text) : lines->size;
@@ -107,9 +99,7 @@ bool cli_next_line(cli_lines_t *lines, char *out, size_t room) {
 char *cli_trim(char *text) {
   text += strspn(text, " \t");
   size_t length = strlen(text);
-  while (length > 0 && strchr(" \t", text[length - 1]) != NULL) {
-    length--;
-  }
+  while (length > 0 && strchr(" \t", text[length - 1]) != NULL) length--;
   text[length] = '\0';
   return text;
 }

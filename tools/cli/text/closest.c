@@ -15,9 +15,7 @@ static size_t least(size_t a, size_t b) { return a < b ? a : b; }
 static size_t edit_distance(const char *a, const char *b) {
   size_t table[LONGEST + 1][LONGEST + 1];
   const size_t n = strlen(a), m = strlen(b);
-  if (n > LONGEST || m > LONGEST) {
-    return SIZE_MAX;
-  }
+  if (n > LONGEST || m > LONGEST) return SIZE_MAX;
   for (size_t i = 0; i <= n; i++) {
     for (size_t j = 0; j <= m; j++) {
       size_t best = i + j;
@@ -25,9 +23,8 @@ static size_t edit_distance(const char *a, const char *b) {
         best = table[i - 1][j - 1] + (a[i - 1] != b[j - 1] ? 1 : 0);
         best = least(best, least(table[i - 1][j], table[i][j - 1]) + 1);
       }
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
         best = least(best, table[i - 2][j - 2] + 1);
-      }
       table[i][j] = best;
     }
   }
@@ -53,9 +50,7 @@ size_t cli_closest_find(cli_closest_t *closest, const void *table, size_t count,
   for (; i < count; i++) {
     const void *row = (const char *)table + i * bytes;
     const char *name = *(const char *const *)row;
-    if (strcmp(name, closest->word) == 0) {
-      break;
-    }
+    if (strcmp(name, closest->word) == 0) break;
     cli_closest_offer(closest, name);
   }
   return i;

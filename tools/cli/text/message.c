@@ -46,9 +46,7 @@ int cli_message(int code, const char *format, ...) {
 
 int cli_finish_stdout(void) {
   errno = 0;
-  if (fflush(stdout) == 0 && ferror(stdout) == 0) {
-    return CLI_DONE;
-  }
+  if (fflush(stdout) == 0 && ferror(stdout) == 0) return CLI_DONE;
   return cli_message(CLI_STOPPED, "standard output: %s",
                      errno != 0 ? strerror(errno) : "write error");
 }
@@ -58,9 +56,7 @@ int cli_finish_stdout(void) {
 static int read_all(FILE *file, size_t most, char **text, size_t *size) {
   for (size_t room = 4096; feof(file) == 0 && ferror(file) == 0; room *= 2) {
     char *more = *size <= most ? realloc(*text, room + 1) : NULL;
-    if (more == NULL) {
-      return *size <= most ? ENOMEM : 0;
-    }
+    if (more == NULL) return *size <= most ? ENOMEM : 0;
     *text = more;
     *size += fread(more + *size, 1, room - *size, file);
     more[*size] = '\0';
@@ -75,12 +71,8 @@ int cli_read_text(const char *option, const char *path, size_t most,
   *text = NULL;
   *size = 0;
   const int error = file != NULL ? read_all(file, most, text, size) : errno;
-  if (file != NULL && !standard) {
-    (void)fclose(file);
-  }
-  if (error == 0) {
-    return CLI_DONE;
-  }
+  if (file != NULL && !standard) (void)fclose(file);
+  if (error == 0) return CLI_DONE;
   free(*text);
   *text = NULL;
   return cli_message(error == ENOMEM ? CLI_STOPPED : CLI_USAGE, "%s%s: %s",

@@ -37,15 +37,11 @@ static double number_of(const char *text, char **end, bool is_float) {
 bool cli_read_real(const char *text, tf_real_t *value, const char **why) {
   char *end = NULL;
   *why = "is not a number";
-  if (isspace((unsigned char)text[0])) {
-    return false;
-  }
+  if (isspace((unsigned char)text[0])) return false;
   errno = 0;
   const tf_real_t read =
       (tf_real_t)number_of(text, &end, sizeof read == sizeof(float));
-  if (end == text || *end != '\0') {
-    return false;
-  }
+  if (end == text || *end != '\0') return false;
   if (errno == ERANGE && read > -TF_REAL_MIN && read < TF_REAL_MIN) {
     *why = "is too small for the number type of this build";
     return false;
@@ -57,22 +53,14 @@ bool cli_read_real(const char *text, tf_real_t *value, const char **why) {
 bool cli_read_whole(const char *text, uint64_t low, uint64_t high,
                     uint64_t *value) {
   uint64_t read = 0;
-  if (*text == '\0') {
-    return false;
-  }
+  if (*text == '\0') return false;
   for (const char *digit = text; *digit != '\0'; digit++) {
-    if (*digit < '0' || *digit > '9') {
-      return false;
-    }
+    if (*digit < '0' || *digit > '9') return false;
     const uint64_t next = (uint64_t)(*digit - '0');
-    if (next > high || read > (high - next) / 10) {
-      return false;
-    }
+    if (next > high || read > (high - next) / 10) return false;
     read = read * 10 + next;
   }
-  if (read < low) {
-    return false;
-  }
+  if (read < low) return false;
   *value = read;
   return true;
 }
@@ -84,14 +72,10 @@ static bool write_above(char out[CLI_REAL_ROOM], int digits, double value,
                         bool is_float) {
   int exponent = 0;
   const double fraction = frexp(value, &exponent);
-  if (fabs(fraction) > 0.5) {
-    return false;
-  }
+  if (fabs(fraction) > 0.5) return false;
   (void)snprintf(out, CLI_REAL_ROOM, "%.*e", digits - 1, value);
   char *e = strchr(out, 'e');
-  if (e == NULL || e == out || e[-1] < '0' || e[-1] > '8') {
-    return false;
-  }
+  if (e == NULL || e == out || e[-1] < '0' || e[-1] > '8') return false;
   e[-1]++;
   return number_of(out, NULL, is_float) == value;
 }
@@ -104,9 +88,8 @@ size_t cli_write_number(char out[CLI_REAL_ROOM], double value, bool is_float) {
   for (int digits = subnormal ? 1 : safe; digits <= enough; digits++) {
     (void)snprintf(out, CLI_REAL_ROOM, "%.*g", digits, value);
     if (number_of(out, NULL, is_float) == value ||
-        (digits < enough && write_above(out, digits, value, is_float))) {
+        (digits < enough && write_above(out, digits, value, is_float)))
       break;
-    }
   }
   return strlen(out);
 }
@@ -122,9 +105,7 @@ size_t cli_write_real(char out[CLI_REAL_ROOM], tf_real_t value) {
 int cli_read_number(const char *option, const char *whole, const char *text,
                     tf_real_t *value) {
   const char *why = "";
-  if (cli_read_real(text, value, &why)) {
-    return CLI_DONE;
-  }
+  if (cli_read_real(text, value, &why)) return CLI_DONE;
   return cli_message(CLI_USAGE, "%s %s: '%s' %s", option, whole, text, why);
 }
 
@@ -142,9 +123,8 @@ int cli_read_range(const char *option, const char *whole, const char *text,
   range->text = whole;
   for (int i = 0; i < 3; i++) {
     const size_t length = strcspn(text, ":");
-    if (length >= CLI_REAL_ROOM || (text[length] == ':') != (i < 2)) {
+    if (length >= CLI_REAL_ROOM || (text[length] == ':') != (i < 2))
       return cli_message(CLI_USAGE, "%s %s: expected A:B:N", option, whole);
-    }
     memcpy(parts[i], text, length);
     parts[i][length] = '\0';
     text += length + (i < 2 ? 1 : 0);
@@ -169,9 +149,7 @@ static bool is_whole(double value) {
 }
 
 double cli_range_at(const cli_range_t *range, uint64_t i) {
-  if (i + 1 == range->count) {
-    return range->to;
-  }
+  if (i + 1 == range->count) return range->to;
   const double from = range->from, to = range->to;
   const double at = (double)i, last = (double)(range->count - 1);
   // Of whole numbers the product is exact, so whole values are.

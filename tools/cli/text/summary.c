@@ -28,9 +28,7 @@ void cli_put_begin(const char *command) {
 
 void cli_put_number(const char *key, double value, bool is_float) {
   char text[CLI_REAL_ROOM] = "null";
-  if (isfinite(value)) {
-    (void)cli_write_number(text, value, is_float);
-  }
+  if (isfinite(value)) (void)cli_write_number(text, value, is_float);
   cli_say("\"%s\": %s", key, text);
 }
 
@@ -79,9 +77,7 @@ static size_t utf8_length(const char *text) {
   uint32_t code = length > 1 ? lead & (0xFFu >> (length + 1)) : lead;
   for (size_t i = 1; i < length; i++) {
     const unsigned char byte = (unsigned char)text[i]; // 0 at the end
-    if ((byte & 0xC0u) != 0x80) {
-      return 0;
-    }
+    if ((byte & 0xC0u) != 0x80) return 0;
     code = code << 6 | (byte & 0x3Fu);
   }
   const bool surrogate = code >= 0xD800 && code < 0xE000;
@@ -93,15 +89,14 @@ void cli_put_word(const char *key, const char *text) {
   while (*text != '\0') {
     const unsigned char byte = (unsigned char)*text;
     const size_t length = utf8_length(text);
-    if (length == 0) {
+    if (length == 0)
       cli_say("\\ufffd");
-    } else if (byte == '"' || byte == '\\') {
+    else if (byte == '"' || byte == '\\')
       cli_say("\\%c", byte);
-    } else if (byte < ' ' || byte == 0x7F) {
+    else if (byte < ' ' || byte == 0x7F)
       cli_say("\\u%04x", (unsigned)byte);
-    } else {
+    else
       (void)fwrite(text, 1, length, stderr);
-    }
     text += length > 0 ? length : 1;
   }
   cli_say("\", ");
@@ -130,9 +125,7 @@ void cli_tally_print(const tf_tally_t *tally, const char *since, double t) {
             " fell back on moreau",
             tally->coarse, tally->stalled, tally->fell_back);
   }
-  if (reserved > 0 && !isnan(t)) {
-    cli_say(", %s at t = %g s", since, t);
-  }
+  if (reserved > 0 && !isnan(t)) cli_say(", %s at t = %g s", since, t);
   cli_say("\n");
 }
 
