@@ -6,6 +6,8 @@
   bench sizes --check     compares flash, RAM and stack of a few of them with
                           docs/bench/sizes.csv and names what has grown by more
                           than 2 %; --all, FULL=yes: of all boards and scenes
+  bench stack BOARD REAL SCENE   the stack of one: worst of main, an interrupt,
+                          and painted in the emulator
   bench --keep            copies pictures and tables to docs/
 
 What needs a tool that is missing is left out, with the reason. Environment:
@@ -78,6 +80,10 @@ def main() -> None:
     parser.add_argument("--keep", action="store_true")
     given = parser.parse_args()
     words, boards = given.words, []
+    if words[:1] == ["stack"] and len(words) == 4:
+        print(*("-" if one is None else one
+                for one in firmware.stack_of(*words[1:])))
+        return
     if given.check and words == ["sizes"]:
         sys.exit(firmware.check(given.all))
     if words and words[0] in OF_BOARDS:

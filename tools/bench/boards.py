@@ -21,6 +21,9 @@ TESTS = Path(__file__).resolve().parents[2] / "tests"
 sys.path += [str(TESTS / "support"), str(TESTS / "target")]
 import board as tested  # noqa: E402
 
+# A function that takes an interrupt, and what a Cortex-M with FPU saves.
+HANDLER = re.compile(r"cortex_m_systick|cortex_m_interrupt|riscv_trap")
+SAVED = 108
 GRAPH = "-fcallgraph-info=su"
 
 
@@ -40,10 +43,11 @@ def boards() -> list[str]:
 
 class Sizes(NamedTuple):
     """Bytes: code and constants, static data, worst stack of main by the call
-    graph without interrupts."""
+    graph without interrupts, and what an interrupt takes of it."""
     flash: Optional[int]
     ram: Optional[int]
     stack: Optional[int]
+    interrupt: Optional[int]
 
 
 class Board(tested.Board):
@@ -113,16 +117,19 @@ class Firmware:
             stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
             check=False).stdout.splitlines()
         if len(said) < 2:
-            return Sizes(None, None, None)
+            return Sizes(None, None, None, None)
         text, data, bss = (int(word) for word in said[1].split()[:3])
         return Sizes(text + data, data + bss,
-                     self._stack() if graph else None)
+                     *(self._stack() if graph else (None, None)))
 
-    def _stack(self) -> int:
-        """Worst of main, by the call graph; a function of the C library or of
-        soft float counts 32."""
+    def _stack(self) -> tuple[int, int]:
+        """Worst of main and of an interrupt, by the call graph; a function of
+        the C library or of soft float counts 32."""
         graph = Graph(sorted(self.place.glob("firmware-sized*.ci")))
-        return next(most for name, most, _ in graph.depths if name == "main")
+        worst = {name: most for name, most, _ in graph.depths}
+        handlers = [most for name, most in worst.items()
+                    if HANDLER.fullmatch(name)]
+        return worst["main"], max(handlers, default=0) + SAVED
 
     def painted(self, steps: int) -> Optional[int]:
         """How deep the stack got in the emulator (tests/target/stack.c),

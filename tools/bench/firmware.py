@@ -1,7 +1,7 @@
 """The sections of the boards: sizes, with their check."""
 import itertools
 import os
-from typing import Iterable
+from typing import Iterable, Optional
 
 import numpy as np
 import pandas as pd
@@ -59,7 +59,7 @@ def measure(names: list[str]) -> pd.DataFrame:
             say(f"{one}: does not build: {sizes}")
             continue
         counts = one.instructions(counter, steps) or [None] * 3
-        found.append([one.board.name, one.real, one.scene, *sizes,
+        found.append([one.board.name, one.real, one.scene, *sizes[:3],
                       one.painted(PAINTED_STEPS), *counts])
         say(" ".join("-" if n is None else str(n) for n in found[-1]))
     table = pd.DataFrame(found, columns=[*FIRMWARE, *HELD, *COUNTED])
@@ -110,6 +110,20 @@ def check(every: bool) -> int:
         print("If that is meant: tools/run bench sizes && make keep-bench, and "
               "the commit says why.")
     return 1 if wrong or not seen else 0
+
+
+Stack = tuple[Optional[int], Optional[int], Optional[int]]
+
+
+def stack_of(board: str, real: str, scene: str) -> Stack:
+    """Worst of main, an interrupt's and painted; None for what cannot be
+    had."""
+    one = Firmware(Board(board), real, scene)
+    sizes = one.sizes()
+    painted = one.painted(int(os.environ.get("STEPS") or 2000))
+    if isinstance(sizes, str):
+        return None, None, painted
+    return sizes.stack, sizes.interrupt, painted
 
 
 # Problems of problem.c, by what differs from scene `chaos`.

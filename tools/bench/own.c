@@ -5,9 +5,9 @@
 #include <stdio.h>
 #include <string.h>
 
+const char *const scheme_names[SCHEMES] = {"moreau", "compensated", "located"};
+
 scheme_t scheme_named(const char *name) {
-  static const char *const scheme_names[SCHEMES] = {"moreau", "compensated",
-                                                    "located"};
   int i = 0;
   while (i < SCHEMES && strcmp(name, scheme_names[i]) != 0) i++;
   return (scheme_t)i;

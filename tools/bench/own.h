@@ -5,6 +5,7 @@
 
 typedef enum { MOREAU, COMPENSATED, LOCATED } scheme_t;
 #define SCHEMES 3
+extern const char *const scheme_names[SCHEMES];
 
 /// A machine in motion.
 typedef struct {

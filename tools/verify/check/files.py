@@ -26,7 +26,7 @@ tools/cli        12070  10000
 tools/board       1265   1200
 tools/package     5490   5200
 tools/page        4180   4000
-tools/bench       3490   3200
+tools/bench       3520   3200
 tools/study       3890   3800
 tools/verify      5360   4200
 tests            25270  23000
