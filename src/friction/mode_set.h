@@ -42,8 +42,8 @@ TF_INLINE bool is_stick(unsigned mode) {
 
 TF_INLINE bool has(unsigned set, unsigned mode) { return (set >> mode) & 1u; }
 
-// Whether a mode that is consistent goes on under every rule, so that tf_select
-// is not asked.
+// Whether a mode that is consistent goes on under every rule, so that
+// tf_contact_choose has nothing to decide.
 TF_INLINE bool continues(unsigned set, unsigned attracting, unsigned mode) {
   return set & TF_MODE_BIT(mode) & (SLIPS | attracting);
 }

@@ -262,7 +262,7 @@ const cli_option_t cli_options[] = {
      "SCENE --replay FILE'"},
     {"--resume", NULL, CLI_SWEEP, FLAG(resume),
      "continues FILE.part of a sweep that was stopped, with the notes in "
-     "FILE.resume; does nothing where FILE is complete"},
+     "FILE.resume; does nothing where FILE was completed by --resume"},
     {"--provenance", NULL,
      MOTIONS | GRIDS | CLI_TYRE | CLI_DIVERGE | CLI_MONITOR, FLAG(provenance),
      "four comment lines before the header of CSV (diverge: of --branches, "

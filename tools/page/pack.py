@@ -8,7 +8,7 @@ style, the modules in the order of their imports, and the simulator.
 Names at the top of a module are unique over all of them, so the modules can
 stand in one scope, without their lines of import and export. The page's policy
 allows this very style and this very script, and no connection at all. It names
-the hash of what it is made of, by which `make stale` knows it.
+the hash of what it is made of.
 """
 import base64
 import gzip

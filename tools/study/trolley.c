@@ -1,6 +1,6 @@
 // trolley - a castor on a body that is pulled at constant speed, by Moreau's
 // time stepping on twofold/contact.h alone. Equations and their derivation:
-// docs/CONTACT.md; two-folds of castors: trolley.py.
+// docs/STUDIES.md; two-folds of castors: trolley.py.
 //
 // usage: trolley [NAME=VALUE]...
 //

@@ -36,29 +36,44 @@ static int balanced(const paper_t *p, real r, int s, real w[2]) {
   return 2;
 }
 
-/* Counts the two-folds of one machine at the zeros of the paper's A, and those
- * of them that are in the list; -1 where a double root is too near to tell. */
+static real bisected(const paper_t *p, real low, real high, int s) {
+  const bool positive = paper_delassus(p, low, s) > 0;
+  for (int i = 0; i < 80; i++) {
+    const real middle = (low + high) / 2;
+    if ((paper_delassus(p, middle, s) > 0) == positive)
+      low = middle;
+    else
+      high = middle;
+  }
+  return (low + high) / 2;
+}
+
+/* Counts the two-folds of one machine by a search, and those of them that are
+ * in the list; -1 where a double root is too near to tell. */
 static int searched(const folds_t *f, int *hits) {
   const paper_t *p = &f->paper;
-  const real arm = p->kappa * cosl(p->gamma), b = p->beta * sinl(p->gamma);
   int count = 0;
-  for (int k = 0; k < 4 && fabsl(arm) > 2 * fabsl(b); k++) {
+  for (int k = 0; k < 4; k++) {
     const int s = k & 1 ? 1 : -1, side = k & 2 ? 1 : -1;
-    const real root = sqrtl(arm * arm - 4 * b * b);
-    real w[2], x[3] = {(-s * arm + side * root) / 2, 0, 0};
-    const int most = balanced(p, x[0], s, w);
-    if (most < 0) return -1;
-    for (int i = 0; i < most; i++) {
-      x[2] = w[i];
-      x[1] = paper_v_at(p, x[0], w[i], 0);
-      const real g = paper_g(p, x), size = 1 + fabsl(w[i]);
-      if (fabsl(g) < 1e-3L) return -1;
-      if ((g > 0) != (s > 0)) continue;
-      count++;
-      for (int j = 0; j < f->count; j++)
-        *hits += fabsl(wide(f->at[j].r) - x[0]) < 1e3L * EPSILON &&
-                 fabsl(wide(f->at[j].w) - x[2]) < 1e5L * EPSILON * size &&
-                 fabsl(wide(f->at[j].g) - g) < 1e5L * EPSILON * size;
+    for (real r = 1e-6L; r < 20; r *= 1.02L) {
+      const real low = (real)side * r, high = low * 1.02L;
+      const bool there = paper_delassus(p, low, s) > 0;
+      if (there == (paper_delassus(p, high, s) > 0)) continue;
+      real w[2], x[3] = {bisected(p, low, high, s), 0, 0};
+      const int most = balanced(p, x[0], s, w);
+      if (most < 0) return -1;
+      for (int i = 0; i < most; i++) {
+        x[2] = w[i];
+        x[1] = paper_v_at(p, x[0], w[i], 0);
+        const real g = paper_g(p, x), size = 1 + fabsl(w[i]);
+        if (fabsl(g) < 1e-3L) return -1;
+        if ((g > 0) != (s > 0)) continue;
+        count++;
+        for (int j = 0; j < f->count; j++)
+          *hits += fabsl(wide(f->at[j].r) - x[0]) < 1e3L * EPSILON &&
+                   fabsl(wide(f->at[j].w) - x[2]) < 1e5L * EPSILON * size &&
+                   fabsl(wide(f->at[j].g) - g) < 1e5L * EPSILON * size;
+      }
     }
   }
   return count;

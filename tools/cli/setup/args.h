@@ -69,7 +69,7 @@ typedef struct {
   uint64_t seed;            ///< < 2^32
 
   // Words and switches of all of them.
-  unsigned scheme;     ///< index of cli_schemes, or CLI_NOT_GIVEN
+  unsigned scheme;     ///< its number, or CLI_NOT_GIVEN
   unsigned format;     ///< cli_format_t; of monitor CLI_NOT_GIVEN: no rows
   unsigned summary;    ///< 1: for programs
   unsigned mechanism;  ///< cli_mechanism_t

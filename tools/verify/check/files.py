@@ -29,7 +29,7 @@ tools/page        4180   4000
 tools/bench       3520   3200
 tools/study       3890   3800
 tools/verify      5360   4200
-tests            25270  23000
+tests            25350  23000
 """.strip().splitlines()[1:])}
 # Words that a document may have, and all of them together.
 WORDS = {name: int(most) for name, most in map(str.split, """
@@ -47,6 +47,9 @@ docs/PAPER.md         3500
 docs/FINDINGS.md      2500
 docs/STUDIES.md       4000
 CHANGELOG.md          2500
+docs/PACKAGES.md         10
+docs/FMU.md              10
+docs/PAGE.md             10
 """.strip().splitlines())}
 MOST_WORDS = 36000
 NOT_LINES = {".svg", ".png", ".hex", ".bin"}

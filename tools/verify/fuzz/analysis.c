@@ -1,4 +1,4 @@
-// The analysis of a machine (singularity.h, surface.h) at any point of any
+// The analysis of a machine (singularity.h) at any point of any
 // input: what is refused stays untouched, what is returned is finite, in its
 // range and consistent with itself.
 #include "verify/fuzz/fuzz.h"
