@@ -14,39 +14,38 @@
 typedef struct {
   const char *source;   ///< name of the file or device
   tf_decoder_t decoder; ///< its counts are those of the stream
-  bool is_device;       ///< the stream began before it was read
   uint64_t bytes;
 
-  bool has_schema;
-  bool is_float;
   double dt;           ///< [s]
   double base;         ///< time = base + tick dt; not 0 once dt was changed [s]
-  uint32_t hash;       ///< of the parameters
-  bool ends;           ///< the stream has an end, which is a heartbeat
-  uint32_t session;    ///< that commands have to name
-  uint32_t sequence;   ///< least number of a command that is still taken
   uint64_t schemas;    ///< that have come
-  uint32_t run;        ///< hash of the run, of the last schema or heartbeat
   uint64_t other_runs; ///< changes of the run that no start explains
-  uint32_t next;       ///< number of the frame behind the last one
-  bool knows_chain;    ///< no frame is missing since a heartbeat or number 0
-  bool breaks;         ///< the last frame is a heartbeat of another chain
-  uint32_t chain;      ///< of the frames up to the last one
   uint64_t vouched;    ///< tick of the last heartbeat, or of number 0
   uint64_t between[2]; ///< ticks that the first of other_runs is between
+  uint32_t hash;       ///< of the parameters
+  uint32_t session;    ///< that commands have to name
+  uint32_t sequence;   ///< least number of a command that is still taken
+  uint32_t run;        ///< hash of the run, of the last schema or heartbeat
+  uint32_t next;       ///< number of the frame behind the last one
+  uint32_t chain;      ///< of the frames up to the last one
+  bool is_device;      ///< the stream began before it was read
+  bool has_schema, is_float;
+  bool ends;        ///< the stream has an end, which is a heartbeat
+  bool knows_chain; ///< no frame is missing since a heartbeat or number 0
+  bool breaks;      ///< the last frame is a heartbeat of another chain
   char scene[CLI_RECEIVED_TEXT], build[CLI_RECEIVED_TEXT];
 
-  uint64_t tick;    ///< of the state
-  double state[4];  ///< r, v, omega, phi
-  double report[6]; ///< h, g, F, M, delassus, residual
-  uint8_t mode, choices;
+  uint64_t tick;      ///< of the state
+  double state[4];    ///< r, v, omega, phi
+  double report[6];   ///< h, g, F, M, delassus, residual
   tf_status_t status; ///< of the last report
-  bool has_state;     ///< a state has come, its report not yet
-  bool early;         ///< ... before the schema
-
+  uint8_t mode, choices;
+  bool has_state; ///< a state has come, its report not yet
+  bool early;     ///< ... before the schema
   bool has_heartbeat;
+  bool ended;     ///< the last frame is a heartbeat
+  bool has_first; ///< one of the reported is not to be trusted: first
   tf_heartbeat_t heartbeat;
-  bool ended; ///< the last frame is a heartbeat
 
   uint64_t rows;       ///< complete: state and report of one tick
   uint64_t incomplete; ///< states without a report, or before the schema
@@ -55,18 +54,17 @@ typedef struct {
   uint64_t first_tick; ///< of the first of these
 
   uint64_t missed;  ///< of what the decoder counts, without end
-  uint32_t counted; ///< by the decoder, modulo 2^32
   uint64_t before;  ///< missing before a device was heard from its start on
   uint64_t dropped; ///< frames that the board itself dropped
   uint64_t skipped; ///< its ticks that got no step
+  uint32_t counted; ///< by the decoder, modulo 2^32
 
   // The steps that cannot be trusted to their bound. A report is of its own
   // step alone, and a heartbeat of all steps up to itself: each may count steps
   // that the other does not.
   tf_tally_t reported;    ///< steps whose report has come
   tf_tally_t told;        ///< most steps that a heartbeat has counted
-  bool has_first;         ///< one of those reported is not to be trusted
-  double first;           ///< time of the first of them [s]
+  double first;           ///< time of the first that is not to be trusted [s]
   uint64_t last_reported; ///< tick of the last report
 } cli_receiver_t;
 
