@@ -11,7 +11,7 @@
 
 int cli_setup_scheme(cli_setup_t *setup, const cli_args_t *args) {
   const tf_real_t dt = setup->params.dt;
-  const bool rounds = sizeof dt == sizeof(float) && dt < SHORT_STEP;
+  const bool rounds = dt < SHORT_STEP && sizeof dt == sizeof(float);
   const motion_scheme_t usual = rounds ? MOTION_COMPENSATED : MOTION_MOREAU;
   if (args->scheme != CLI_NOT_GIVEN) {
     setup->scheme = (motion_scheme_t)args->scheme;
