@@ -27,7 +27,7 @@ def offered(*words):
 
 
 def values_of_options():
-    """(command, option, words) of what each option of a command may be."""
+    """Yields (command, option, values that the option takes)."""
     for name in COMMANDS:
         for option in offered(name):
             values = list(offered(name, "chaos", option))

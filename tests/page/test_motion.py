@@ -163,7 +163,7 @@ def test_far_goal_has_a_time_and_an_end():
 
 
 def test_far_file_can_be_stopped():
-    """Of a file that takes long it is told how long, and Escape writes none."""
+    """A file that takes long shows the time left; Escape writes none."""
     tab = opened("scene=driven")
     tab.value("""window.made = 0; URL.createObjectURL = () => ++made;
       twofold.motion.advance(4e6); twofold.seek(4e6);

@@ -1,5 +1,5 @@
-/// What the programs of a race share. Each line that one reads,
-/// `PROBLEM SOLVER NUMBER...`, is a run, and has a line of what it prints.
+/// What the programs of a race share. Each reads runs, one a line: `PROBLEM
+/// SOLVER NUMBER...`. It prints one line a run.
 #pragma once
 
 #include "problem.h"

@@ -175,7 +175,7 @@ def peers() -> pd.DataFrame:
 
 
 def spread(name: str, solver: str, cost: pd.Series) -> list[list[object]]:
-    """Rows of what single steps cost."""
+    """Rows of the cost of single steps."""
     return [["steps", solver, f"{name}: {what}", None, None, value, ""]
             for what, value in (
                 ("mean", cost.mean()), ("median", cost.median()),

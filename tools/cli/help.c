@@ -254,7 +254,7 @@ int cli_help(int argc, char *const argv[]) {
                              word, closest.hint);
 }
 
-// A word, and of what it means a clause.
+// Prints a word and the first clause of its meaning.
 static void offer(const char *word, const char *what) {
   (void)printf("%s\t%.*s\n", word, (int)strcspn(what, ";(["), what);
 }

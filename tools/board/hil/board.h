@@ -7,8 +7,8 @@
 #include "cli/host/host.h"
 #include "cli/text/text.h"
 
-/// Exit codes are those of the command line, CLI_DONE where the closed loop has
-/// the bits of the pure host run, and this one where it has not.
+/// Exit codes are those of the command line. The closed loop ends with CLI_DONE
+/// if its bits are those of the run on the host alone, else with this code.
 enum { HIL_DIFFERS = 1 };
 
 /// Prints "hil: " and a message on standard error. Returns: the code.
