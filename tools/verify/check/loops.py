@@ -6,7 +6,6 @@ and why. gcc and clang-tidy tell loops that change nothing they ask for, and
 counters that wrap round; recursion is stack.py's.
 """
 import re
-from fnmatch import fnmatchcase
 from pathlib import Path
 
 from findings import checked, wrong
@@ -66,23 +65,29 @@ def shows_bound(head, body):
                 rf"(?<![.>])\b{name}\s*(\+\+|--|[-+*/|&^%]?=[^=])", body))
 
 
+def known():
+    """Of loops.bounds the loops, as (file, head)."""
+    for line in KNOWN.read_text("utf-8").splitlines():
+        if line and not line.startswith("#"):
+            words = line.split(" : ")
+            if len(words) != 3:
+                wrong(f"{KNOWN}: not file : loop : at most, why: {line}")
+            yield tuple(words[:2])
+
+
 if any(shown for _, shown in loops_of(PLANTED)) or \
         len(list(loops_of(PLANTED))) != PLANTED.count("\n"):
     wrong("a planted loop without a bound is not found")
 loops = [(str(path), *loop) for room in ("include", "src")
          for path in sorted(Path(room).rglob("*.[ch]"))
          for loop in loops_of(path.read_text("utf-8"))]
-told = {line.rpartition(" : ")[0].replace("[", "[[]"): line for line in
-        KNOWN.read_text("utf-8").splitlines() if line[0] != "#"}
-matched = set()
+told = set(known())
 for file, head, shown in loops:
-    bounds = set() if shown else {one for one in told
-                                  if fnmatchcase(f"{file} : {head}", one)}
-    matched |= bounds
-    if not shown and not bounds:
+    if not shown and (file, head) not in told:
         wrong(f"{file}: {head}: its bound is no constant; see {KNOWN}")
-for one in sorted(told.keys() - matched):
-    wrong(f"{KNOWN}: there is no such loop: {told[one]}")
+for one in sorted(told - {(file, head) for file, head, shown in loops
+                          if not shown}):
+    wrong(f"{KNOWN}: there is no such loop: {' : '.join(one)}")
 shown = sum(loop[2] for loop in loops)
 checked(f"{len(loops)} loops, {shown} of constant bounds; planted ones without "
         "are found")

@@ -3,6 +3,7 @@
 a function below."""
 import json
 import re
+import shutil
 import subprocess
 import sys
 from glob import glob
@@ -82,37 +83,33 @@ def cppcheck():
 
 
 def misra_says(addon, real):
-    """The places and rules that are violated. All of src/ is one file here, as
-    boards compile it, with its includes at the beginning: headers are read
-    once. The addon's two stages are started here, because cppcheck goes on
-    without a word where a stage of an addon ends early."""
+    """The places and rules that are violated. The addon's two stages are
+    started here, the one for a file and the one for all files together, because
+    cppcheck goes on without a word where a stage of an addon ends early."""
     room = BUILD / "misra"
-    room.mkdir(parents=True, exist_ok=True)
-    includes, lines, places = {}, [], []
-    for path in files_in("src", pattern="*.c"):
-        for number, line in enumerate(path.read_text().splitlines(), 1):
-            if line.startswith("#include"):
-                includes[line] = f"{path}:{number}"
-            else:
-                lines.append(line)
-                places.append(f"{path}:{number}")
-    (room / "all.c").write_text("\n".join([*includes, *lines, ""]))
-    places = [*includes.values(), *places]
-    folders = [f"-I{path}" for path in Path().glob("src/*")]
-    passes("the dump", *CPPCHECK, *folders, DEFINES[real], "--dump",
-           room / "all.c")
+    shutil.rmtree(room, ignore_errors=True)
+    for place in "src", "include":
+        shutil.copytree(place, room / place)
+    passes("the dump", *CPPCHECK, DEFINES[real], "--dump", "src", cwd=room)
+    files = sorted(path.relative_to(room) for path in room.rglob("src/*/*.c"))
 
-    def stage(path):
-        said, code = asked(sys.executable, addon, "--cli", path)
-        found = [*map(json.loads, said.splitlines())]
-        if code or not found:
-            wrong(f"the addon found nothing, or ends with code {code}: {path}")
-        return found
+    def stage(*parts):
+        said, code = asked(sys.executable, addon, "--cli", *parts, cwd=room)
+        if code:
+            wrong(f"the addon ends with code {code}: {parts[0]}")
+        return map(json.loads, said.splitlines())
 
-    return {(places[one["linenr"] - 1] if one["file"].endswith("all.c") else
-             f"{one['file']}:{one['linenr']}", one["errorId"].split("-")[1])
-            for path in (room / "all.c.dump", room / "all.c.ctu-info")
-            for one in stage(path)}
+    found = [one for stage_of_one in driven.side_by_side(
+        lambda file: [*stage(f"{file}.dump")], files) for one in stage_of_one]
+    shared = [file.with_suffix(".c.ctu-info") for file in files]
+    for path in shared:
+        if not (room / path).exists():
+            wrong(f"the addon did not end: {path} is missing")
+    of_all = [*stage(*filter(lambda path: (room / path).exists(), shared))]
+    if not found or not of_all:
+        wrong("a stage of the addon found nothing, which it never does")
+    return {(f"{one['file']}:{one['linenr']}", one["errorId"].split("-")[1])
+            for one in found + of_all}
 
 
 def misra():
@@ -144,12 +141,12 @@ def misra():
 
 def tidy():
     """As .clang-tidy says: the core in double, and of the core in float and of
-    the other files a sixteenth, another one with each commit (with FULL=yes
+    the other files an eighth, another one with each commit (with FULL=yes
     all)."""
     need("clang-tidy", "clang-tidy")
 
     def sample(files):
-        return files if FULL else files[(commit() - 1) % 16::16]
+        return files if FULL else files[(commit() - 1) % 8::8]
 
     core, tools, tests, boards = ([str(path) for path in files_in(
         room, pattern="*.c")] for room in ("src", "tools", "tests",

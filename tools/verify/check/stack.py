@@ -1,8 +1,7 @@
 #!/usr/bin/python3
 """Worst stack: no function of the core calls itself, through others or through
 a pointer, and each public one needs what docs/bench/worst.csv keeps,
-on x86-64 and the 32-bit boards as they compile, of which every commit has
-another one (with FULL=yes all): the larger of both real types.
+on x86-64 and the 32-bit boards as they compile: the larger of both real types.
 More is a broken promise; less by a quarter and 32 bytes a figure that no longer
 holds. What is found is in BUILD/worst.stack (`make keep-bounds` keeps it).
 """
@@ -15,8 +14,8 @@ from pathlib import Path
 
 import pandas
 
-from findings import (BUILD, DEFINES, FULL, ROOT, checked, commit, need,
-                      public_functions, wrong)
+from findings import (BUILD, DEFINES, ROOT, checked, need, public_functions,
+                      wrong)
 
 sys.path[:0] = [str(ROOT / "tools/bench"), str(ROOT / "tools/verify/cost")]
 import bounds  # noqa: E402
@@ -24,8 +23,6 @@ from boards import Board  # noqa: E402
 from callgraph import FLAT, Graph  # noqa: E402
 
 BOARDS = ["microbit", "stm32f405", "mps2-an500", "hifive1", "rv32fd"]
-if not FULL:
-    BOARDS = [BOARDS[commit() % len(BOARDS)]]
 CORE = sorted(str(ROOT / f) for f in Path(".").glob("src/*/*.c"))
 COMMON = ["-std=c99", "-ffreestanding", f"-I{ROOT}/include", f"-I{ROOT}/src",
           "-fcallgraph-info=su", "-S"]

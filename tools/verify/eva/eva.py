@@ -1,7 +1,7 @@
 """Undefined behaviour and numbers that are not finite, looked for by abstract
 interpretation (Frama-C Eva): tools/run eva [ENTRY...], each of ENTRIES in both
-real types; all of them by default, but as a check, without FULL, step_any and
-those of the line in double, and step_finite not at all, which takes longest.
+real types; all of them by default, but as a check, without FULL, not
+step_finite, which takes longer than the others together.
 
 Every alarm has to stand in tools/verify/eva/alarms with its reason, and what
 stands there has to be an alarm: else the run fails. Its paragraphs are lines
@@ -44,10 +44,6 @@ step_any          steps    precision=2 auto-loop-unroll=16
 range_any         range    precision=1 slevel=200 min-loop-unroll=21 cases
 step_finite       finite   precision=1 slevel=200 auto-loop-unroll=21 cases
 """.strip().splitlines())}
-# In a check without FULL: the real types of those that take long, or in which
-# there are no reals.
-SHORT = {name: ["f64"] for name, (file, _) in ENTRIES.items() if file == "line"}
-SHORT |= {"step_any": ["f64"], "step_finite": []}
 # Of src/, what the functions of a file call.
 STEP = ("step mode_end rare_end report codim2_end machine rest_motion balanced "
         "codim2 contact quadrant select tyre kernel")
@@ -192,13 +188,14 @@ def main() -> None:
     OUT.mkdir(parents=True, exist_ok=True)
     reasons = explained()
     is_short = "CHECK_NOTE" in os.environ and not os.environ.get("FULL")
-    wanted = sys.argv[1:] or list(ENTRIES)
+    wanted = sys.argv[1:] or [name for name in ENTRIES
+                              if not is_short or name != "step_finite"]
     unknown = {*wanted, *(alarm.entry for alarm in reasons)} - set(ENTRIES)
     if unknown:
         print(f"make eva: there is no entry {min(unknown)}", file=sys.stderr)
         sys.exit(2)
     pairs = [(entry, real) for entry in wanted
-             for real in (is_short and SHORT or {}).get(entry, REALS)]
+             for real in REALS]
     good = driven.side_by_side(lambda run: analyse(*run), pairs)
     if not all(good):
         sys.exit(f"an analysis stopped: see {OUT}/*.log")
