@@ -8,8 +8,8 @@
 #include <string.h>
 
 #include "../text/text.h"
-#include "record.h"
 #include "row.h"
+#include "run.h"
 
 // Where these stand in the payload of a schema.
 #define SCHEMA_SCHEME 3

@@ -8,8 +8,8 @@
 #include "../host/host.h"
 #include "../setup/setup.h"
 #include "../text/text.h"
-#include "record.h"
 #include "row.h"
+#include "run.h"
 
 static void put(cli_run_t *run, const void *bytes, size_t length) {
   if (!cli_output_lines(&run->output, bytes, length))
@@ -114,7 +114,7 @@ static void put_state(cli_run_t *run) {
   uint8_t to[2 * FRAME_ROOM];
   size_t used = tf_send_state(to, next, state);
   chain(to + used);
-  used += tf_send_report(to + used, next, state->tick, &run->report,
+  used += tf_send_report(to + used, next, state->tick, &run->system.report,
                          (uint8_t)source);
   chain(to + used);
   put(run, to, used);
@@ -204,7 +204,7 @@ void cli_rows_begin(cli_run_t *run) {
 void cli_rows_add(cli_run_t *run) {
   const double started = cli_now();
   const tf_real_t t = (tf_real_t)cli_run_time(run, run->system.state.tick);
-  const cli_csv_t row = cli_row(t, &run->system.state, &run->report);
+  const cli_csv_t row = cli_row(t, &run->system.state, &run->system.report);
   char text[CLI_ROW_ROOM];
   run->written = run->done;
   if (run->rowless) return;

@@ -2,6 +2,8 @@
 // clock, flushes the rows and updates the progress line. Whatever ends it, the
 // last step that was taken becomes the last row.
 
+#include "run.h"
+
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -13,8 +15,6 @@
 #include "../setup/setup.h"
 #include "../text/summary.h"
 #include "../text/text.h"
-#include "record.h"
-#include "row.h"
 
 #define FLUSH_EVERY 0.2 // [s]
 #define BATCH 1024      // steps between two readings of the clock
@@ -29,8 +29,8 @@ static bool next_input(cli_run_t *run, tf_input_t *input) {
     *input = tf_simulation_input(simulation, scene);
     return true;
   }
-  const bool goes_on =
-      cli_replay_next(&run->replay, &run->system, scene, &run->report, input);
+  const bool goes_on = cli_replay_next(&run->replay, &run->system, scene,
+                                       &run->system.report, input);
   if (run->replay.link.describe && run->args->format == CLI_FORMAT_FRAMES) {
     run->replay.link.describe = false;
     cli_rows_schema(run);
@@ -41,23 +41,49 @@ static bool next_input(cli_run_t *run, tf_input_t *input) {
   return false;
 }
 
+cli_setup_t cli_run_setup(const cli_run_t *run) {
+  cli_setup_t setup = *run->setup;
+  if (run->replays) setup.params = run->replay.link.params;
+  setup.seed = run->system.state.seed;
+  return setup;
+}
+
+static void show(const cli_run_t *run) {
+  if (run->live != NULL) {
+    const tf_real_t t = (tf_real_t)cli_run_time(run, run->done);
+    const cli_csv_t row = cli_row(t, &run->system.state, &run->system.report);
+    cli_live_note(run->live, &row);
+  }
+}
+
+static void observe(cli_run_t *run, const tf_report_t *before) {
+  const tf_report_t *after = &run->system.report;
+  const double t = cli_run_time(run, run->done);
+  cli_events_observe(&run->events, before, after, &run->system.state, t);
+  tf_tally_count(&run->tally, run->done, after->status);
+  if (!tf_mode_is_slip(after->mode))
+    run->largest_h = fmax(run->largest_h, fabs((double)after->slip.h));
+  run->largest_residual = fmax(run->largest_residual, (double)after->residual);
+  show(run);
+}
+
 // Returns: whether a step was taken.
 static bool take_step(cli_run_t *run) {
   tf_input_t input;
-  if (!run->replays && run->replay.simulation.source == TF_INPUT_SCENE) {
-    run->status = cli_drive_take(&run->drive, run->setup, &run->system, &input);
-  } else if (next_input(run, &input)) {
-    run->status =
-        cli_step(&run->drive, run->setup->scheme, &run->system, &input);
-  } else {
-    return false;
-  }
+  const bool drives =
+      !run->replays && run->replay.simulation.source == TF_INPUT_SCENE;
+  if (!drives && !next_input(run, &input)) return false;
+  const tf_report_t before = run->system.report;
+  run->status =
+      drives ? cli_drive_take(&run->drive, run->setup, &run->system, &input)
+             : cli_step(&run->drive, run->setup->scheme, &run->system, &input);
   if (run->status < 0) {
+    run->system.report = before;
     run->end = CLI_STEP_REFUSED;
     return false;
   }
   run->done++;
-  cli_run_observe(run, &run->system.report);
+  observe(run, &before);
   return true;
 }
 
@@ -89,8 +115,8 @@ static unsigned lateness_bin(double late) {
 static void check_time(cli_run_t *run) {
   const double ended = cli_now() - run->start;
   const double late = ended - cli_run_time(run, run->done + 1);
-  run->lateness.began[lateness_bin(run->began)]++;
-  run->lateness.ended[lateness_bin(ended - cli_run_time(run, run->done))]++;
+  run->began_late[lateness_bin(run->began)]++;
+  run->ended_late[lateness_bin(ended - cli_run_time(run, run->done))]++;
   if (late > 0) {
     run->late++;
     run->latest = fmax(run->latest, late);
@@ -127,7 +153,7 @@ static void step_through(cli_run_t *run) {
       cli_progress_start(started, run->glance ? -1 : run->output.to.descriptor);
   progress.silent = progress.silent || run->live != NULL;
   run->start = started - cli_run_time(run, run->first);
-  cli_run_show(run);
+  show(run);
   cli_rows_add(run);
   while (run->done < run->steps && run->end == CLI_ENDED) {
     take_batch(run);
@@ -145,6 +171,34 @@ static void step_through(cli_run_t *run) {
   if (run->written != run->done) cli_rows_add(run);
 }
 
+// What a run leaves to another one. Inputs of a table are no part of it: the
+// table is there to be given again. Those by a command are nowhere else.
+
+static bool save(cli_run_t *run, const char *path) {
+  char text[CLI_STATE_BYTES];
+  if (path == NULL) return true;
+  const cli_setup_t setup = cli_run_setup(run);
+  const cli_stand_t stand = {
+      run->system.state,      run->system.low,
+      run->system.report,     cli_inputs_hash(&run->drive.table),
+      run->replay.simulation, 0};
+  const size_t length = cli_state_print(&stand, &setup, text);
+  if (run->output.error != 0) {
+    (void)cli_message(CLI_STOPPED,
+                      "--save %s: not written: the rows up to this state did "
+                      "not reach %s",
+                      path, run->output.name);
+    return cli_output_end(&run->saved, CLI_STOPPED) == CLI_DONE;
+  }
+  (void)cli_output_lines(&run->saved, text, length);
+  if (run->replays && run->replay.next < run->replay.session.count) {
+    (void)cli_message(
+        CLI_DONE, "note: --save %s: %zu rows of the record were not reached",
+        path, run->replay.session.count - run->replay.next);
+  }
+  return cli_output_end(&run->saved, CLI_DONE) == CLI_DONE;
+}
+
 static int write_lateness(cli_run_t *run) {
   static const char header[] = "us,began,ended\n";
   cli_output_t *output = &run->late_rows;
@@ -155,8 +209,8 @@ static int write_lateness(cli_run_t *run) {
   (void)cli_output_lines(output, text, length);
   (void)cli_output_lines(output, header, sizeof header - 1);
   for (unsigned us = 0; us <= CLI_LATENESS_BINS; us++) {
-    const uint64_t began = run->lateness.began[us];
-    const uint64_t ended = run->lateness.ended[us];
+    const uint64_t began = run->began_late[us];
+    const uint64_t ended = run->ended_late[us];
     if (began != 0 || ended != 0) {
       length = (size_t)snprintf(
           text, sizeof text, "%u,%" PRIu64 ",%" PRIu64 "\n", us, began, ended);
@@ -202,12 +256,78 @@ static int perform(cli_run_t *run, const cli_args_t *args) {
   cli_live_close(run->live, run->setup->scene->name);
   if (!cli_output_close(&run->output, run->end == CLI_ENDED))
     run->end = CLI_NOT_WRITTEN;
-  const bool saved = cli_run_save(run, args->save);
+  const bool saved = save(run, args->save);
   code = cli_tally_code(&run->tally);
   if (run->end != CLI_ENDED || !saved) code = CLI_STOPPED;
   cli_summary(run, args->summary != 0, code);
   const int written = args->lateness != NULL ? write_lateness(run) : CLI_DONE;
   return written == CLI_DONE ? code : written;
+}
+
+// Refuses a start or a seed on the command line beside those of a file.
+static int check_start(const cli_args_t *args, const cli_setup_t *setup,
+                       const char *option, const char *path, uint32_t seed) {
+  const cli_setting_t *setting = cli_setup_start_set(setup);
+  if (setting != NULL) {
+    return cli_message(CLI_USAGE, "%s %s: %s %s gives the state",
+                       setting->option, setting->text, option, path);
+  }
+  if (args->select != NULL && strchr(args->select, ':') != NULL &&
+      seed != setup->seed) {
+    return cli_message(CLI_REFUSED,
+                       "%s %s: the seed is %" PRIu32 " there and %" PRIu32
+                       " here",
+                       option, path, seed, setup->seed);
+  }
+  return CLI_DONE;
+}
+
+static void note(const cli_args_t *args, const char *what) {
+  (void)cli_message(CLI_DONE, "note: --from %s: it came there %s", args->from,
+                    what);
+}
+
+// Inputs are no part of the machine, so it may go on under others; but not
+// without a word.
+static void take_inputs(cli_run_t *run, const cli_args_t *args,
+                        const cli_stand_t *stand) {
+  const bool has_table = run->drive.table.count > 0;
+  if (stand->inputs != cli_inputs_hash(&run->drive.table)) {
+    note(args, stand->inputs == 0 ? "without --inputs"
+               : has_table        ? "with another table of --inputs"
+                                  : "with --inputs, and goes on without");
+  }
+  if (stand->held.source == TF_INPUT_SCENE) return;
+  if (has_table) {
+    note(args, "with inputs by a command, and goes on with --inputs");
+    return;
+  }
+  tf_simulation_t *simulation = &run->replay.simulation;
+  *simulation = stand->held;
+  simulation->machine = run->system.machine.machine;
+  simulation->stepped = simulation->source;
+}
+
+// Puts a run, which is at its start, where the file of --from says that another
+// one stands; the setup takes the seed.
+static int go_on(cli_run_t *run, const cli_args_t *args, cli_setup_t *setup) {
+  const cli_stand_t *stand = &run->from;
+  CLI_TRY(check_start(args, setup, "--from", args->from, stand->state.seed));
+  if (stand->state.tick > run->steps) {
+    return cli_message(CLI_REFUSED,
+                       "--from %s: it stands at t = %.9g s, after the end at "
+                       "%.9g s",
+                       args->from, cli_run_time(run, stand->state.tick),
+                       cli_run_time(run, run->steps));
+  }
+  take_inputs(run, args, stand);
+  setup->seed = stand->state.seed;
+  run->system.state = stand->state;
+  run->system.low = stand->compensation;
+  run->system.report = stand->report;
+  run->first = run->done = stand->state.tick;
+  (void)cli_drive_begin(&run->drive, &setup->machine, run->first);
+  return CLI_DONE;
 }
 
 // The step after the last one of a record is never taken; what stands at the
@@ -218,8 +338,8 @@ static int prepare_replay(cli_run_t *run, cli_setup_t *setup) {
   CLI_TRY(cli_replay_begin(&run->replay, setup, &run->steps));
   CLI_TRY(cli_setup_start(setup)); // with the seed of the board
   run->steps++;
-  return cli_run_check_start(run->args, &asked, "--replay", run->args->replay,
-                             setup->seed);
+  return check_start(run->args, &asked, "--replay", run->args->replay,
+                     setup->seed);
 }
 
 static int prepare(cli_run_t *run, cli_setup_t *setup) {
@@ -246,11 +366,10 @@ static int prepare(cli_run_t *run, cli_setup_t *setup) {
   CLI_TRY(cli_count_steps(args, setup->machine.dt, &run->steps));
   if (args->replay != NULL) CLI_TRY(prepare_replay(run, setup));
   run->system = setup->motion;
-  run->report = run->system.report;
   run->drive.accuracy = (tf_real_t)args->accuracy;
-  if (args->from != NULL) CLI_TRY(cli_run_go_on(run, args, setup));
+  if (args->from != NULL) CLI_TRY(go_on(run, args, setup));
   cli_events_begin(&run->events, args->listed,
-                   run->first == 0 ? &run->report : NULL);
+                   run->first == 0 ? &run->system.report : NULL);
   cli_setup_notes(setup);
   return CLI_DONE;
 }

@@ -25,7 +25,7 @@
 #include "../setup/scene_file.h"
 #include "../setup/setup.h"
 #include "../text/text.h"
-#include "record.h"
+#include "run.h"
 
 #define VERSION "3"
 #define CRC_LINE 15 // "crc32 0123abcd\n"

@@ -12,7 +12,7 @@
 
 #include "../setup/setup.h"
 #include "../text/text.h"
-#include "record.h"
+#include "run.h"
 
 static void print_request(const cli_run_t *run) {
   const cli_setup_t setup = cli_run_setup(run);
@@ -79,13 +79,39 @@ static void print_held(const tf_simulation_t *simulation) {
   }
 }
 
+// Room for an option of each parameter, the rule, and the terminating zero.
+#define CHANGES_ROOM 1024
+
+// What commands of a replay have changed, as the options, each behind a space,
+// by which another run is of the same machine.
+static size_t changes_of(const cli_run_t *run, char out[CHANGES_ROOM]) {
+  cli_buffer_t text = {out, 0, CHANGES_ROOM, false};
+  const cli_setup_t now = cli_run_setup(run);
+  const tf_params_t *was = &run->setup->params;
+  out[0] = '\0';
+  for (size_t i = 0; i < TF_PARAMETERS; i++) {
+    const tf_real_t value = cli_parameter(&now.params, i);
+    const tf_real_t before = cli_parameter(was, i);
+    if (memcmp(&value, &before, sizeof value) != 0) {
+      cli_add_form(&text, " --set %s=%g", tf_parameter_ranges[i].name,
+                   (double)value);
+    }
+  }
+  const bool draws = now.params.rule == TF_RULE_RANDOM;
+  if (was->rule != now.params.rule || (draws && run->setup->seed != now.seed)) {
+    cli_add_form(&text, " --select %s", tf_rule_name(now.params.rule));
+    if (draws) cli_add_form(&text, ":%" PRIu64, (uint64_t)now.seed);
+  }
+  return text.used;
+}
+
 static void print_drive(const cli_run_t *run) {
   if (run->replays) {
     cli_say("replay     %s: %" PRIu64 " commands took effect, %" PRIu64
             " states were compared\n",
             run->replay.session.name, run->replay.commands, run->replay.states);
-    char changes[CLI_CHANGES_ROOM];
-    if (cli_run_changes(run, changes) > 0)
+    char changes[CHANGES_ROOM];
+    if (changes_of(run, changes) > 0)
       cli_say("           which now needs%s\n", changes);
   } else {
     print_table(&run->drive.profile);
@@ -208,7 +234,7 @@ static void print_final(const cli_run_t *run) {
   if (run->setup->machine.with_angle)
     cli_say(", phi = %.9g rad", (double)state->phi + (double)compensation->phi);
   cli_say("\n           h = %.9g m/s, g = %.9g m/s, %s\n",
-          (double)run->report.slip.h, (double)run->report.slip.g,
+          (double)run->system.report.slip.h, (double)run->system.report.slip.g,
           tf_mode_name(state->mode));
 }
 
@@ -274,9 +300,9 @@ static void put_request(const cli_run_t *run) {
 }
 
 static void put_replay(const cli_run_t *run) {
-  char changes[CLI_CHANGES_ROOM];
+  char changes[CHANGES_ROOM];
   if (!run->replays) return;
-  (void)cli_run_changes(run, changes);
+  (void)changes_of(run, changes);
   cli_say("\"replay\": {");
   cli_put_word("name", run->replay.session.name);
   cli_put_count("commands", run->replay.commands);
@@ -385,8 +411,8 @@ static void put_final(const cli_run_t *run) {
   cli_put_real("v", state->v);
   cli_put_real("omega", state->w);
   cli_put_real("phi", state->phi);
-  cli_put_real("h", run->report.slip.h);
-  cli_put_real("g", run->report.slip.g);
+  cli_put_real("h", run->system.report.slip.h);
+  cli_put_real("g", run->system.report.slip.g);
   cli_say("\"mode\": \"%s\"}, ", tf_mode_name(state->mode));
 }
 

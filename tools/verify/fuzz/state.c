@@ -5,7 +5,7 @@
 // again, reads back to the same bits.
 #include <stdio.h>
 
-#include "cli/run/record.h"
+#include "cli/run/run.h"
 #include "cli/text/text.h"
 #include "verify/fuzz/fuzz.h"
 

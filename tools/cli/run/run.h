@@ -71,13 +71,6 @@ int cli_state_read(cli_stand_t *stand, const char *path, cli_setup_t *setup);
 
 #define CLI_LATENESS_BINS 10000u ///< [us]; the last one counts what is later
 
-/// How late a loop in real time is: a histogram with bins of 1 us, as
-/// cyclictest of rt-tests prints one, of each step's beginning and end.
-typedef struct {
-  uint64_t began[CLI_LATENESS_BINS + 1];
-  uint64_t ended[CLI_LATENESS_BINS + 1];
-} cli_lateness_t;
-
 /// Why a run ended.
 typedef enum {
   CLI_ENDED,        ///< all steps were taken
@@ -95,17 +88,18 @@ typedef struct {
   bool replays;        ///< instead of driving the scene
   const cli_args_t *args;
   uint64_t steps;
-  double start;            ///< cli_now() at t = 0
-  uint64_t late;           ///< steps that ended after the time of the next one
-  double latest;           ///< largest delay among them [s]
-  double began;            ///< delay of the beginning of the last step [s]
-  cli_lateness_t lateness; ///< of all steps in real time
-  uint64_t first;          ///< steps taken before this run, by another one
-  uint64_t done;           ///< steps taken, by both
-  uint64_t written;        ///< step of the last row
-  bool glance;             ///< the rows are for a person who looks
-  motion_t system;
-  tf_report_t report; ///< of the last step that was taken
+  double start;  ///< cli_now() at t = 0
+  uint64_t late; ///< steps that ended after the time of the next one
+  double latest; ///< largest delay among them [s]
+  double began;  ///< delay of the beginning of the last step [s]
+  /// Steps in real time by how late they began and ended: bins of 1 us, as
+  /// cyclictest of rt-tests prints them.
+  uint64_t began_late[CLI_LATENESS_BINS + 1], ended_late[CLI_LATENESS_BINS + 1];
+  uint64_t first;     ///< steps taken before this run, by another one
+  uint64_t done;      ///< steps taken, by both
+  uint64_t written;   ///< step of the last row
+  bool glance;        ///< the rows are for a person who looks
+  motion_t system;    ///< after the last step that was taken
   tf_status_t status; ///< of the last step that was tried
   cli_end_t end;
   cli_events_t events;
@@ -126,20 +120,10 @@ typedef struct {
 /// and seed.
 cli_setup_t cli_run_setup(const cli_run_t *run);
 
-/// Room for an option of each parameter, the rule, and the terminating zero.
-#define CLI_CHANGES_ROOM 1024
-
-/// What commands of a replay have changed, as the options, each behind a space,
-/// by which another run is of the same machine.
-size_t cli_run_changes(const cli_run_t *run, char out[CLI_CHANGES_ROOM]);
-
 /// Time after the given number of steps, rounded once [s].
-double cli_run_time(const cli_run_t *run, uint64_t steps);
-
-void cli_run_show(const cli_run_t *run);
-
-/// Takes note of a finished step, which run->done counts already.
-void cli_run_observe(cli_run_t *run, const tf_report_t *after);
+static inline double cli_run_time(const cli_run_t *run, uint64_t steps) {
+  return (double)steps * (double)run->setup->machine.dt;
+}
 
 /// What its rows are of, as cli_provenance.
 size_t cli_run_provenance(const cli_run_t *run, const char *units,
@@ -157,18 +141,3 @@ void cli_rows_schema(cli_run_t *run);
 /// Prints it on standard error; json: as one line, after the reason of an early
 /// end. code: in, the exit code.
 void cli_summary(const cli_run_t *run, bool json, int code);
-
-/// Saves where a run stands in the open file of --save, with what commands of a
-/// replay have left in effect. The output of its rows is closed before; where
-/// it failed, no state is saved. path: in, NULL: it is not asked for.
-/// Returns: whether that is written, or not asked for.
-bool cli_run_save(cli_run_t *run, const char *path);
-
-/// Refuses a start or a seed on the command line beside those of a file.
-/// option, path, seed: in, of the file.
-int cli_run_check_start(const cli_args_t *args, const cli_setup_t *setup,
-                        const char *option, const char *path, uint32_t seed);
-
-/// Puts a run, which is at its start, where the file of --from says that
-/// another one stands; the setup takes the seed.
-int cli_run_go_on(cli_run_t *run, const cli_args_t *args, cli_setup_t *setup);
