@@ -81,15 +81,3 @@ uint64_t cli_receiver_missing(const cli_receiver_t *receiver);
 
 /// The steps that are known to be flagged.
 tf_tally_t cli_receiver_flagged(const cli_receiver_t *receiver);
-
-/// What `monitor` says of the stream at its end, on standard error: for a
-/// person, and as one line of JSON with the exit code.
-void cli_receiver_print(const cli_receiver_t *receiver);
-void cli_receiver_put(const cli_receiver_t *receiver, int code);
-
-#define CLI_RECEIVED_ROOM 1024
-
-/// Four lines that begin with #, as cli_provenance() writes them, of the
-/// sender.
-size_t cli_received_provenance(const cli_receiver_t *receiver,
-                               char out[CLI_RECEIVED_ROOM]);
