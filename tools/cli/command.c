@@ -28,7 +28,6 @@
 #include "host/host.h"
 #include "host/output.h"
 #include "setup/scene_file.h"
-#include "setup/setup.h"
 #include "text/summary.h"
 
 static int scenes(int argc, char *const argv[]) {

@@ -11,7 +11,6 @@
 
 #include "command.h"
 #include "sweep/point.h"
-#include "twofold.h"
 
 #define WIDTH 79     // columns
 #define COLUMN 23    // at which the text of an option begins

@@ -9,8 +9,6 @@
 #include "command.h"
 #include "diverge/diverge.h"
 #include "run/row.h"
-#include "setup/args.h"
-#include "text/text.h"
 
 #define GRIDS (CLI_REGIONS | CLI_ATLAS)
 #define ANALYSES (GRIDS | CLI_DESIGN | CLI_SINGULARITIES | CLI_TYRE)

@@ -8,7 +8,6 @@
 #include "../host/host.h"
 #include "../host/output.h"
 #include "../setup/args.h"
-#include "../text/text.h"
 
 // The command that runs, ready to compute and write.
 static struct {

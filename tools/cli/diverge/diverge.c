@@ -11,7 +11,6 @@
 #include <string.h>
 
 #include "../text/summary.h"
-#include "../text/text.h"
 
 #define IN_SLIP 1e-3 // [s], longest step of random motions in slip
 #define BATCH 4096   // steps between two checks for a signal

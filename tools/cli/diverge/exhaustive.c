@@ -17,7 +17,6 @@
 #include <string.h>
 
 #include "../text/summary.h"
-#include "../text/text.h"
 #include "diverge.h"
 
 #define JOIN 1e-6 // [m]

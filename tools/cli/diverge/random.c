@@ -10,7 +10,6 @@
 
 #include <math.h>
 
-#include "../setup/setup.h"
 #include "diverge.h"
 
 #define LOCATED 1e-3  // [s], to which the end of a stick is bisected

@@ -28,7 +28,6 @@
 #include <sys/types.h>
 #include <unistd.h>
 
-#include "../text/text.h"
 #include "host.h"
 
 #define MAX_LINKS 40 // as many as Linux follows

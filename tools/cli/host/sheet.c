@@ -17,8 +17,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "../text/text.h"
-
 #define LINE (CLI_SHEET_ABOUT + SUM_ROOM + 1)
 #define SAVE_EVERY 0.2 // [s], so at most so much work is lost by a kill
 #define SUM_ROOM 10    // the CRC, a blank and zero

@@ -16,7 +16,6 @@
 #include <unistd.h>
 
 #include "../host/host.h"
-#include "../text/text.h"
 
 #define COLUMNS 512 // that are drawn at most, and rows
 #define ROWS 144

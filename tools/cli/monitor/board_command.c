@@ -10,10 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../run/row.h"
-#include "../setup/setup.h"
-#include "../text/text.h"
-
 #define PATIENCE 3.0    // for an answer [s]
 #define ANSWER_BYTES 8u // of every answer; one about a parameter has more
 

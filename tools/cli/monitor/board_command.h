@@ -4,7 +4,6 @@
 
 #include "../host/host.h"
 #include "../run/session.h"
-#include "../setup/args.h"
 #include "receiver.h"
 
 typedef struct {

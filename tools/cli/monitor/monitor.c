@@ -9,10 +9,8 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "../host/output.h"
 #include "../live/live.h"
 #include "../text/summary.h"
-#include "../text/text.h"
 #include "board_command.h"
 
 #define WAIT 100 // for bytes, and between two attempts to open a device [ms]

@@ -17,7 +17,6 @@
 #include <math.h>
 
 #include "../setup/setup.h"
-#include "../text/text.h"
 
 static bool changes_sign(tf_real_t a, tf_real_t b) {
   return (a > 0 && b < 0) || (a < 0 && b > 0);

@@ -7,8 +7,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../text/text.h"
-#include "row.h"
 #include "run.h"
 
 // Where these stand in the payload of a schema.

@@ -11,8 +11,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../text/text.h"
-
 #define PLOTTED 6 // columns from the second up to this one
 
 #define COLUMN(name, unit, value) {#name, unit},

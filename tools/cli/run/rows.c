@@ -6,9 +6,6 @@
 #include <string.h>
 
 #include "../host/host.h"
-#include "../setup/setup.h"
-#include "../text/text.h"
-#include "row.h"
 #include "run.h"
 
 static void put(cli_run_t *run, const void *bytes, size_t length) {

@@ -12,9 +12,7 @@
 #include <unistd.h>
 
 #include "../host/host.h"
-#include "../setup/setup.h"
 #include "../text/summary.h"
-#include "../text/text.h"
 
 #define FLUSH_EVERY 0.2 // [s]
 #define BATCH 1024      // steps between two readings of the clock

@@ -4,7 +4,6 @@
 
 #include "../live/live.h"
 #include "events.h"
-#include "row.h"
 #include "session.h"
 
 // What a board did, from a record of `monitor --record`: each command takes

@@ -13,7 +13,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../text/text.h"
 #include "row.h"
 
 #define HEADER "tick,type,data,command"

@@ -23,8 +23,6 @@
 #include <string.h>
 
 #include "../setup/scene_file.h"
-#include "../setup/setup.h"
-#include "../text/text.h"
 #include "run.h"
 
 #define VERSION "3"

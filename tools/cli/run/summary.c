@@ -10,8 +10,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../setup/setup.h"
-#include "../text/text.h"
 #include "run.h"
 
 static void print_request(const cli_run_t *run) {

@@ -4,8 +4,6 @@
 
 #include <math.h>
 
-#include "../text/text.h"
-
 // Float loses a motion in the rounding of its state at shorter steps [s].
 #define SHORT_STEP TF_R(1e-3)
 

@@ -3,8 +3,6 @@
 /// given is 0 otherwise. And the commands, which get it.
 #pragma once
 
-#include "../../motion.h"
-#include "../text/text.h"
 #include "inputs.h"
 
 #define CLI_AXES 8     ///< of a sweep, at most

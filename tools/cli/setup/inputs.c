@@ -8,8 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../text/text.h"
-
 #define REACH 0, 0, -TF_STATE_LIMIT, TF_STATE_LIMIT
 const tf_parameter_range_t cli_input_columns[CLI_INPUTS + 1] = {
     {"omega0", "rad/s", REACH},

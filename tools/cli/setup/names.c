@@ -3,7 +3,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../text/text.h"
 #include "setup.h"
 
 #define AT(member) \

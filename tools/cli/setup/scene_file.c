@@ -9,7 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../text/text.h"
 #include "setup.h"
 
 #define LINE_ROOM 512

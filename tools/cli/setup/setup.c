@@ -11,8 +11,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../text/text.h"
-
 const cli_setting_t *cli_settings_find(const cli_settings_t *settings,
                                        const char *name) {
   for (size_t i = 0; i < settings->count; i++)

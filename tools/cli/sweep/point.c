@@ -13,9 +13,7 @@
 #include <string.h>
 
 #include "../run/events.h"
-#include "../setup/setup.h"
 #include "../text/summary.h"
-#include "../text/text.h"
 
 #define BATCH 4096 // steps between two checks for a signal
 #define REASON_ROOM 512

@@ -8,7 +8,6 @@
 #include <string.h>
 
 #include "../text/summary.h"
-#include "../text/text.h"
 #include "point.h"
 
 // Points with a row that this call has made.

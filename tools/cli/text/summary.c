@@ -8,7 +8,6 @@
 #include <stdarg.h>
 #include <stdio.h>
 
-#include "text.h"
 #include "twofold.h"
 
 void cli_say(const char *format, ...) {
