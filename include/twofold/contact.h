@@ -107,8 +107,8 @@ typedef struct {
   uint8_t near_stick;     ///< the stick on the present side of g: decides a tie
   tf_real_t x[2];         ///< of stick+, where y = x, and stick-, y = -x
   tf_real_t tau[2];       ///< y/x of slip+, slip- at h -> 0, or as they leave
-  tf_real_t departure[2]; ///< how fast slip+ and slip- leave h = 0: over a
-                          ///< step, h at its end [m/s]; only the larger counts
+  tf_real_t departure[2]; ///< how fast slip+ and slip- leave h = 0: h at the
+                          ///< end of a step [m/s]; only the larger counts
 } tf_contact_modes_t;
 
 /// Derives the constants of a contact.

@@ -42,7 +42,7 @@ typedef struct {
   tf_real_t T_anchor[TF_TYRE_ANCHORS]; ///< T(tan(n pi/16)), [8] = 6 kappa
   tf_real_t T_series[TF_TYRE_TERMS];   ///< T(y) = y sum c_n y^(2n) near y = 0
   tf_real_t epsilon;                   ///< width of the smoothed sign [m/s]
-  tf_real_t k;                         ///< string: stiffness / mu
+  tf_real_t stiffness;                 ///< string: stiffness / mu [1/m^2]
   tf_real_t delta;                     ///< string: largest static pressure / mu
   tf_real_t sigma;                     ///< string: relaxation length [m]
   tf_real_t rho;                       ///< string: dynamic / static pressure

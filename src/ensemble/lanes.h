@@ -116,7 +116,7 @@ typedef struct {
   mask_t b0, b1, b2, b3, steep;
 } lane_angle_t;
 
-// Entry k or 8 - k of a table of anchors, k counted by the borders crossed.
+// Entry n or 8 - n of a table of anchors, n counted by the borders crossed.
 TF_INLINE tf_real_t anchored(const tf_real_t table[TF_TYRE_ANCHORS],
                              lane_angle_t at, mask_t steep) {
   const tf_real_t t0 = pick(steep, table[8], table[0]);

@@ -71,33 +71,34 @@ TF_API void tf_project(trajectory_t *path) {
 // signs at the ends of steps, as in Piiroinen and Kuznetsov (2008), may pass
 // over a pair of roots.
 
-// (of_p p + of_q q) / t^zeros, for a sum with a zero of that order at t = 0.
+// An event function that is linear in p and q: (of_p p + of_q q) / t^zeros, for
+// a sum with a zero of that order at t = 0.
 typedef struct {
   tf_real_t of_p, of_q;
   int zeros;
-} combination_t;
+} event_function_t;
 
-TF_INLINE tf_real_t combined_term(const taylor_t *motion, combination_t c,
-                                  int n) {
-  return c.of_p * motion->p.c[n] + c.of_q * motion->q.c[n];
+TF_INLINE tf_real_t event_term(const taylor_t *motion, event_function_t f,
+                               int n) {
+  return f.of_p * motion->p.c[n] + f.of_q * motion->q.c[n];
 }
 
 // |h|, by its sign in the segment. (h), (g) are linear in p and q.
-TF_INLINE combination_t magnitude_of_h(const taylor_t *motion,
-                                       const segment_t *segment) {
+TF_INLINE event_function_t magnitude_of_h(const taylor_t *motion,
+                                          const segment_t *segment) {
   const tf_real_t sign = unit(segment->sign_h);
-  return (combination_t){slip_from_pq(motion->machine, sign, 0).h,
-                         slip_from_pq(motion->machine, 0, sign).h,
-                         segment->h_zero_order};
+  return (event_function_t){slip_from_pq(motion->machine, sign, 0).h,
+                            slip_from_pq(motion->machine, 0, sign).h,
+                            segment->h_zero_order};
 }
 
 // |g|, likewise.
-TF_INLINE combination_t magnitude_of_g(const taylor_t *motion,
-                                       const segment_t *segment) {
+TF_INLINE event_function_t magnitude_of_g(const taylor_t *motion,
+                                          const segment_t *segment) {
   const tf_real_t sign = unit(segment->sign_g);
-  return (combination_t){slip_from_pq(motion->machine, sign, 0).g,
-                         slip_from_pq(motion->machine, 0, sign).g,
-                         segment->g_starts_at_zero ? 1 : 0};
+  return (event_function_t){slip_from_pq(motion->machine, sign, 0).g,
+                            slip_from_pq(motion->machine, 0, sign).g,
+                            segment->g_starts_at_zero ? 1 : 0};
 }
 
 // bound - sign * series: how far the series is from the bound.
@@ -156,22 +157,23 @@ TF_INLINE beyond_t changes_beyond_lines(const taylor_t *motion,
   return (beyond_t){sum.p * more, sum.q * more};
 }
 
-// Whether a combination keeps its sign whatever that adds: then is_rootless()
-// would find so, too. Most are settled by this, without their own terms.
-TF_INLINE bool combination_stays(const taylor_t *motion, combination_t c,
-                                 beyond_t beyond, tf_real_t length) {
-  const tf_real_t change = combined_term(motion, c, 1) * length;
-  return c.zeros == 0 &&
-         combined_term(motion, c, 0) + (change < 0 ? change : 0) >
-             magnitude(c.of_p) * beyond.p + magnitude(c.of_q) * beyond.q;
+// Whether an event function keeps its sign whatever that adds: then
+// is_rootless() would find so, too. Most are settled by this, without their own
+// terms.
+TF_INLINE bool event_function_stays(const taylor_t *motion, event_function_t f,
+                                    beyond_t beyond, tf_real_t length) {
+  const tf_real_t change = event_term(motion, f, 1) * length;
+  return f.zeros == 0 &&
+         event_term(motion, f, 0) + (change < 0 ? change : 0) >
+             magnitude(f.of_p) * beyond.p + magnitude(f.of_q) * beyond.q;
 }
 
-TF_INLINE bool combination_vanishes(const taylor_t *motion, combination_t c,
-                                    tf_real_t *time) {
-  const int degree = motion->order - c.zeros;
+TF_INLINE bool event_function_vanishes(const taylor_t *motion,
+                                       event_function_t f, tf_real_t *time) {
+  const int degree = motion->order - f.zeros;
   series_t series;
   for (int n = 0; n <= degree; n++)
-    series.c[n] = combined_term(motion, c, n + c.zeros);
+    series.c[n] = event_term(motion, f, n + f.zeros);
   return vanishes_before(&series, degree, time);
 }
 
@@ -200,16 +202,16 @@ TF_INLINE bool delassus_vanishes(const taylor_t *motion,
 
 static event_t event_in_slip(const taylor_t *motion, const segment_t *segment,
                              tf_real_t *time) {
-  const combination_t h = magnitude_of_h(motion, segment);
-  const combination_t g = magnitude_of_g(motion, segment);
+  const event_function_t h = magnitude_of_h(motion, segment);
+  const event_function_t g = magnitude_of_g(motion, segment);
   const beyond_t beyond = changes_beyond_lines(motion, *time);
   event_t event = EVENT_NONE;
-  if (!combination_stays(motion, h, beyond, *time) &&
-      combination_vanishes(motion, h, time))
+  if (!event_function_stays(motion, h, beyond, *time) &&
+      event_function_vanishes(motion, h, time))
     event = EVENT_H_ZERO;
   if (motion->machine->contact.stick_kappa == 0) return event;
-  if (!combination_stays(motion, g, beyond, *time) &&
-      combination_vanishes(motion, g, time))
+  if (!event_function_stays(motion, g, beyond, *time) &&
+      event_function_vanishes(motion, g, time))
     event = EVENT_G_ZERO;
   return event;
 }
@@ -234,7 +236,7 @@ static event_t event_in_stick(const taylor_t *motion, const segment_t *segment,
                               tf_real_t *time) {
   event_t event = is_released(motion, time) ? EVENT_RELEASE : EVENT_NONE;
   if (motion->machine->contact.stick_kappa == 0) return event;
-  if (combination_vanishes(motion, magnitude_of_g(motion, segment), time))
+  if (event_function_vanishes(motion, magnitude_of_g(motion, segment), time))
     event = EVENT_CODIM2;
   if (delassus_vanishes(motion, segment, time)) event = EVENT_TWO_FOLD;
   return event;
@@ -249,16 +251,16 @@ static event_t event_at_rest(const taylor_t *motion, tf_real_t *time) {
 TF_API event_t tf_next_event(const taylor_t *motion, const segment_t *segment,
                              tf_real_t length, tf_real_t *time) {
   *time = length;
-  switch (segment->contact) {
-    case CONTACT_SLIP:
-    case CONTACT_CODIM2_SLIP:
+  switch (segment->kind) {
+    case SEGMENT_SLIP:
+    case SEGMENT_CODIM2_SLIP:
       return event_in_slip(motion, segment, time);
-    case CONTACT_STICK:
-    case CONTACT_TWO_FOLD_STICK:
+    case SEGMENT_STICK:
+    case SEGMENT_TWO_FOLD_STICK:
       return event_in_stick(motion, segment, time);
-    case CONTACT_PINNED:
+    case SEGMENT_PINNED:
       return event_at_rest(motion, time);
-    case CONTACT_NONE:
+    case SEGMENT_FREE:
     default:
       break;
   }

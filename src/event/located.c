@@ -12,7 +12,7 @@
 // the start of the segment, has reached h = g = 0.
 #define CAPTURE_ERRORS 256
 #define CLOSE_SHARE TF_R(0x1p-6)
-// Every so many segments it is asked whether the slip near h = g = 0 is stiff.
+// Every so many segments a slip near h = g = 0 is tested for being stiff.
 #define STIFFNESS_EVERY 5
 
 static tf_status_t validate_located(const tf_machine_t *k,
@@ -57,8 +57,8 @@ static bool end_in_new_segment(trajectory_t *path) {
 // Whether a slip next to h = g = 0 went along a limit direction. A try that
 // fails counts as a segment, so that no segment of the budget costs both.
 static bool goes_along_limit_direction(trajectory_t *path, span_t span) {
-  const bool is_asked = path->spent % STIFFNESS_EVERY == 0 || span.length == 0;
-  if (!is_asked || !tf_may_be_stiff(path, span.length)) return false;
+  const bool is_due = path->spent % STIFFNESS_EVERY == 0 || span.length == 0;
+  if (!is_due || !tf_may_be_stiff(path, span.length)) return false;
   if (tf_follow_limit_direction(path, span.error + trajectory_rounding(path)))
     return true;
   path->spent++;
@@ -78,7 +78,7 @@ static bool end_along_limit_direction(trajectory_t *path) {
 static tf_real_t time_of_near_two_fold(const trajectory_t *path, span_t span) {
   const taylor_t *motion = &path->motion;
   const tf_machine_t *k = motion->machine;
-  if (path->segment.contact != CONTACT_STICK || k->contact.stick_kappa == 0 ||
+  if (path->segment.kind != SEGMENT_STICK || k->contact.stick_kappa == 0 ||
       !(span.length < path->remaining))
     return 0;
   const delassus_quadratic_t at = delassus_quadratic(k, path->segment.sign_g);
@@ -161,18 +161,24 @@ static bool integrate_segment(trajectory_t *path) {
   return path->is_over || tf_next_segment(path, event);
 }
 
-// Whether the segments of the budget end the step.
-static bool integrate_step(trajectory_t *path) {
-  if (!tf_first_segment(path)) return false;
-  while (!path->is_over)
-    if (path->spent++ >= path->motion.machine->segments ||
-        !integrate_segment(path))
-      return false;
-  return true;
+// How far the segments of the budget come.
+typedef enum {
+  PROGRESS_NONE, // not from the start of the step
+  PROGRESS_PART, // to a point within it
+  PROGRESS_WHOLE // to its end
+} progress_t;
+
+static progress_t integrate_step(trajectory_t *path) {
+  const tf_machine_t *k = path->motion.machine;
+  bool goes_on = tf_first_segment(path);
+  while (goes_on && !path->is_over)
+    goes_on = path->spent++ < k->segments && integrate_segment(path);
+  if (goes_on) return PROGRESS_WHOLE;
+  return path->remaining < k->dt ? PROGRESS_PART : PROGRESS_NONE;
 }
 
 // The whole step by tf_step. What that refuses, degrades or finds too coarse,
-// it reports itself: that weighs more than who took the step.
+// it reports itself: that weighs more than which scheme took the step.
 static tf_status_t fall_back(const tf_machine_t *k, tf_state_t *state,
                              const tf_input_t *input, tf_report_t *report) {
   const tf_status_t status = tf_step(k, state, input, report);
@@ -230,9 +236,9 @@ static tf_real_t residual_at_end(const trajectory_t *path, tf_slip_t slip) {
 // The name of the mode at the end. Where no event decides, it goes by the signs
 // there: of h without contact, of g in a stick without a moment.
 static unsigned mode_at_end(const trajectory_t *path, tf_slip_t slip) {
-  if (path->segment.contact == CONTACT_NONE && slip.h != 0)
+  if (path->segment.kind == SEGMENT_FREE && slip.h != 0)
     return slip_with(sign_of(slip.h));
-  if (path->segment.contact == CONTACT_STICK && slip.g != 0 &&
+  if (path->segment.kind == SEGMENT_STICK && slip.g != 0 &&
       path->motion.machine->contact.stick_kappa == 0)
     return stick_with(sign_of(slip.g));
   return path->mode;
@@ -286,10 +292,11 @@ TF_API tf_status_t tf_step_located(const tf_machine_t *machine,
   if (status != TF_OK) return refuse_step(report, status);
   trajectory_t path;
   begin_trajectory(&path, machine, state, input);
-  if (!integrate_step(&path))
-    return path.remaining < machine->dt
-               ? finish_by_fixed_step(&path, state, report)
-               : fall_back(machine, state, input, report);
+  const progress_t progress = integrate_step(&path);
+  if (progress == PROGRESS_NONE)
+    return fall_back(machine, state, input, report);
+  if (progress == PROGRESS_PART)
+    return finish_by_fixed_step(&path, state, report);
   name_stick(&path);
   return commit_located(&path, input, state, report);
 }

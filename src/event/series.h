@@ -35,7 +35,7 @@ typedef struct {
   tf_real_t inverse_J; // 1 / (m (beta^2 + r^2)) at the start
   tf_real_t m_over_J;
   tf_real_t length; // that makes rad/s comparable with m/s
-  // For CONTACT_CODIM2_SLIP: a small distance of another slip from this one
+  // For SEGMENT_CODIM2_SLIP: a small distance of another slip from this one
   // changes as t^exponent.
   tf_real_t exponent;
 } taylor_t;

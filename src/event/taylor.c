@@ -315,11 +315,11 @@ static void taylor_pinned(taylor_t *motion) {
 }
 
 static bool close_recurrence(taylor_t *motion, const segment_t *segment) {
-  switch (segment->contact) {
-    case CONTACT_NONE:
+  switch (segment->kind) {
+    case SEGMENT_FREE:
       taylor_constant_force(motion, 0);
       return true;
-    case CONTACT_SLIP:
+    case SEGMENT_SLIP:
       if (motion->machine->contact.tyre.law == TF_TYRE_COULOMB)
         taylor_constant_force(
             motion,
@@ -327,14 +327,14 @@ static bool close_recurrence(taylor_t *motion, const segment_t *segment) {
       else
         taylor_slip(motion, segment);
       return true;
-    case CONTACT_CODIM2_SLIP:
+    case SEGMENT_CODIM2_SLIP:
       taylor_codim2_slip(motion, segment);
       return true;
-    case CONTACT_STICK:
+    case SEGMENT_STICK:
       return taylor_stick(motion, segment);
-    case CONTACT_TWO_FOLD_STICK:
+    case SEGMENT_TWO_FOLD_STICK:
       return taylor_two_fold(motion, segment);
-    case CONTACT_PINNED:
+    case SEGMENT_PINNED:
     default:
       break;
   }
@@ -346,7 +346,7 @@ TF_API bool tf_taylor_coefficients(taylor_t *motion, const segment_t *segment,
                                    tf_real_t time) {
   motion->time = time;
   if (!close_recurrence(motion, segment)) return false;
-  if (segment->contact != CONTACT_PINNED)
+  if (segment->kind != SEGMENT_PINNED)
     motion->F.c[motion->order] = motion->M.c[motion->order] = 0;
   return true;
 }

@@ -1,5 +1,5 @@
-// One segment of the located step: a stretch of time without an event. Its
-// contact decides how the series are closed and which events can end it.
+// One segment of the located step: a stretch of time without an event. Its kind
+// decides how the series are closed and which events can end it.
 #ifndef TF_TRAJECTORY_H
 #define TF_TRAJECTORY_H
 
@@ -9,18 +9,18 @@
 
 // How the contact gives the force, which closes the recurrence of the series.
 typedef enum {
-  CONTACT_NONE,           // no contact, no force
-  CONTACT_SLIP,           // slip away from h = g = 0
-  CONTACT_CODIM2_SLIP,    // slip out of h = g = 0 along a limit direction
-  CONTACT_STICK,          // stick, h = 0
-  CONTACT_TWO_FOLD_STICK, // stick out of a two-fold
-  CONTACT_PINNED          // h = g = 0 throughout
-} contact_t;
+  SEGMENT_FREE,           // no contact, no force
+  SEGMENT_SLIP,           // slip away from h = g = 0
+  SEGMENT_CODIM2_SLIP,    // slip out of h = g = 0 along a limit direction
+  SEGMENT_STICK,          // stick, h = 0
+  SEGMENT_TWO_FOLD_STICK, // stick out of a two-fold
+  SEGMENT_PINNED          // h = g = 0 throughout
+} segment_kind_t;
 
 typedef struct {
-  contact_t contact;
+  segment_kind_t kind;
   sign_t sign_h, sign_g; // inside the segment; at its start h, g may be 0
-  tf_real_t T;           // cot(psi) at the start, for CONTACT_CODIM2_SLIP
+  tf_real_t T;           // cot(psi) at the start, for SEGMENT_CODIM2_SLIP
   int h_zero_order;      // order of the zero that h has at the start
   bool g_starts_at_zero; // whether g is 0 at the start
   bool A_starts_at_zero; // whether the Delassus scalar is
@@ -37,7 +37,7 @@ typedef enum {
 } event_t;
 
 // Computes the series of a segment from their terms 0, with as many terms as
-// the tolerance of the machine asks for over a time. False where there is no
+// the tolerance of the machine needs over a time. False where there is no
 // solution: a stick needs A != 0, and one from a two-fold A' != 0.
 #define tf_taylor_coefficients TF_LINK(tf_taylor_coefficients)
 TF_API bool tf_taylor_coefficients(taylor_t *motion, const segment_t *segment,
@@ -160,15 +160,15 @@ TF_API bool tf_may_be_stiff(const trajectory_t *path, tf_real_t length);
 #define tf_follow_limit_direction TF_LINK(tf_follow_limit_direction)
 TF_API bool tf_follow_limit_direction(trajectory_t *path, tf_real_t allowed);
 
-// Which contact comes next: at the start of a step and after each event.
+// Which segment comes next: at the start of a step and after each event.
 
-// The contact at the start of the step. The user may have set the state, and
-// the inputs may have jumped, so its mode alone does not tell. False where no
+// The segment at the start of the step. The user may have set the state, and
+// the inputs may have jumped, so its mode alone does not decide. False where no
 // mode is admissible.
 #define tf_first_segment TF_LINK(tf_first_segment)
 TF_API bool tf_first_segment(trajectory_t *path);
 
-// The contact after an event, or after the end of a segment without one. False
+// The segment after an event, or after the end of one without an event. False
 // where no mode is admissible.
 #define tf_next_segment TF_LINK(tf_next_segment)
 TF_API bool tf_next_segment(trajectory_t *path, event_t event);

@@ -9,12 +9,12 @@ static void keep_largest_set(trajectory_t *path, unsigned set) {
   if (size_of(set) >= size_of(path->set)) path->set = set;
 }
 
-// Begins a segment in a mode; slip: the contact if the mode is a slip.
-static void enter_mode(trajectory_t *path, unsigned mode, contact_t slip,
+// Begins a segment in a mode; slip: its kind if the mode is a slip.
+static void enter_mode(trajectory_t *path, unsigned mode, segment_kind_t slip,
                        segment_t segment) {
-  segment.contact = mode == TF_PINNED ? CONTACT_PINNED
-                    : is_slip(mode)   ? slip
-                                      : CONTACT_STICK;
+  segment.kind = mode == TF_PINNED ? SEGMENT_PINNED
+                 : is_slip(mode)   ? slip
+                                   : SEGMENT_STICK;
   path->mode = mode;
   path->segment = segment;
 }
@@ -40,7 +40,7 @@ static bool leave_h_zero(trajectory_t *path) {
   const unsigned mode = selected_mode(path, &consistent.solutions);
   if (mode == TF_NO_MODE) return false;
   if (!is_slip(mode)) tf_project(path);
-  enter_mode(path, mode, CONTACT_SLIP,
+  enter_mode(path, mode, SEGMENT_SLIP,
              (segment_t){.sign_h = mode == TF_SLIP_MINUS ? MINUS : PLUS,
                          .sign_g = sign_g,
                          .h_zero_order = 1});
@@ -84,8 +84,8 @@ static bool leave_codim2(trajectory_t *path, bool arrives) {
                       path->state->tick, path->state->seed, &consistent);
   if (arrives && is_slip(path->mode))
     path->is_unsure |= may_have_stuck(path, &field, &consistent, mode);
-  // A wheel that comes to rest is asked for its exit at once, as it would be at
-  // the start of the next step. The draw of RANDOM is one of that.
+  // A wheel that comes to rest may leave at once, as it could at the start of
+  // the next step. The draw of RANDOM belongs to that one.
   if (arrives && mode == TF_PINNED && k->contact.rule != TF_RULE_RANDOM)
     mode = tf_leave_codim2(&k->contact, &field, mode, false, path->state->tick,
                            path->state->seed, &consistent);
@@ -99,7 +99,7 @@ static bool leave_codim2(trajectory_t *path, bool arrives) {
   } else {
     segment.sign_g = sign_in(mode);
   }
-  enter_mode(path, mode, CONTACT_CODIM2_SLIP, segment);
+  enter_mode(path, mode, SEGMENT_CODIM2_SLIP, segment);
   return true;
 }
 
@@ -123,7 +123,7 @@ static bool keep_leaving(trajectory_t *path) {
   tf_project(path);
   keep_largest_set(path, solutions->set);
   enter_mode(
-      path, path->mode, CONTACT_SLIP,
+      path, path->mode, SEGMENT_SLIP,
       (segment_t){
           .sign_g = sign_g, .h_zero_order = 1, .g_starts_at_zero = true});
   return true;
@@ -136,15 +136,15 @@ static bool keep_stick(trajectory_t *path, sign_t sign_g) {
   const rates_t rates = rates_at(k, path->motion.input, path->now.r,
                                  path->now.p, path->now.z, path->omega);
   if (!is_sliding(slip_limits(k, &rates, sign_g))) return false;
-  path->segment = (segment_t){
-      .contact = CONTACT_STICK, .sign_g = sign_g, .h_zero_order = 1};
+  path->segment =
+      (segment_t){.kind = SEGMENT_STICK, .sign_g = sign_g, .h_zero_order = 1};
   keep_largest_set(path, TF_MODE_BIT(path->mode));
   return true;
 }
 
 static void begin_without_contact(trajectory_t *path, tf_real_t h) {
   path->mode = slip_of_sign(h, path->mode);
-  path->segment = (segment_t){.contact = CONTACT_NONE};
+  path->segment = (segment_t){.kind = SEGMENT_FREE};
   keep_largest_set(path, TF_MODE_BIT(path->mode));
 }
 
@@ -152,13 +152,13 @@ static void begin_in_slip(trajectory_t *path, tf_slip_t slip) {
   const sign_t sign_h = sign_of(slip.h);
   path->mode = slip_with(sign_h);
   path->segment = (segment_t){
-      .contact = CONTACT_SLIP, .sign_h = sign_h, .sign_g = sign_of(slip.g)};
+      .kind = SEGMENT_SLIP, .sign_h = sign_h, .sign_g = sign_of(slip.g)};
   keep_largest_set(path, TF_MODE_BIT(path->mode));
 }
 
-// A wheel at rest follows the turntable: how far from that it is, is how far
-// the speed at which a step before ended is from that at which this one begins,
-// by what both were told. A share of the change that the tolerance admits is no
+// A wheel at rest follows the turntable. So it is as far from that as the speed
+// at the end of the step before is from the speed at the start of this one, by
+// the inputs of both. A share of the change that the tolerance admits is no
 // jump.
 static tf_real_t rounding_at_start(const trajectory_t *path) {
   const tf_machine_t *k = path->motion.machine;
@@ -195,9 +195,8 @@ TF_API bool tf_first_segment(trajectory_t *path) {
 
 // Without an event the same contact goes on, now away from where it began.
 static bool continue_segment(segment_t *segment) {
-  if (segment->contact == CONTACT_CODIM2_SLIP) segment->contact = CONTACT_SLIP;
-  if (segment->contact == CONTACT_TWO_FOLD_STICK)
-    segment->contact = CONTACT_STICK;
+  if (segment->kind == SEGMENT_CODIM2_SLIP) segment->kind = SEGMENT_SLIP;
+  if (segment->kind == SEGMENT_TWO_FOLD_STICK) segment->kind = SEGMENT_STICK;
   segment->h_zero_order = 0;
   segment->g_starts_at_zero = segment->A_starts_at_zero = false;
   return true;
@@ -205,7 +204,7 @@ static bool continue_segment(segment_t *segment) {
 
 // Slip at g = 0: the angle and with it M change their signs.
 static bool pass_g_zero(segment_t *segment) {
-  segment->contact = CONTACT_SLIP;
+  segment->kind = SEGMENT_SLIP;
   segment->sign_g = opposite(segment->sign_g);
   segment->h_zero_order = 0;
   segment->g_starts_at_zero = true;
@@ -223,7 +222,7 @@ static bool release_stick(trajectory_t *path) {
   const unsigned mode = slip_with(sign_h);
   tf_project(path);
   keep_largest_set(path, TF_MODE_BIT(mode));
-  enter_mode(path, mode, CONTACT_SLIP,
+  enter_mode(path, mode, SEGMENT_SLIP,
              (segment_t){.sign_h = sign_h,
                          .sign_g = segment->sign_g,
                          .h_zero_order = attracting ? 2 : 1});
@@ -236,7 +235,7 @@ static bool pass_two_fold(trajectory_t *path) {
   segment_t *segment = &path->segment;
   tf_project(path);
   keep_largest_set(path, SLIPS | TF_MODE_BIT(path->mode));
-  segment->contact = CONTACT_TWO_FOLD_STICK;
+  segment->kind = SEGMENT_TWO_FOLD_STICK;
   segment->A_starts_at_zero = true;
   segment->g_starts_at_zero = false;
   return true;
@@ -265,8 +264,8 @@ TF_API bool tf_next_segment(trajectory_t *path, event_t event) {
 // Slip near h = g = 0. The field depends there on the angle of the slip alone,
 // which may turn to a limit direction (Antali and Stepan 2018) much faster than
 // the slip moves along it: that is stiff, and the series of the slip is short.
-// But soon the slip cannot be told from the one solution that begins or ends in
-// h = g = 0 along the limit direction, whose series from there is long.
+// But soon the slip is as good as the one solution that begins or ends in h = g
+// = 0 along the limit direction, whose series from there is long.
 
 // The solution along a limit direction.
 typedef struct {
@@ -291,7 +290,7 @@ TF_API bool tf_may_be_stiff(const trajectory_t *path, tf_real_t length) {
   const tf_real_t p1 = motion->p.c[1], q1 = motion->q.c[1];
   const bool is_straight =
       2 * magnitude(p0 * q1 - q0 * p1) <= magnitude(p0 * p1 + q0 * q1);
-  return path->segment.contact == CONTACT_SLIP && is_straight &&
+  return path->segment.kind == SEGMENT_SLIP && is_straight &&
          motion->machine->contact.stick_kappa > 0 &&
          speed > 8 * acceleration * length &&
          speed < 16 * acceleration * motion->machine->dt;
@@ -363,7 +362,7 @@ static bool is_on_limit_solution(const trajectory_t *path, tf_real_t allowed,
 TF_API bool tf_follow_limit_direction(trajectory_t *path, tf_real_t allowed) {
   limit_solution_t limit = {.segment = path->segment, .r = path->now.r};
   limit.motion.speed = path->motion.speed;
-  limit.segment.contact = CONTACT_CODIM2_SLIP;
+  limit.segment.kind = SEGMENT_CODIM2_SLIP;
   limit.segment.h_zero_order = 1;
   limit.segment.g_starts_at_zero = true;
   if (!is_on_limit_solution(path, allowed, &limit)) return false;

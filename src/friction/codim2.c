@@ -37,7 +37,7 @@ static void add_exit(const tf_contact_t *contact, const codim2_field_t *field,
   out->sign_g[sign_h] = best.sign_g;
   out->solutions.set |= (uint8_t)bit;
   if (best.is_attractor) out->solutions.attracting |= (uint8_t)bit;
-  out->solutions.departure[sign_h] = with_sign(sign_h, best.speed);
+  out->solutions.departure[sign_h] = with_sign(sign_h, best.growth);
 }
 
 // The stick with the sign s of g, if the law has the force that keeps h at 0
@@ -149,7 +149,7 @@ static codim2_course_t along_limit(const tf_tyre_t *tyre, const quadrant_t *q,
   const tf_slip_t direction = {with_sign(q->sign_h, to->C),
                                with_sign(q->sign_g, to->S)};
   return along_direction(at, slip_with(q->sign_h), direction,
-                         at->H * to->C + at->G * to->S, to->speed,
+                         at->H * to->C + at->G * to->S, to->growth,
                          force_in(tyre, q, to->T));
 }
 

@@ -182,8 +182,8 @@ static bool is_better(const search_t *search, const limit_direction_t *next,
                       const limit_direction_t *best) {
   if (!search->leaves)
     return search->upwards ? next->T >= search->T : next->T <= search->T;
-  if (!(next->speed > 0)) return false;
-  return next->is_attractor == best->is_attractor ? next->speed > best->speed
+  if (!(next->growth > 0)) return false;
+  return next->is_attractor == best->is_attractor ? next->growth > best->growth
                                                   : next->is_attractor;
 }
 

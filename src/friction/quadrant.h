@@ -48,7 +48,7 @@ TF_INLINE tf_real_t angular_rate(const quadrant_t *q, direction_t at) {
 typedef struct {
   tf_real_t T;       // its cot(psi)
   tf_real_t C, S;    // cosine and sine of its angle from the h axis
-  tf_real_t speed;   // outwards [m/s^2]
+  tf_real_t growth;  // of its slips, outwards [m/s^2]
   bool is_attractor; // its neighbours turn to it as time runs on
   bool exists;
   sign_t sign_g; // of its quadrant
@@ -56,14 +56,14 @@ typedef struct {
 
 static const limit_direction_t no_direction = {0, 0, 0, 0, false, false, PLUS};
 
-// Which of the limit directions of a quadrant is asked for: the best exit, or
-// the first one that a slip turns to from T towards larger or smaller ones.
+// Which of the limit directions of a quadrant is sought: the best exit, or the
+// first one that a slip turns to from T towards larger or smaller ones.
 typedef struct {
   bool leaves, upwards;
   tf_real_t T;
 } search_t;
 
-// Puts the one that is asked for in the place of the best so far, where it is
+// Puts the one that is sought in the place of the best so far, where it is
 // better.
 #define tf_search_quadrant TF_LINK(tf_search_quadrant)
 TF_API void tf_search_quadrant(const tf_tyre_t *tyre, const quadrant_t *q,

@@ -43,10 +43,10 @@ static tf_force_t string_force(const tf_tyre_t *tyre, tf_real_t h,
   const tf_real_t ratio = magnitude(steep ? h / g : g / h);
   const tf_real_t H = steep ? ratio : 1, G = steep ? 1 : ratio;
   const tf_real_t reach = delta * G; // k l H
-  const tf_real_t l = reach / (tyre->k * H);
+  const tf_real_t l = reach / (tyre->stiffness * H);
   tf_real_t F, M;
-  if (reach >= tyre->k * (2 * a + sigma) * H) { // x_s <= -a: no slip
-    const tf_real_t kt = tyre->k * (H / G);
+  if (reach >= tyre->stiffness * (2 * a + sigma) * H) { // x_s <= -a: no slip
+    const tf_real_t kt = tyre->stiffness * (H / G);
     F = 2 * a * (a + sigma) * kt;
     M = 2 * a * a * a / 3 * kt;
   } else if (l > sigma) { // partial slip

@@ -74,13 +74,13 @@ static void prepare_tyre(tf_tyre_t *tyre, const tf_params_t *params) {
       tf_prepare_angle_kernel(tyre, params->kappa);
       break;
     case TF_TYRE_TWO_PIECE: // Appendix B's choice of constants
-      tyre->k = params->k;
+      tyre->stiffness = params->k;
       tyre->delta = 1 / (3 * params->kappa);
       tyre->rho = TF_R(2.0) / 3;
       tyre->a = 3 * params->kappa;
       break;
     case TF_TYRE_STRING:
-      tyre->k = params->k;
+      tyre->stiffness = params->k;
       tyre->delta = params->delta;
       tyre->sigma = params->sigma;
       tyre->rho = params->rho;

@@ -9,7 +9,7 @@ static tf_real_t polynomial(const tf_real_t *c, int terms, tf_real_t x2) {
   return sum;
 }
 
-// pi/2 in two parts: k HIGH is exact for |k| <= 2, x - k HIGH is exact because
+// pi/2 in two parts: n HIGH is exact for |n| <= 2, x - n HIGH is exact because
 // the two agree in their leading bits, and LOW holds the digits of pi that the
 // real type cannot. So cos of the number nearest pi/2 is right (6e-17 in
 // double), not 0. Both parts are positive, so that -0 stays -0.

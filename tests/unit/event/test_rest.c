@@ -51,7 +51,7 @@ static rest_t any_rest(int n) {
 }
 
 static event_t next_event(const rest_t *c, taylor_t *motion, tf_real_t *time) {
-  const segment_t segment = {.contact = CONTACT_PINNED};
+  const segment_t segment = {.kind = SEGMENT_PINNED};
   begin_taylor(motion, &c->k, &c->u, c->omega, (phase_point_t){c->r, 0, 0});
   CHECK(tf_taylor_coefficients(motion, &segment, c->length));
   return tf_next_event(motion, &segment, c->length, time);

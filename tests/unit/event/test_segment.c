@@ -43,7 +43,7 @@ static void begin_at_release(trajectory_t *path, const tf_machine_t *k,
       .now = {r, p, z},
       .mode = mode,
       .force = {.F = (tf_real_t)lambda},
-      .segment = {.contact = CONTACT_STICK, .sign_g = s ? MINUS : PLUS}};
+      .segment = {.kind = SEGMENT_STICK, .sign_g = s ? MINUS : PLUS}};
   /* A force f changes N by -sin f/m - r cos d f/J. */
   const real missing = wide(rates.A[s]) * lambda - wide(rates.N);
   const real J = wide(inertia_at(k, r)), sine = wide(k->sin_gamma);
@@ -139,7 +139,7 @@ TEST(stick_ends_where_the_delassus_scalar_vanishes) {
                         .q = {{(tf_real_t)sign * k.sin_gamma}},
                         .r = {{about + uniform(-0.1, 0.1), uniform(-0.5, 0.5),
                                uniform(-0.5, 0.5), uniform(-0.5, 0.5)}}};
-    const segment_t segment = {.contact = CONTACT_STICK,
+    const segment_t segment = {.kind = SEGMENT_STICK,
                                .sign_g = sign < 0 ? MINUS : PLUS};
     tf_real_t time = -1;
     const event_t event = tf_next_event(&motion, &segment, 1, &time);

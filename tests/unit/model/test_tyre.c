@@ -25,7 +25,7 @@ static tf_tyre_t tyre_of(const tf_params_t *params) {
 }
 
 static paper_string_t string_of(const tf_tyre_t *tyre) {
-  return (paper_string_t){.k = wide(tyre->k),
+  return (paper_string_t){.k = wide(tyre->stiffness),
                           .delta = wide(tyre->delta),
                           .sigma = wide(tyre->sigma),
                           .rho = wide(tyre->rho),

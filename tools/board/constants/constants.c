@@ -63,7 +63,7 @@ void constants_of_machine(FILE *out, const tf_machine_t *k) {
   list(out, "T_anchor", tyre->T_anchor, TF_TYRE_ANCHORS);
   list(out, "T_series", tyre->T_series, TF_TYRE_TERMS);
   REAL(out, tyre, epsilon);
-  REAL(out, tyre, k);
+  REAL(out, tyre, stiffness);
   REAL(out, tyre, delta);
   REAL(out, tyre, sigma);
   REAL(out, tyre, rho);
