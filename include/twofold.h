@@ -6,7 +6,7 @@
 /// Of every function, unless it says otherwise: the caller owns all memory, and
 /// no two arguments overlap; a pointer is kept only where it says "kept", so
 /// that all are reentrant. A machine is one from tf_prepare, an input within
-/// TF_STATE_LIMIT. Names are constant strings; of what an enum has not they
+/// TF_STATE_LIMIT. Names are constant strings; names of values outside an enum
 /// begin with "unknown". "(h)" and the like are equations of the paper, "(1)"
 /// of DESIGN.md, which has both. Cost and stack of each: docs/bench/worst.csv,
 /// which docs/BENCH.md explains.

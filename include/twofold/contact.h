@@ -1,9 +1,9 @@
 /// @file
-/// A contact with friction force F and moment M, of which tf_step is made and
-/// any other mechanism (castor, finger tip, clutch) can be. The unknowns of a
-/// step are the multipliers x = F/mu and y = M/(kappa mu) of its mean force and
-/// moment. The caller says what h and g are under them at the end of the step,
-/// where the law holds: x in Sgn(h), y = s x, s in Sgn(g); and moves by x, y.
+/// A contact with friction force F and moment M: the core of tf_step, and of
+/// any other mechanism (castor, finger tip, clutch). The unknowns of a step are
+/// the multipliers x = F/mu and y = M/(kappa mu) of its mean force and moment.
+/// The caller gives h and g under them at the end of the step, where the law
+/// holds: x in Sgn(h), y = s x, s in Sgn(g); and moves by x, y.
 #ifndef TWOFOLD_CONTACT_H
 #define TWOFOLD_CONTACT_H
 

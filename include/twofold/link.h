@@ -95,16 +95,16 @@ typedef struct {
   tf_params_t params; ///< in effect
   tf_state_t saved;
   bool has_saved;
-  bool describe;    ///< schema and layouts are to be sent; who does clears it
+  bool describe;    ///< schema and layouts are due; their sender clears it
   bool has_aside;   ///< `aside` is in use
   uint8_t waiting;  ///< entries of the queue in use, in order of arrival
   uint32_t session; ///< that commands have to name; 0: none yet
-  uint32_t noise;   ///< of which the session is made
+  uint32_t noise;   ///< makes the session
   uint32_t next;    ///< least number of a command that is still taken
   uint32_t lost;    ///< numbers that were passed over, modulo 2^32
   uint32_t ignored; ///< commands without an answer: no room, or cleared
   uint32_t every;   ///< steps from record to record; 0: no command sets them
-  tf_line_t line;   ///< what it may ask for; the program sets both
+  tf_line_t line;   ///< what it may need; the program sets both
   tf_decoder_t decoder;
   tf_command_t queue[TF_LINK_QUEUE];
   tf_command_t aside; ///< done with on arrival; its answer is still to be sent
@@ -118,8 +118,8 @@ typedef struct {
 TF_API void tf_link_open(tf_link_t *link, const tf_scene_t *scene,
                          const tf_params_t *params);
 
-/// Adds to the number of which the first TF_UP_DESCRIBE makes the session, a
-/// CRC-32: a reading of a fast clock when a byte came in, or a random number.
+/// Adds to the CRC-32 that becomes the session at the first TF_UP_DESCRIBE: a
+/// reading of a fast clock when a byte came in, or a random number.
 /// link: in/out. noise: in.
 #define tf_link_add_entropy TF_LINK(tf_link_add_entropy)
 TF_API void tf_link_add_entropy(tf_link_t *link, uint32_t noise);

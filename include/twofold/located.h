@@ -15,17 +15,17 @@ TF_BEGIN_C
 /// DESIGN.md section 10. An event is the first root of a polynomial: of h and g
 /// in slip, of mu - |lambda|, g and A in stick; a rest ends where F and M leave
 /// its law or another mode takes it over. The error goes with the tolerance,
-/// whatever dt is and across events too. What the segments of the budget leave
-/// of a step tf_step takes. In float a motion may stall, as with tf_step, even
-/// at dt = 1e-2.
+/// whatever dt is and across events too. If the budget of segments runs out,
+/// tf_step finishes the step. In float a motion may stall, as with tf_step,
+/// even at dt = 1e-2.
 /// machine: in, of law JUMP, COULOMB or NONE. state: in/out, from tf_begin,
 ///   tf_step or tf_step_located. input: in.
 /// report: out; force at the end of the step; set and choices: the largest set
 ///   of consistent modes met in the step, and the mode taken. residual: how far
 ///   force is from the law at the end of the step, which falls with the
 ///   tolerance: in stick and pinned that of tf_step, in slip |F - law| + |M -
-///   law| of tf_tyre_force at report->slip, and |h| where it has not the sign
-///   that the mode asks for [N]; near h = g = 0 epsilon over the slip, because
+///   law| of tf_tyre_force at report->slip, and |h| where its sign is not that
+///   of the mode [N]; near h = g = 0 epsilon over the slip, because
 ///   the angle is known no better.
 /// Returns: TF_OK; TF_COARSE (the segments of the budget, or a series, did not
 ///   reach the end: tf_step did the rest of the step, over which force is the

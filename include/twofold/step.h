@@ -48,7 +48,7 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
 /// names, none where h is 0.
 /// state: in/out, as there, but v and mode are found. h: in [m/s].
 /// Returns: TF_OK; TF_BAD_STATE (nothing touched), also where h does not
-///   depend on v, which tf_speed_for_slip tells apart.
+///   depend on v, as tf_speed_for_slip reports.
 #define tf_begin_with_slip TF_LINK(tf_begin_with_slip)
 TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
                                       tf_state_t *state,

@@ -89,7 +89,7 @@ typedef struct {
 #define tf_params_hash TF_LINK(tf_params_hash)
 TF_API uint32_t tf_params_hash(const tf_params_t *params);
 
-/// Hash of a run, by which frames of two are told apart: CRC-32 over the hash
+/// Hash of a run, which separates the frames of two: CRC-32 over the hash
 /// of its parameters, scheme, tick and state of its start as they are sent, and
 /// the names of scene and build.
 /// before: in, 0, or a CRC-32 of what else the run depends on. schema: in, but
@@ -148,11 +148,11 @@ TF_API void tf_read_heartbeat(const uint8_t *payload,
 TF_API void tf_read_state(const uint8_t *payload, uint64_t tick,
                           tf_state_t *state);
 
-/// What a line carries, and what telemetry asks of it [bytes/s].
+/// What a line carries, and what telemetry needs of it [bytes/s].
 typedef struct {
   uint32_t rate;    ///< steps a second
   uint32_t record;  ///< bytes that go with each record, at most
-  uint32_t beside;  ///< asked for by what is sent each second
+  uint32_t beside;  ///< for what is sent each second
   uint32_t carries; ///< 0: not known, and no limit
 } tf_line_t;
 
@@ -164,7 +164,7 @@ TF_API tf_line_t tf_line_of_frames(uint32_t rate, uint32_t baud,
                                    const char *scene, const char *build,
                                    bool takes_commands);
 
-/// Returns: what a record every so many steps, > 0, asks of the line.
+/// Returns: what a record every so many steps, > 0, needs of the line.
 #define tf_line_asks TF_LINK(tf_line_asks)
 TF_API uint64_t tf_line_asks(const tf_line_t *line, uint32_t every);
 

@@ -306,7 +306,7 @@ static void angles_all(const tf_machine_t *restrict k,
     b->phi[i] += angle_change(k, b->w[i], work->w[i]);
 }
 
-// Lanes that have left r as it was may stall, which tf_step asks last as well.
+// Lanes that have left r as it was may stall: the last test of tf_step as well.
 static __attribute__((noinline)) void judge_stalls(const tf_machine_t *k,
                                                    const tf_state_block_t *b,
                                                    const tf_input_t *u,

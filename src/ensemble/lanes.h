@@ -102,7 +102,7 @@ TF_INLINE mask_t lane_may_vanish(const tf_form_t *f, tf_real_t now) {
                               magnitude(f->cy)));
 }
 
-// pinning_force(). can: can_be_pinned(), asked once for all lanes.
+// pinning_force(). can: can_be_pinned(), the same for all lanes.
 TF_INLINE tf_force_t lane_pin(const tf_machine_t *k, mask_t can,
                               const linear_t *l) {
   const tf_force_t pin = friction_to_rest(k, l);

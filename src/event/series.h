@@ -40,20 +40,6 @@ typedef struct {
   tf_real_t exponent;
 } taylor_t;
 
-// 1/1, 1/2 ... to 1/(SERIES_ORDER + 1): they save a division for each term.
-static const tf_real_t reciprocal[] = {
-    0,
-    TF_R(1.0) / 1,
-    TF_R(1.0) / 2,
-    TF_R(1.0) / 3,
-    TF_R(1.0) / 4,
-    TF_R(1.0) / 5,
-    TF_R(1.0) / 6,
-    TF_R(1.0) / 7,
-    TF_R(1.0) / 8,
-    TF_R(1.0) / 9,
-};
-
 // An empty sum. What is added to it keeps every bit, so that no addition is
 // left where the first summand is known; 0 + x is not x where x is -0.
 #define NO_TERMS TF_R(-0.0)

@@ -103,7 +103,7 @@ static bool leave_codim2(trajectory_t *path, bool arrives) {
   return true;
 }
 
-// A stick whose g has not grown out of its rounding since it left h = g = 0,
+// A stick whose g is still within its rounding after it left h = g = 0,
 // and may have the wrong sign: it goes on where its own force moves g to its
 // side. Placed at h = g = 0 in every step, it would never get away.
 static bool keep_leaving(trajectory_t *path) {

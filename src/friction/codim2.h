@@ -1,6 +1,5 @@
 // What follows h = g = 0: every future that is consistent there, and the one
-// that is taken. Every step asks this one function, and
-// tf_begin, at an instant.
+// that is taken. Every step calls this one function, and so does tf_begin.
 //
 // Near that point h and g are s sin(angle) and s cos(angle), and their rates
 // depend on the angle alone: s' = S(angle), s angle' = N(angle). So a motion

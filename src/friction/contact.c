@@ -176,7 +176,7 @@ TF_API tf_status_t tf_contact_modes(const tf_contact_t *contact,
   return TF_OK;
 }
 
-// In slip under the force at h -> 0; nobody asks for those of a pin.
+// In slip under the force at h -> 0; those of a pin are never read.
 static multipliers_t multipliers_of(const tf_contact_modes_t *modes,
                                     unsigned mode) {
   const sign_t s = sign_in(mode);

@@ -5,7 +5,7 @@
 //   slip+ solves iff h(1, s) > 0, slip- iff h(-1, -s) < 0, and a stick lies
 //   between iff both or neither do (intermediate value theorem):
 // neither: one solution, the stick of a positive Delassus scalar; both: three,
-// of which the stick has a negative one. No division by a scalar near 0 decides
+// the stick with a negative one. No division by a scalar near 0 decides
 // anything.
 //
 // Unknowns are the multipliers x = F / mu and y = M / (kappa mu) of the mean
@@ -308,7 +308,7 @@ TF_INLINE void enumerate(const inclusion_t *in, unsigned signs,
     enumerate_one_sign(in, MINUS, out);
 }
 
-// The same as a function, for who need be small rather than fast.
+// The same as a function, to save code size.
 #define tf_enumerate TF_LINK(tf_enumerate)
 TF_API void tf_enumerate(const inclusion_t *in, unsigned signs,
                          tf_contact_modes_t *out);
@@ -337,7 +337,7 @@ TF_INLINE multipliers_t stick_multipliers(tf_real_t x, sign_t s) {
   return (multipliers_t){x, with_sign(s, x)};
 }
 
-// rare: where it need be small rather than fast.
+// rare: out of line, to save code size.
 TF_INLINE multipliers_t slip_multipliers(const tf_tyre_t *tyre, sign_t side,
                                          tf_slip_t at, bool rare) {
   if (tyre->law == TF_TYRE_COULOMB) return (multipliers_t){unit(side), 0};

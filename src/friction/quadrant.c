@@ -1,6 +1,6 @@
 // All limit directions of a quadrant are bracketed, by anchors of T and by
-// separators between which there is at most one, and those that are asked for
-// are solved for.
+// separators between which there is at most one; those that are sought are
+// solved for.
 #include "quadrant.h"
 
 #define MAX_ITERATIONS 8
@@ -200,8 +200,7 @@ static tf_real_t high_end(int anchor) {
   return anchor < TF_TYRE_ANCHORS - 1 ? border[0] : 0;
 }
 
-// Whether what is asked for may lie in a cell. Both accelerations are affine in
-// T.
+// Whether what is sought may lie in a cell. Both accelerations are affine in T.
 static bool may_be_in(const search_t *search, const quadrant_t *q,
                       const cell_part_t *span) {
   const tf_real_t low = span->T_low, high = span->T_high;

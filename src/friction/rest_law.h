@@ -41,14 +41,11 @@ TF_INLINE tf_real_t rest_residual(tf_rest_law_t law, tf_real_t mu,
   return off_M + (F <= most_F ? 0 : F - most_F);
 }
 
-// How far a force is from the law of slip at the slip that a step ends with.
-// The residual of inclusion.h does not ask this: it reads the angle in stick
-// alone.
-
-// |F - law| + |M - law|, and how far h is on the other side, with 1 m/s counted
-// as 1 N and 1 N m as 1 N. At h = g = 0 the law holds every angle, and what is
-// left to ask is the curve of F and M over the angles: M = 3 kappa (4/3 mu -
-// |F|).
+// How far a force is from the law of slip at the slip that a step ends with,
+// where the residual of inclusion.h reads the angle in stick alone: |F - law| +
+// |M - law|, and how far h is on the other side, with 1 m/s counted as 1 N and
+// 1 N m as 1 N. At h = g = 0 the law holds every angle, and what is left is the
+// curve of F and M over the angles: M = 3 kappa (4/3 mu - |F|).
 TF_INLINE tf_real_t slip_law_residual(const tf_tyre_t *tyre, sign_t side,
                                       tf_force_t force, tf_slip_t slip) {
   if (tyre->law == TF_TYRE_NONE) return magnitude(force.F) + magnitude(force.M);

@@ -81,7 +81,7 @@ TF_INLINE tf_real_t cot_psi(const tf_tyre_t *tyre, tf_real_t G, tf_real_t H) {
                       tyre->T_anchor[anchor]);
 }
 
-// As a function, for who need be small rather than fast.
+// As a function, to save code size.
 #define tf_cot_psi TF_LINK(tf_cot_psi)
 TF_API tf_real_t tf_cot_psi(const tf_tyre_t *tyre, tf_real_t G, tf_real_t H);
 
@@ -136,7 +136,7 @@ TF_INLINE multipliers_t jump_multipliers(const tf_tyre_t *tyre, sign_t side,
   return signed_multipliers(multipliers_at(tyre, T), side, sign_of(at.g));
 }
 
-// The same as a function, for who need be small rather than fast.
+// The same as a function, to save code size.
 #define tf_jump_multipliers TF_LINK(tf_jump_multipliers)
 TF_API multipliers_t tf_jump_multipliers(const tf_tyre_t *tyre, sign_t side,
                                          tf_slip_t at);

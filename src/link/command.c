@@ -52,7 +52,7 @@ TF_API uint64_t tf_siphash(const uint8_t *key, const uint8_t *bytes,
   return s.v0 ^ s.v1 ^ s.v2 ^ s.v3;
 }
 
-// All of it is compared, so that the time does not tell how many bytes of a
+// All of it is compared, so that the time does not betray how many bytes of a
 // guess were right.
 TF_API bool tf_has_tag(const tf_frame_t *frame, const uint8_t *key) {
   if (frame->length < TF_TAG_BYTES) return false;

@@ -89,7 +89,7 @@ static void set_aside(tf_link_t *link, const tf_frame_t *frame, int code) {
   link->has_aside = true;
 }
 
-// Whoever asks learns the session, and may be anyone: nothing else changes.
+// Anyone may request the session: nothing else changes.
 static void describe(tf_link_t *link, const tf_frame_t *frame) {
   const int code = frame->length == 0 ? TF_ANSWER_DONE : TF_ANSWER_LENGTH;
   if (code == TF_ANSWER_DONE) {
@@ -344,7 +344,7 @@ TF_API unsigned tf_link_boundary(tf_link_t *link, tf_simulation_t *simulation) {
   return effective;
 }
 
-// The steps in effect; what those of the command ask of the line; what it
+// The steps in effect; what those of the command need of the line; what it
 // carries.
 static uint8_t *put_line(uint8_t *at, const tf_link_t *link,
                          const tf_command_t *command) {

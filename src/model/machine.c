@@ -125,7 +125,7 @@ TF_API tf_status_t tf_prepare(tf_machine_t *machine, const tf_params_t *params,
   const tf_real_t mu = params->mu;
   machine->mu_sin_gamma = mu * machine->sin_gamma;
   machine->mu_d_sin_gamma = mu * machine->d_sin_gamma;
-  // A finer tolerance would ask a series for less than its rounding.
+  // An error below its rounding is beyond any series.
   const tf_real_t finest = 64 * TF_REAL_EPSILON;
   machine->tolerance = params->tolerance > finest ? params->tolerance : finest;
   const uint16_t segments = (uint16_t)params->segments;

@@ -144,12 +144,12 @@ TF_API rest_motion_t tf_rest_motion(const tf_machine_t *k, const tf_input_t *u,
 
 // Whether something ends the rest within a time, which then becomes that of the
 // first: it leaves its law, an attracting stick begins, or the slip does that
-// the exit rule asks for.
+// the exit rule names.
 #define tf_rest_ends TF_LINK(tf_rest_ends)
 TF_API bool tf_rest_ends(const rest_motion_t *rest, tf_real_t *time);
 
 // Whether within a time the rest leaves its law or an attracting stick is
-// consistent, but not any more at its end: who looks only there misses it.
+// consistent, but not any more at its end: a look at the end misses it.
 #define tf_rest_is_interrupted TF_LINK(tf_rest_is_interrupted)
 TF_API bool tf_rest_is_interrupted(const rest_motion_t *rest, tf_real_t time);
 

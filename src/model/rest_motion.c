@@ -6,14 +6,14 @@
 //   s g' = r sin(gamma) (kappa F - s M) / (m J A(s)) > 0,
 // so that this ends where |M| = kappa |F|, and it needs no more than mu,
 //   A(s) lambda = A(0) F + r cos(gamma) M / J,  |lambda| <= mu.
-// Where an exit rule asks for a slip, this begins with a limit direction, which
-// is no root of a polynomial: the instant is found by halving, and one that is
-// gone again by the end of the step is passed over.
+// The slip that an exit rule names begins with a limit direction, which is no
+// root of a polynomial: the instant is found by halving, and one that is gone
+// again by the end of the step is passed over.
 #include "../friction/mode_set.h"
 #include "rates.h"
 
 // An event is where a condition holds, or is broken, by that many roundings of
-// the terms that balance at rest: by all who ask for it then.
+// the terms that balance at rest, wherever it is tested.
 #define REST_ROUNDINGS (64 * TF_REAL_EPSILON)
 // Halvings of a step in which an exit begins.
 #ifdef TF_REAL_FLOAT
@@ -190,7 +190,7 @@ static bool has_slip_at(const rest_motion_t *rest, unsigned slip, tf_real_t t) {
   return has(modes.solutions.set, slip);
 }
 
-// The slip that the exit rule asks for begins. Before this time it has not.
+// Whether the slip that the exit rule names begins before this time.
 static bool exit_begins(const rest_motion_t *rest, unsigned slip,
                         tf_real_t *time) {
   tf_real_t before = 0;

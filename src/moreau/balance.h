@@ -134,7 +134,7 @@ TF_INLINE bool creates_energy(const balance_t *b, tf_real_t energy) {
 }
 
 // Whether a slip ends in stick or rest within a step: then the direction of
-// its force has changed to that at the end, which alone the step knows.
+// its force has changed to that at the end, the only one the step computes.
 TF_INLINE bool ends_slip(unsigned from, unsigned mode) {
   return is_slip(from) && !is_slip(mode);
 }

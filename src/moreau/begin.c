@@ -42,7 +42,7 @@ static unsigned possible_modes(const tf_machine_t *k, instant_t *at) {
 
 // The preferred mode if it is in the set, else stick before slip. It is no
 // error to prefer a slip at an h below rounding where only stick is possible:
-// the real type cannot tell that h from 0.
+// in the real type that h is 0.
 static unsigned first_mode(unsigned set, unsigned preferred) {
   static const unsigned order[4] = {TF_STICK_PLUS, TF_STICK_MINUS, TF_SLIP_PLUS,
                                     TF_SLIP_MINUS};

@@ -1,7 +1,6 @@
 // Steps that begin at h = g = 0, and steps that come there in a mode that is
-// lost. What follows that point is asked of tf_leave_codim2, which knows
-// nothing of where a step happens to end, so that the branch does not depend on
-// it.
+// lost. tf_leave_codim2 decides what follows that point. Where a step happens
+// to end is none of its arguments, so the branch does not depend on it.
 #include "../model/rates.h"
 #include "scheme.h"
 
@@ -272,7 +271,7 @@ static void end_slip_near_codim2(const free_motion_t *c, const inclusion_t *in,
   const bool follows =
       mode != TF_NO_MODE && agrees(&course, mode, end_slip(c, &to->end));
   // On a limit direction that leads to h = g = 0 (9) makes a slip alternate
-  // between both sides; of a slip that ends in stick it has not all the force.
+  // between both sides; of a slip that ends in stick it lacks some force.
   if (follows && is_slip(mode) && !course.leads_in) return;
   bool coarse = comes ? size_of(modes.solutions.set) > 1 : !follows;
   if (course.mode < TF_PINNED && follow_course(c, in, &course, s->set, to))
@@ -282,7 +281,7 @@ static void end_slip_near_codim2(const free_motion_t *c, const inclusion_t *in,
 }
 
 // A stick that loses its mode where g = 0 is within reach, or a motion that is
-// at h = g = 0. What solves the inclusion is not asked of a rest that goes on.
+// at h = g = 0. A rest that goes on needs no solution of the inclusion.
 static void end_at_codim2(const free_motion_t *c, const inclusion_t *in,
                           const codim2_field_t *field, tf_contact_modes_t *s,
                           step_end_t *to) {

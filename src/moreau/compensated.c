@@ -136,7 +136,7 @@ TF_INLINE state_pair_t end_at_rest_in_pairs(const tf_machine_t *k,
   return (state_pair_t){moved(state->r, travel), {0, 0}, {omega0, 0}};
 }
 
-// The compensation of the new state and, where asked for, its angle (12).
+// The compensation of the new state and, where wanted, its angle (12).
 TF_INLINE void store_compensation(const tf_machine_t *k, tf_state_t *state,
                                   tf_compensation_t *low,
                                   const state_pair_t *to) {

@@ -5,8 +5,8 @@
 // The velocities are z = w - omega0 and p = v - d z: p carries the kinetic
 // energy without a cross term, so that the mass matrix is diagonal and nothing
 // cancels where beta or r is small. They are against the turntable of the end
-// of the step; where a slip at its start or at the theta point is asked for,
-// that is against the turntable of that instant, see slip_at_instant().
+// of the step; a slip at its start or at the theta point is against the
+// turntable of that instant, see slip_at_instant().
 #ifndef TF_LINEAR_H
 #define TF_LINEAR_H
 
@@ -137,7 +137,7 @@ TF_INLINE tf_real_t angle_change(const tf_machine_t *k, tf_real_t w,
 }
 
 // The slip at an instant of a step, from p and z against the turntable of its
-// end, of which the turntable falls short then by a turn.
+// end: at that instant the turntable is slower by a turn.
 TF_INLINE tf_slip_t slip_at_instant(const tf_machine_t *k, tf_real_t turn,
                                     tf_real_t r, tf_real_t p, tf_real_t z) {
   return slip_from_pq(k, p - k->d * turn, r * (z + turn));

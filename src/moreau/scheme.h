@@ -32,8 +32,7 @@ TF_API tf_status_t tf_rare_end(end_kind_t kind, const tf_machine_t *k,
                                const tf_state_t *state, const tf_input_t *input,
                                const start_t *start, step_end_t *to);
 
-// mode_end() as a function: rare ends are many, and need be small rather than
-// fast.
+// mode_end() as a function: rare ends are many, and this saves code size.
 #define tf_mode_end TF_LINK(tf_mode_end)
 TF_API forced_end_t tf_mode_end(const free_motion_t *c,
                                 const tf_contact_modes_t *s, unsigned mode);

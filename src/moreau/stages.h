@@ -17,10 +17,10 @@
 #endif
 
 // The velocities that a step starts with, against the turntable of its end, and
-// its slip at the start. An incremental step knows its slip to
-// more digits than p and z are stored in: it adds the change over the step to
-// the slip at the start. A plain step computes the slip from the state that it
-// will store, so that its report is the slip of that state.
+// its slip at the start. An incremental step has its slip to more digits than p
+// and z are stored in: it adds the change over the step to the slip at the
+// start. A plain step computes the slip from the state that it will store, so
+// that its report is the slip of that state.
 typedef struct {
   tf_real_t p, z;
   tf_slip_t slip; // where known
@@ -83,7 +83,7 @@ TF_INLINE tf_slip_t start_slip(const free_motion_t *c) {
                          c->start.z);
 }
 
-// It is asked for more than once by who needs it in memory.
+// In memory, for parts of a step that read it more than once.
 TF_INLINE void know_start_slip(free_motion_t *c) {
   c->start.slip = start_slip(c);
   c->start.known = true;
@@ -204,7 +204,7 @@ TF_INLINE unsigned choose_mode(const tf_machine_t *k, const tf_state_t *state,
 // although the limit at h -> 0 holds it on its side, the true end lies between
 // the two, and the limit is taken. It reverses the slip if its moment belongs
 // to the other sign of g than that at the start: then h and g both pass 0
-// within the step, and the step cannot know which does so first. The force
+// within the step, which cannot see which of them does so first. The force
 // turns if it is not that of the start: the true one changes its direction
 // within the step and may differ from both.
 TF_INLINE forced_end_t slip_end(const free_motion_t *c, sign_t side,

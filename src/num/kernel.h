@@ -15,7 +15,7 @@
 #define TF_INLINE static inline __attribute__((always_inline))
 #define TF_RARE static __attribute__((noinline, cold))
 
-// A compiler that knows the instruction uses it; a soft-float target calls
+// A compiler that has the instruction uses it; a soft-float target calls
 // the C library's sqrt, which IEEE 754 requires to be correctly rounded, so
 // both give the same bits.
 TF_INLINE tf_real_t square_root(tf_real_t x) {

@@ -11,17 +11,6 @@
 #endif
 #define MAX_NEWTON 24
 
-// 1/1, 1/2 ... to 1/SERIES_ORDER.
-static const tf_real_t one_over[] = {0,
-                                     TF_R(1.0) / 1,
-                                     TF_R(1.0) / 2,
-                                     TF_R(1.0) / 3,
-                                     TF_R(1.0) / 4,
-                                     TF_R(1.0) / 5,
-                                     TF_R(1.0) / 6,
-                                     TF_R(1.0) / 7,
-                                     TF_R(1.0) / 8};
-
 // How often the signs of the Bernstein coefficients on [low, high] change.
 static int sign_changes(const series_t *s, int degree, tf_real_t low,
                         tf_real_t high) {
@@ -31,7 +20,7 @@ static int sign_changes(const series_t *s, int degree, tf_real_t low,
     for (int i = degree - 1; i >= j; i--) b[i] += low * b[i + 1];
   tf_real_t share = 1; // (high - low)^n over the binomial coefficient
   for (int n = 1; n <= degree; n++) {
-    share *= (high - low) * (tf_real_t)n * one_over[degree - n + 1];
+    share *= (high - low) * (tf_real_t)n * reciprocal[degree - n + 1];
     b[n] *= share;
   }
   for (int j = 1; j <= degree; j++)

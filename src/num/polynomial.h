@@ -14,6 +14,20 @@
 #define SERIES_ORDER 8
 #endif
 
+// 1/1, 1/2 ... to 1/(SERIES_ORDER + 1): they save a division for each term.
+static const tf_real_t reciprocal[] = {
+    0,
+    TF_R(1.0) / 1,
+    TF_R(1.0) / 2,
+    TF_R(1.0) / 3,
+    TF_R(1.0) / 4,
+    TF_R(1.0) / 5,
+    TF_R(1.0) / 6,
+    TF_R(1.0) / 7,
+    TF_R(1.0) / 8,
+    TF_R(1.0) / 9,
+};
+
 typedef struct {
   tf_real_t c[SERIES_ORDER + 1];
 } series_t;

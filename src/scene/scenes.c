@@ -1,5 +1,5 @@
 // The scenes that come with the project: data only. No other file of the core
-// names one of them. Members stand in the order of their struct, as C++ asks.
+// names one of them. C++ wants members in the order of their struct.
 #include "twofold/simulation.h"
 
 // The paper's figure 5: kappa and k2 put the two-fold at r = 0.1859,
