@@ -314,7 +314,7 @@ static int write_grid(const char *header, const char *units, row_t row) {
   }
   (void)cli_output_lines(&job.output, header, strlen(header));
   cli_progress_t progress =
-      cli_progress_start(cli_now(), job.output.to.descriptor);
+      cli_progress_start(cli_now(), job.output.descriptor);
   const int code = write_rows(row, &progress);
   cli_progress_clear(&progress);
   return cli_output_end(&job.output, code);

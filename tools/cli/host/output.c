@@ -96,7 +96,7 @@ static int follow_links(char path[CLI_PATH_ROOM]) {
 }
 
 // Whether the part still has its name, and no other one.
-static bool has_its_name(const cli_destination_t *to) {
+static bool has_its_name(const cli_output_t *to) {
   struct stat by_name, opened;
   return lstat(to->part, &by_name) == 0 &&
          fstat(to->descriptor, &opened) == 0 && same_file(&by_name, &opened);
@@ -106,7 +106,7 @@ static bool has_its_name(const cli_destination_t *to) {
 // in between: then the name is another file's, or nobody's.
 // mode: in, that of the file that it replaces, which is as private; < 0: none.
 // Returns: 0 or an errno.
-static int take_part(const cli_destination_t *to, int mode, bool keep) {
+static int take_part(const cli_output_t *to, int mode, bool keep) {
   struct stat found;
   if (fstat(to->descriptor, &found) != 0 || !S_ISREG(found.st_mode))
     return EEXIST;
@@ -123,7 +123,7 @@ static int take_part(const cli_destination_t *to, int mode, bool keep) {
 
 // Opens a path that is not "-". keep: what is in the part stays.
 // Returns: 0 or an errno; EBUSY: another program writes this file.
-static int open_path(cli_destination_t *to, const char *path, bool keep) {
+static int open_path(cli_output_t *to, const char *path, bool keep) {
   struct stat before, standard;
   to->descriptor = -1;
   if (strlen(path) >= CLI_PATH_ROOM) return ENAMETOOLONG;
@@ -163,7 +163,7 @@ static int open_path(cli_destination_t *to, const char *path, bool keep) {
 // Gives the part the name of the file. The name is on disk once the folder is;
 // a file system that cannot sync a folder has done what it can.
 // Returns: 0 or an errno; EBUSY: the part is not the file that was opened.
-static int name_part(const cli_destination_t *to) {
+static int name_part(const cli_output_t *to) {
   char folder[PATH_MAX];
   if (!has_its_name(to)) return EBUSY;
   if (rename(to->part, to->path) != 0) return errno;
@@ -177,7 +177,7 @@ static int name_part(const cli_destination_t *to) {
 }
 
 // A part without a row is of no use.
-static bool leave_part(const cli_destination_t *to) {
+static bool leave_part(const cli_output_t *to) {
   struct stat status;
   return has_its_name(to) && (fstat(to->descriptor, &status) != 0 ||
                               status.st_size > 0 || unlink(to->part) != 0);
@@ -189,26 +189,25 @@ bool cli_output_open(cli_output_t *output, const char *path, bool keep) {
   output->last = '\n';
   output->flushed = cli_now();
   output->name = standard ? "standard output" : path;
-  output->to.descriptor = STDOUT_FILENO;
-  output->to.beside = output->to.left = false;
-  output->error = standard ? 0 : open_path(&output->to, path, keep);
+  output->descriptor = STDOUT_FILENO;
+  output->beside = output->left = false;
+  output->error = standard ? 0 : open_path(output, path, keep);
   return output->error == 0;
 }
 
 bool cli_output_close(cli_output_t *output, bool whole) {
-  cli_destination_t *to = &output->to;
   (void)cli_output_flush(output);
-  if (to->descriptor < 0) return output->error == 0;
+  if (output->descriptor < 0) return output->error == 0;
   int error = output->error;
-  if (cli_is_regular(to->descriptor) && fsync(to->descriptor) != 0 &&
+  if (cli_is_regular(output->descriptor) && fsync(output->descriptor) != 0 &&
       errno != EINVAL && errno != EROFS && error == 0)
     error = errno;
-  if (to->beside && whole && error == 0) error = name_part(to);
-  to->left = to->beside && (!whole || error != 0) && leave_part(to);
-  if (to->descriptor != STDOUT_FILENO && close(to->descriptor) != 0 &&
+  if (output->beside && whole && error == 0) error = name_part(output);
+  output->left = output->beside && (!whole || error != 0) && leave_part(output);
+  if (output->descriptor != STDOUT_FILENO && close(output->descriptor) != 0 &&
       error == 0)
     error = errno;
-  to->descriptor = -1;
+  output->descriptor = -1;
   output->error = error;
   return error == 0;
 }
@@ -217,16 +216,16 @@ static void drop_incomplete_row(const cli_output_t *output, size_t written) {
   off_t surplus = 0;
   for (size_t i = written; i > 0 && output->buffer[i - 1] != output->last; i--)
     surplus++;
-  const off_t end = lseek(output->to.descriptor, 0, SEEK_CUR);
-  if (surplus > 0 && end >= surplus && cli_is_regular(output->to.descriptor) &&
-      ftruncate(output->to.descriptor, end - surplus) != 0)
+  const off_t end = lseek(output->descriptor, 0, SEEK_CUR);
+  if (surplus > 0 && end >= surplus && cli_is_regular(output->descriptor) &&
+      ftruncate(output->descriptor, end - surplus) != 0)
     return; // the first error is the one that is reported
 }
 
 bool cli_output_flush(cli_output_t *output) {
   size_t written = 0;
   while (output->error == 0 && written < output->used) {
-    const ssize_t taken = write(output->to.descriptor, output->buffer + written,
+    const ssize_t taken = write(output->descriptor, output->buffer + written,
                                 output->used - written);
     if (taken > 0) {
       written += (size_t)taken;
@@ -234,7 +233,7 @@ bool cli_output_flush(cli_output_t *output) {
       output->error = EIO;
     } else if (errno == EAGAIN) {
       // The reader made the pipe non-blocking: wait until it can take more.
-      struct pollfd ready = {output->to.descriptor, POLLOUT, 0};
+      struct pollfd ready = {output->descriptor, POLLOUT, 0};
       (void)poll(&ready, 1, -1);
     } else if (errno != EINTR) {
       output->error = errno;
@@ -274,9 +273,9 @@ const char *cli_output_reason(const cli_output_t *output) {
 }
 
 void cli_output_tell_part(const cli_output_t *output) {
-  if (output->to.left) {
+  if (output->left) {
     (void)cli_message(CLI_STOPPED, "%s: not whole; its rows so far are in %s",
-                      output->name, output->to.part);
+                      output->name, output->part);
   }
 }
 
@@ -289,9 +288,9 @@ int cli_output_begin(cli_output_t *output, const char *option, const char *path,
 }
 
 void cli_output_go_on(cli_output_t *output, size_t kept) {
-  if (output->to.beside && output->error == 0 &&
-      (ftruncate(output->to.descriptor, (off_t)kept) != 0 ||
-       lseek(output->to.descriptor, (off_t)kept, SEEK_SET) < 0))
+  if (output->beside && output->error == 0 &&
+      (ftruncate(output->descriptor, (off_t)kept) != 0 ||
+       lseek(output->descriptor, (off_t)kept, SEEK_SET) < 0))
     output->error = errno;
 }
 

@@ -12,13 +12,6 @@
 #include "../text/text.h"
 
 #define CLI_PATH_ROOM 4096
-typedef struct {
-  int descriptor;
-  bool beside; ///< rows go to `part`, which becomes `path`
-  bool left;   ///< after closing: `part` has rows and was not renamed
-  char path[CLI_PATH_ROOM], part[CLI_PATH_ROOM];
-} cli_destination_t;
-
 bool cli_is_regular(int descriptor);
 
 /// Whether two paths name one regular file, there or not yet; NULL and "-" are
@@ -28,7 +21,10 @@ bool cli_one_file(const char *one, const char *other);
 #define CLI_OUTPUT_ROOM 65536
 typedef struct {
   const char *name; ///< for messages
-  cli_destination_t to;
+  int descriptor;
+  bool beside; ///< rows go to `part`, which becomes `path`
+  bool left;   ///< after closing: `part` has rows and was not renamed
+  char path[CLI_PATH_ROOM], part[CLI_PATH_ROOM];
   int error;      ///< errno of the first failure, 0 while there was none
   double flushed; ///< cli_now() of the last flush
   char last;      ///< byte that ends a row: newline unless set otherwise

@@ -23,8 +23,7 @@
 
 static const char *notes_of(const cli_sheets_t *sheets) {
   static char name[CLI_PATH_ROOM + 8];
-  (void)snprintf(name, sizeof name, "%s.resume",
-                 sheets->sheet[0].output.to.path);
+  (void)snprintf(name, sizeof name, "%s.resume", sheets->sheet[0].output.path);
   return name;
 }
 
@@ -35,7 +34,7 @@ static uint64_t size_of(const char *name) {
 
 // The file that has rows of a sheet, or will have.
 static const char *name_of(const cli_sheet_t *sheet) {
-  const cli_destination_t *to = &sheet->output.to;
+  const cli_output_t *to = &sheet->output;
   return size_of(to->part) == 0 && size_of(to->path) > 0 ? to->path : to->part;
 }
 
@@ -144,7 +143,7 @@ static int go_on(cli_sheets_t *sheets) {
   sheets->whole = true;
   for (int i = 0; i < sheets->count; i++) {
     cli_sheet_t *sheet = &sheets->sheet[i];
-    const cli_destination_t *to = &sheet->output.to;
+    const cli_output_t *to = &sheet->output;
     if (!sheets->noted || !sheets->resume || name_of(sheet) == to->part) {
       sheets->whole = false;
       cli_output_go_on(&sheet->output, (size_t)sheet->rows.bytes);
@@ -169,7 +168,7 @@ static int open_all(cli_sheets_t *sheets) {
   bool in_part = false;
   for (; sheets->count < CLI_SHEETS; sheets->count++) {
     cli_sheet_t *sheet = &sheets->sheet[sheets->count];
-    const cli_destination_t *to = &sheet->output.to;
+    const cli_output_t *to = &sheet->output;
     if (sheet->path == NULL) break;
     CLI_TRY(cli_output_begin(&sheet->output, sheet->option, sheet->path, true));
     sheets->noted = sheets->noted && to->beside;
@@ -204,7 +203,7 @@ int cli_sheets_open(cli_sheets_t *sheets, const cli_shard_t *shard,
   sheets->kept = sheets->done;
   sheets->saved = cli_now();
   sheets->progress =
-      cli_progress_start(sheets->saved, sheets->sheet->output.to.descriptor);
+      cli_progress_start(sheets->saved, sheets->sheet->output.descriptor);
   for (int i = 0; i < sheets->count && code != CLI_DONE; i++)
     (void)cli_output_close(&sheets->sheet[i].output, false);
   return code;
@@ -261,7 +260,7 @@ int cli_sheets_close(cli_sheets_t *sheets, int code) {
   }
   for (int i = 0; i < sheets->count; i++) {
     code = cli_output_end(&sheets->sheet[i].output, code);
-    left = left || sheets->sheet[i].output.to.left;
+    left = left || sheets->sheet[i].output.left;
   }
   if (sheets->noted && !left && (code != CLI_DONE || !sheets->resume))
     (void)unlink(notes_of(sheets));

@@ -148,7 +148,7 @@ static void step_through(cli_run_t *run) {
   const double started = cli_now();
   const double flush_every = run->args->real_time ? LIVE_EVERY : FLUSH_EVERY;
   cli_progress_t progress =
-      cli_progress_start(started, run->glance ? -1 : run->output.to.descriptor);
+      cli_progress_start(started, run->glance ? -1 : run->output.descriptor);
   progress.silent = progress.silent || run->live != NULL;
   run->start = started - cli_run_time(run, run->first);
   show(run);
@@ -221,7 +221,7 @@ static int write_lateness(cli_run_t *run) {
 static int open_files(cli_run_t *run, const cli_args_t *args) {
   if (args->save != NULL) {
     CLI_TRY(cli_output_begin(&run->saved, "--save", args->save, false));
-    if (!cli_is_regular(run->output.to.descriptor)) {
+    if (!cli_is_regular(run->output.descriptor)) {
       cli_say(
           "twofold: note: --save %s: rows go to %s, which is no file: "
           "whether they are kept, its reader knows\n",
@@ -239,8 +239,7 @@ static int perform(cli_run_t *run, const cli_args_t *args) {
   int code = open_files(run, args);
   if (code != CLI_DONE) return cli_output_end(&run->output, code);
   run->live = args->live ? cli_live_open(cli_run_time(run, run->steps)) : NULL;
-  run->rowless =
-      run->live != NULL && run->output.to.descriptor == STDOUT_FILENO;
+  run->rowless = run->live != NULL && run->output.descriptor == STDOUT_FILENO;
   // A person who named neither a file nor a form of the rows; those of a run in
   // real time are looked at as they come.
   run->glance = args->out == NULL && args->glance && !args->provenance &&

@@ -156,7 +156,7 @@ static int perform(cli_sweep_t *sweep) {
     seconds = cli_now() - sheets->progress.started;
   }
   if (args->summary == 0 && !sheets->whole) summarise(sweep, seconds);
-  if (code != CLI_DONE && sheets->sheet->output.to.left)
+  if (code != CLI_DONE && sheets->sheet->output.left)
     (void)cli_message(code, "the same command with --resume goes on");
   if (args->summary != 0) summarise_json(sweep, seconds, code);
   return code;
