@@ -209,10 +209,10 @@ const cli_option_t cli_options[] = {
      "a parameter, an initial value or the law; each NAME once; names: "
      "'twofold help run'",
      .is_repeatable = true},
-    {"--inputs", "FILE", MOTIONS, READS(drive.inputs),
+    {"--inputs", "FILE", MOTIONS, READS(inputs),
      "inputs over time, a CSV table, the same at every point of a sweep: "
      "'twofold help inputs'"},
-    {"--between", "WORD", MOTIONS, CHOICE(drive.between, CLI_NOT_GIVEN),
+    {"--between", "WORD", MOTIONS, CHOICE(between, CLI_NOT_GIVEN),
      "with --inputs:", .choices = between, .needs = "--inputs"},
     {"--every", "N", CLI_RUN, WHOLE(every, 1, CLI_MAX_STEPS, 1),
      "a row every N steps; the first and the last instant are always written"},

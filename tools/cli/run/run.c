@@ -356,7 +356,8 @@ static int prepare(cli_run_t *run, cli_setup_t *setup) {
                        motion_scheme_name(setup->scheme));
   }
   CLI_TRY(cli_setup_machine(setup));
-  CLI_TRY(cli_drive_read(&run->drive, args->scene, &args->drive));
+  CLI_TRY(
+      cli_drive_read(&run->drive, args->scene, args->inputs, args->between));
   setup->input = cli_drive_begin(&run->drive, &setup->machine, 0);
   cli_drive_notes(&run->drive, setup);
   CLI_TRY(cli_setup_start(setup));
@@ -372,7 +373,7 @@ static int prepare(cli_run_t *run, cli_setup_t *setup) {
 }
 
 int cli_run_check(cli_args_t *args) {
-  const char *other = args->drive.inputs != NULL ? "--inputs"
+  const char *other = args->inputs != NULL       ? "--inputs"
                       : args->from != NULL       ? "--from"
                       : args->t_end.text != NULL ? "--t-end"
                                                  : NULL;

@@ -27,8 +27,9 @@ typedef struct {
   cli_settings_t settings; ///< axes are among them, under --over
   const char *select;      ///< RULE[:SEED], NULL: the scene's own rule
   cli_range_t t_end;       ///< one number; text NULL: the scene's own [s]
-  cli_drive_args_t drive;
-  cli_range_t r, omega; ///< a point or a grid; of tyre r is the angle
+  const char *inputs;      ///< a table, NULL: none
+  unsigned between;        ///< between its rows: 1 linear, or CLI_NOT_GIVEN
+  cli_range_t r, omega;    ///< a point or a grid; of tyre r is the angle
 
   // What is written.
   const char *out;

@@ -185,18 +185,18 @@ void cli_inputs_free(cli_inputs_t *inputs) {
 }
 
 int cli_drive_read(cli_drive_t *drive, const tf_scene_t *scene,
-                   const cli_drive_args_t *args) {
+                   const char *inputs, unsigned between) {
   memset(drive, 0, sizeof *drive);
   CLI_TRY(read_profile(&drive->profile, scene));
-  if (args->inputs == NULL) return CLI_DONE;
-  if (args->between == CLI_NOT_GIVEN) {
+  if (inputs == NULL) return CLI_DONE;
+  if (between == CLI_NOT_GIVEN) {
     return cli_message(CLI_USAGE,
                        "--inputs %s: say what holds between two rows, by "
                        "--between held or --between linear",
-                       args->inputs);
+                       inputs);
   }
-  drive->table.linear = args->between == 1;
-  const int code = read_file(&drive->table, args->inputs);
+  drive->table.linear = between == 1;
+  const int code = read_file(&drive->table, inputs);
   if (drive->table.given[CLI_INPUT_OMEGA0]) cli_inputs_free(&drive->profile);
   return code;
 }

@@ -78,15 +78,10 @@ typedef struct {
   tf_real_t error;    ///< the largest estimate
 } cli_drive_t;
 
-/// The options --inputs, NULL: not given, and --between, 1: linear.
-typedef struct {
-  const char *inputs;
-  unsigned between;
-} cli_drive_args_t;
-
-/// drive: out; to be freed by cli_drive_free, whatever is returned.
+/// Reads both. drive: out; to be freed by cli_drive_free, whatever is returned.
+/// inputs, between: in, the values of these options.
 int cli_drive_read(cli_drive_t *drive, const tf_scene_t *scene,
-                   const cli_drive_args_t *args);
+                   const char *inputs, unsigned between);
 
 /// Goes to a tick at which a run of a machine begins.
 /// Returns: the inputs of that instant, with the alpha of the step behind it.

@@ -72,9 +72,9 @@ static void add_provenance(const cli_sweep_t *sweep, cli_buffer_t *text) {
   cli_add_form(text, "\n# sweep %s --scheme %s --t-end %g", args->scene->name,
                motion_scheme_name(sweep->scheme), (double)cli_end_of(args));
   if (args->select != NULL) cli_add_form(text, " --select %s", args->select);
-  if (args->drive.inputs != NULL) {
-    cli_add_form(text, " --inputs %s --between %s (", args->drive.inputs,
-                 args->drive.between == 1 ? "linear" : "held");
+  if (args->inputs != NULL) {
+    cli_add_form(text, " --inputs %s --between %s (", args->inputs,
+                 args->between == 1 ? "linear" : "held");
     cli_add_hash(text, cli_inputs_hash(&sweep->drive.table));
     cli_add(text, ")");
   }
@@ -166,7 +166,8 @@ int cli_sweep(const cli_args_t *args) {
   static cli_sweep_t sweep;
   sweep.args = args;
   sweep.scheme = MOTION_SCHEMES;
-  int code = cli_drive_read(&sweep.drive, args->scene, &args->drive);
+  int code =
+      cli_drive_read(&sweep.drive, args->scene, args->inputs, args->between);
   code = code == CLI_DONE ? cli_point_check(&sweep) : code;
   code = code == CLI_DONE ? perform(&sweep) : code;
   cli_drive_free(&sweep.drive);
