@@ -15,7 +15,7 @@ PAGE_LINK := -nostdlib -Wl,--no-entry -Wl,--gc-sections -Wl,--strip-all \
   -Wl,--export=errno -Wl,-z,stack-size=65536
 PAGE_CORE := $(wildcard src/*/*.c) tools/cli/monitor/receiver.c \
   $(addprefix tools/cli/setup/,scene_file.c names.c) \
-  $(addprefix tools/cli/text/,buffer.c closest.c number.c) \
+  $(addprefix tools/cli/text/,buffer.c number.c) \
   port/arch/memory.c $(wildcard tools/page/*.c)
 PAGE_C := $(PAGE_CORE) $(wildcard tools/page/*.h \
   tools/cli/monitor/receiver.h tools/cli/setup/*.h tools/cli/text/*.h \

@@ -154,14 +154,10 @@ cli_progress_t cli_progress_start(double now, int output) {
                           .next = now + PATIENCE};
 }
 
-bool cli_progress_due(const cli_progress_t *progress, double now) {
-  return !progress->silent && now >= progress->next;
-}
-
 void cli_progress_say(cli_progress_t *progress, double now, double share,
                       const char *format, ...) {
   va_list arguments;
-  if (!cli_progress_due(progress, now)) return;
+  if (progress->silent || now < progress->next) return;
   (void)fputs(progress->one_line ? "\r" : "twofold: ", stderr);
   va_start(arguments, format);
   (void)vfprintf(stderr, format, arguments);

@@ -60,8 +60,6 @@ typedef struct {
 /// progress themselves. -1: none.
 cli_progress_t cli_progress_start(double now, int output);
 
-bool cli_progress_due(const cli_progress_t *progress, double now);
-
 /// Prints what is done if it is time, and the time left at the mean speed so
 /// far. share: in, of the work that is done, 0: no time left is told.
 void cli_progress_say(cli_progress_t *progress, double now, double share,

@@ -367,11 +367,6 @@ static int compose(cli_live_t *live, const char *title) {
   return row + (int)LANES + 1 + (live->said[0] != '\0');
 }
 
-bool cli_live_due(const cli_live_t *live, double now) {
-  return live != NULL && now >= live->next;
-}
-
-// The text of a picture.
 static void write_rows(int rows, const char *newline, cli_buffer_t *text) {
   for (int row = 0; row < rows; row++) {
     cli_add(text, row > 0 ? newline : "");
@@ -381,6 +376,7 @@ static void write_rows(int rows, const char *newline, cli_buffer_t *text) {
 
 void cli_live_draw(cli_live_t *live, const char *title, double now) {
   cli_buffer_t text = {drawing, 0, sizeof drawing, false};
+  if (live == NULL || now < live->next) return;
   live->next = now + DRAW_EVERY;
   cli_add(&text, measure_terminal());
   write_rows(compose(live, title), LINE_END, &text);

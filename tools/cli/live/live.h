@@ -15,9 +15,9 @@ cli_live_t *cli_live_open(double span);
 /// Shows an instant. Its time does not decrease, except where a new motion
 /// begins.
 void cli_live_note(cli_live_t *live, const cli_csv_t *at);
-bool cli_live_due(const cli_live_t *live, double now);
 
-/// Draws. title: in, the first line. now: in, cli_now().
+/// Draws, ten times a second at most. title: in, the first line. now: in,
+/// cli_now().
 void cli_live_draw(cli_live_t *live, const char *title, double now);
 
 /// Gives the terminal back, leaves the last picture in it.

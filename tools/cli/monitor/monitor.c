@@ -144,6 +144,7 @@ static int wait_for_device(monitor_t *monitor) {
 }
 
 static int follow_stream(monitor_t *monitor) {
+  char title[TITLE_ROOM];
   const cli_args_t *args = monitor->args;
   cli_board_commands_t *commands = &monitor->commands;
   while (!cli_stop_asked() && !monitor->at_end) {
@@ -160,11 +161,8 @@ static int follow_stream(monitor_t *monitor) {
       take_block(monitor, count);
     else if (found == CLI_SOURCE_END && !args->follow)
       take_end(monitor);
-    if (cli_live_due(monitor->live, now)) {
-      char title[TITLE_ROOM];
-      write_title(monitor, title);
-      cli_live_draw(monitor->live, title, now);
-    }
+    write_title(monitor, title);
+    cli_live_draw(monitor->live, title, now);
     // Rows of a slow board are flushed before the next wait.
     if (monitor->as != NULL && (found != CLI_SOURCE_BYTES ||
                                 now - monitor->output.flushed >= FLUSH_EVERY))

@@ -160,9 +160,8 @@ static void step_through(cli_run_t *run) {
       run->end = cli_output_flush(&run->output) ? run->end : CLI_NOT_WRITTEN;
       run->output_seconds += cli_now() - now;
     }
-    if (cli_progress_due(&progress, now)) show_progress(&progress, now, run);
-    if (cli_live_due(run->live, now))
-      cli_live_draw(run->live, run->setup->scene->name, now);
+    show_progress(&progress, now, run);
+    cli_live_draw(run->live, run->setup->scene->name, now);
   }
   run->seconds = cli_now() - started - run->output_seconds - run->idle_seconds;
   cli_progress_clear(&progress);
