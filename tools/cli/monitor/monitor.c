@@ -245,8 +245,8 @@ static int judge_stream(const monitor_t *monitor, int code) {
   return receiver->skipped > 0 ? CLI_FLAGGED : cli_tally_code(&flagged);
 }
 
-// The summary, for a person and as JSON. What a board has not told is left out of
-// the text and is null in JSON.
+// The summary, for a person and as JSON: what a board does not report is left
+// out of the text and is null in JSON.
 
 static void print_board(const tf_heartbeat_t *beat) {
   cli_say("board      %" PRIu32 " steps, %" PRIu32 " overruns, %" PRIu32

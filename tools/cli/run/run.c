@@ -347,7 +347,8 @@ static int prepare(cli_run_t *run, cli_setup_t *setup) {
     CLI_TRY(cli_state_read(&run->from, args->from, setup));
   else if (args->replay != NULL)
     CLI_TRY(cli_replay_read(&run->replay, args->replay, setup));
-  CLI_TRY(cli_setup_scheme(setup, args));
+  CLI_TRY(cli_setup_scheme(setup, args->scheme,
+                           args->from != NULL ? args->from : args->replay));
   if (args->accuracy > 0 && setup->scheme != MOTION_MOREAU) {
     return cli_message(CLI_REFUSED,
                        "--accuracy: not with --scheme %s: only the steps of "
@@ -360,7 +361,7 @@ static int prepare(cli_run_t *run, cli_setup_t *setup) {
   setup->input = cli_drive_begin(&run->drive, &setup->machine, 0);
   cli_drive_notes(&run->drive, setup);
   CLI_TRY(cli_setup_start(setup));
-  CLI_TRY(cli_count_steps(args, setup->machine.dt, &run->steps));
+  CLI_TRY(cli_count_steps(setup, &args->t_end, &run->steps));
   if (args->replay != NULL) CLI_TRY(prepare_replay(run, setup));
   run->system = setup->motion;
   run->drive.accuracy = (tf_real_t)args->accuracy;

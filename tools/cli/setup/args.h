@@ -103,19 +103,3 @@ int cli_sweep(const cli_args_t *args);
 int cli_sweep_check(cli_args_t *args);
 int cli_read_over(cli_args_t *args, const cli_given_t *given);
 int cli_read_outcome(cli_args_t *args, const cli_given_t *given);
-
-// The motion of a setup.
-
-/// Largest number of steps of a run, and between two rows: a double holds every
-/// integer up to it.
-#define CLI_MAX_STEPS 1000000000000000u
-
-/// Chooses the scheme of a setup, which has to take its law: the one that is
-/// asked for; that of the state or the record that a run goes on from, which is
-/// there before; else moreau, and in float at short steps compensated. What is
-/// not moreau, or not usual, a note says.
-int cli_setup_scheme(cli_setup_t *setup, const cli_args_t *args);
-
-/// When a run ends, by --t-end or the scene; and the number of its steps.
-tf_real_t cli_end_of(const cli_args_t *args);
-int cli_count_steps(const cli_args_t *args, tf_real_t dt, uint64_t *steps);

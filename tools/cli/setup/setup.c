@@ -4,13 +4,13 @@
 // violated by a value that nobody typed: a scene does not give the parameters
 // of laws that it does not use, so `--set law=string` may require them.
 
+#include "setup.h"
+
 #include <inttypes.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
-
-#include "args.h"
 
 const cli_setting_t *cli_settings_find(const cli_settings_t *settings,
                                        const char *name) {
@@ -229,12 +229,12 @@ void cli_setup_notes(const cli_setup_t *setup) {
 // Float loses a motion in the rounding of its state at shorter steps [s].
 #define SHORT_STEP TF_R(1e-3)
 
-int cli_setup_scheme(cli_setup_t *setup, const cli_args_t *args) {
+int cli_setup_scheme(cli_setup_t *setup, unsigned asked, const char *file) {
   const tf_real_t dt = setup->params.dt;
   const bool rounds = dt < SHORT_STEP && sizeof dt == sizeof(float);
   const motion_scheme_t usual = rounds ? MOTION_COMPENSATED : MOTION_MOREAU;
-  if (args->scheme != CLI_NOT_GIVEN) {
-    setup->scheme = (motion_scheme_t)args->scheme;
+  if (asked != CLI_NOT_GIVEN) {
+    setup->scheme = (motion_scheme_t)asked;
   } else if (setup->scheme == MOTION_SCHEMES) {
     setup->scheme = usual;
     if (rounds) {
@@ -246,8 +246,7 @@ int cli_setup_scheme(cli_setup_t *setup, const cli_args_t *args) {
     }
   } else if (setup->scheme != usual) {
     (void)cli_message(CLI_DONE, "note: --scheme %s, which is that of %s",
-                      motion_scheme_name(setup->scheme),
-                      args->from != NULL ? args->from : args->replay);
+                      motion_scheme_name(setup->scheme), file);
   }
   return motion_takes_law(setup->scheme, setup->params.law)
              ? CLI_DONE
@@ -258,21 +257,21 @@ int cli_setup_scheme(cli_setup_t *setup, const cli_args_t *args) {
                            tf_tyre_law_name(setup->params.law));
 }
 
-tf_real_t cli_end_of(const cli_args_t *args) {
-  return args->t_end.text != NULL ? (tf_real_t)args->t_end.from
-                                  : args->scene->t_end;
+tf_real_t cli_end_of(const tf_scene_t *scene, const cli_range_t *t_end) {
+  return t_end->text != NULL ? (tf_real_t)t_end->from : scene->t_end;
 }
 
-int cli_count_steps(const cli_args_t *args, tf_real_t dt, uint64_t *steps) {
-  const char *text = args->t_end.text;
-  const tf_real_t t_end = cli_end_of(args);
-  const double count = round((double)t_end / (double)dt);
+int cli_count_steps(const cli_setup_t *setup, const cli_range_t *t_end,
+                    uint64_t *steps) {
+  const double dt = (double)setup->machine.dt;
+  const double end = (double)cli_end_of(setup->scene, t_end);
+  const double count = round(end / dt);
   const double most = (double)CLI_MAX_STEPS;
-  if (!(t_end >= 0 && count <= most)) {
+  if (!(end >= 0 && count <= most)) {
     return cli_message(CLI_REFUSED,
                        "--t-end %s: t-end must lie in [0, %g] s (at most 1e15 "
                        "steps of dt = %g s)",
-                       text != NULL ? text : "", most * (double)dt, (double)dt);
+                       t_end->text != NULL ? t_end->text : "", most * dt, dt);
   }
   *steps = (uint64_t)count;
   return CLI_DONE;

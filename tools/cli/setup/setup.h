@@ -82,6 +82,21 @@ int cli_setup_machine(cli_setup_t *setup);
 int cli_setup_check_starts(const cli_setup_t *setup);
 int cli_setup_start(cli_setup_t *setup);
 
+/// Chooses the scheme, which has to take the law: that of --scheme; that of the
+/// file that a run goes on from, which is there before; else moreau, and in
+/// float at short steps compensated. What is not moreau, or not usual, a note
+/// says. asked: in, its number, or CLI_NOT_GIVEN. file: in, for the note.
+int cli_setup_scheme(cli_setup_t *setup, unsigned asked, const char *file);
+
+/// Largest number of steps of a run, and between two rows: a double holds every
+/// integer up to it.
+#define CLI_MAX_STEPS 1000000000000000u
+
+/// When a run ends, by --t-end or the scene; and the number of its steps.
+tf_real_t cli_end_of(const tf_scene_t *scene, const cli_range_t *t_end);
+int cli_count_steps(const cli_setup_t *setup, const cli_range_t *t_end,
+                    uint64_t *steps);
+
 /// Notes which settings have no effect in this scene and scheme.
 void cli_setup_notes(const cli_setup_t *setup);
 

@@ -201,13 +201,13 @@ static int prepare(point_t *point, cli_sweep_t *sweep, uint64_t *steps) {
                      point->select[0] != '\0' ? point->select : args->select));
   point->setup.scheme = sweep->scheme;
   if (sweep->scheme == MOTION_SCHEMES) {
-    CLI_TRY(cli_setup_scheme(&point->setup, args));
+    CLI_TRY(cli_setup_scheme(&point->setup, args->scheme, NULL));
     sweep->scheme = point->setup.scheme;
   }
   CLI_TRY(cli_setup_machine(&point->setup));
   point->drive = sweep->drive;
   point->setup.input = cli_drive_begin(&point->drive, &point->setup.machine, 0);
-  return cli_count_steps(args, point->setup.machine.dt, steps);
+  return cli_count_steps(&point->setup, &args->t_end, steps);
 }
 
 // An end of every axis, by a message that names the axis and its range.

@@ -70,7 +70,8 @@ static void add_provenance(const cli_sweep_t *sweep, cli_buffer_t *text) {
                TF_VERSION, cli_commit, CLI_NUMBER_TYPE, args->scene->name);
   cli_add_hash(text, sweep->hash);
   cli_add_form(text, "\n# sweep %s --scheme %s --t-end %g", args->scene->name,
-               motion_scheme_name(sweep->scheme), (double)cli_end_of(args));
+               motion_scheme_name(sweep->scheme),
+               (double)cli_end_of(args->scene, &args->t_end));
   if (args->select != NULL) cli_add_form(text, " --select %s", args->select);
   if (args->inputs != NULL) {
     cli_add_form(text, " --inputs %s --between %s (", args->inputs,

@@ -1,12 +1,12 @@
 // Text in buffers, in lines, and the names that are closest to a mistyped one.
 
-#include "text.h"
-
 #include <inttypes.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "text.h"
 
 static void add_bytes(cli_buffer_t *buffer, const char *bytes, size_t length) {
   if (length >= buffer->room - buffer->used) {
