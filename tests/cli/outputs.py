@@ -57,7 +57,8 @@ def started(path, *words, **options):
     child = subprocess.Popen([TWOFOLD, *map(str, words)], text=True,
                              stdin=subprocess.DEVNULL, stderr=subprocess.PIPE,
                              stdout=subprocess.DEVNULL, **options)
-    until(lambda: part.exists() and part.read_text().count("\n") > 20, part)
+    until(lambda: part.exists() and part.read_text().count("\n") > 20, part,
+          child)
     return child
 
 

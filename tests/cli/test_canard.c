@@ -77,12 +77,12 @@ static bool any_machine(void) {
   in_double = cli_widen(&machine);
   return c.design.two_fold.paper_case == 1;
 }
-/* Draws two-folds of case 1 until 100 were followed or said why not. Returns:
- * the share that is followed. */
+/* Draws two-folds of case 1 until enough were followed or said why not.
+ * Returns: the share that is followed. */
 static double followed(bool (*draw)(void)) {
   int drawn = 0, solved = 0, rest = 0;
   double largest = 0;
-  while (drawn < 100) {
+  while (drawn < samples(160)) {
     if (!draw() || !cli_find_two_fold(&machine, &through)) continue;
     drawn++;
     largest = fmax(largest, through.ratio);
@@ -111,11 +111,11 @@ static bool in_figure_4(void) {
   return is_case_1(tap_uniform(0.005, 1), tap_uniform(-3, 1));
 }
 TEST(designs_of_figure_4_are_followed_or_say_why) {
-  CHECK(followed(in_figure_4) > 0.95);
+  CHECK(followed(in_figure_4) >= 0.95);
 }
 
 TEST(random_machines_are_followed_or_say_why) {
-  CHECK(followed(any_machine) > 0.95);
+  CHECK(followed(any_machine) >= 0.95);
 }
 
 /* r, omega of a two-fold; t, r, z of stick from there to rest by collocation of

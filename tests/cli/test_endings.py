@@ -4,6 +4,7 @@ begun again: what has its name is whole, and in the end all is there, with the
 bytes of a command that was not ended. Rows or notes in which a bit is another
 one, or that another build has written, are not gone on with."""
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -13,7 +14,8 @@ from pathlib import Path
 sys.path[:0] = [str(Path(__file__).resolve().parents[1] / place)
                 for place in ("support", "line")]
 from boards import BUILD, Board  # noqa: E402
-from tap import (ROOT, TWOFOLD, Skip, check, lacks, main,  # noqa: E402
+from outputs import says  # noqa: E402
+from tap import (ROOT, TWOFOLD, Skip, call, check, lacks, main,  # noqa: E402
                  output, same)
 
 ENDED = 99
@@ -133,22 +135,52 @@ def test_one_file():
                "0.1", "--patience", "0.5", "--branches", "x"])
 
 
+def lay(files):
+    """Makes these the files that are there."""
+    clear(())
+    for path, text in files.items():
+        Path(path).write_bytes(text)
+
+
+def last_end(words, part):
+    """The files of the last end that leaves a part, and the whole ones."""
+    return [pair for pair in ends(words) if part in pair[0]][-1]
+
+
 def test_a_bit_of_rows_or_of_notes():
     """It is found, wherever it is: no other file is made."""
-    for words, name in (SWEEP, "x"), (DIVERGE, "r"):
-        found, whole = [pair for pair in ends(words)
-                        if pair[0].get(f"{name}.part")][-1]
+    for words, part in (SWEEP, "x.part"), (DIVERGE, "r.part"):
+        found, whole = last_end(words, part)
         for changed, text in found.items():
             for at in range(0, len(text), 9):
                 bit = bytearray(text)
                 bit[at] ^= 1 << at % 8
-                clear(())
-                for path, old in found.items():
-                    Path(path).write_bytes(bit if path == changed else old)
+                lay({**found, changed: bit})
                 check(perform(words) in (0, 3) and all(
                     text in (whole.get(path), found.get(path), bit)
                     for path, text in rows(contents()).items()),
                     f"{changed}, byte {at}")
+
+
+def test_an_end_of_rows_or_of_notes():
+    """Where it is lost, or more is there, what is right in all files stays, and
+    no more is made again. Another command goes on with none of them."""
+    for words, part, said in (
+            (SWEEP, "x.part", "x has all of its 7 points"),
+            (DIVERGE, "e.part", "all of the 2 samples are there")):
+        found, whole = last_end(words, part)
+        for changed, text in found.items():
+            for less in (text + b"9,0.2", text[:-1], text[:-9],
+                         text[:len(text) * 4 // 5]):
+                lay({**found, changed: less})
+                kept = re.search(r"of which (\d+) were", call(*words)[1])
+                check(rows(contents()) == whole, f"{changed}: {len(less)} B")
+                check(words is DIVERGE or
+                      int(kept[1]) == min(7, less.count(b"\n") - 1), kept)
+        says(0, said, *words)
+        lay(found)
+        says(3, "is of another", *words, "--set", "mu=1.1")
+        same(contents(), found)
 
 
 def test_two_builds():
@@ -169,9 +201,7 @@ def test_two_builds():
     other.chmod(0o700)
     for words, name in (SWEEP, "x.part"), (DIVERGE, "r.part"):
         found = next(found for found, _ in ends(words) if found.get(name))
-        clear(())
-        for path, text in found.items():
-            Path(path).write_bytes(text)
+        lay(found)
         same(perform(words, program=other), 3)
         same(contents(), found)
 

@@ -127,7 +127,7 @@ class Line:
     def __exit__(self, *_):
         os.close(self.line)
 
-    def frames(self, seconds=20):
+    def frames(self, seconds=None):
         """Those that are there, or of the next bytes that end one."""
         found, self.next = self.next, []
         while not found and select.select([self.line], [], [], seconds)[0]:
@@ -147,7 +147,7 @@ class Line:
                 if wanted(frame):
                     self.next = found[i + 1:]
                     return frame
-        sys.exit("the board is silent")
+        sys.exit("the line ends")
 
     def answer(self, kind, command):
         """The code of the answer to a command."""

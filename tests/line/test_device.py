@@ -43,7 +43,7 @@ class Listener(Line):
         super().__init__(name)
         self.states, self.last = states, 0
 
-    def frames(self, seconds=20):
+    def frames(self, seconds=None):
         found = super().frames(seconds)
         for kind, _, tick, payload in found:
             if kind == STATE:
@@ -52,7 +52,8 @@ class Listener(Line):
         return found
 
     def comes_to(self, tick):
-        until(lambda: self.frames() and self.last >= tick, f"step {tick}")
+        while self.last < tick:
+            check(self.frames(), f"the line ends before step {tick}")
 
 
 def test_reader_leaves_and_comes_back():
@@ -124,16 +125,16 @@ def follow(name, *more):
             stderr=said, stdin=subprocess.DEVNULL)
 
 
-def heard(text):
-    until(lambda: text in Path("said").read_text(), text)
+def heard(text, monitor):
+    until(lambda: text in Path("said").read_text(), text, monitor)
 
 
 def test_a_device_that_leaves_is_told():
     with Board("double") as board:
         monitor = follow(board.name)
-        until(lambda: rows("rows.part") > 100, "rows")
+        until(lambda: rows("rows.part") > 100, "rows", monitor)
     same(monitor.wait(), 4)
-    heard("the device went away")
+    check("the device went away" in Path("said").read_text(), "not told")
     found = re.search(r"(\d+) rows", Path("said").read_text())
     same(int(found[1]), rows("rows.part") - 1)
 
@@ -142,15 +143,15 @@ def test_a_followed_device_comes_back():
     with Board("double") as board:
         Path("device").symlink_to(board.name)
         monitor = follow("device", "--follow")
-        until(lambda: rows("rows.part") > 100, "rows")
+        until(lambda: rows("rows.part") > 100, "rows", monitor)
         Path("device").unlink()
-    heard("waiting")
+    heard("waiting", monitor)
     with Board("double") as board:
         Path("new").symlink_to(board.name)
         Path("new").rename("device")
-        heard("back")
+        heard("back", monitor)
         before = rows("rows.part")
-        until(lambda: rows("rows.part") > before + 100, "rows again")
+        until(lambda: rows("rows.part") > before + 100, "rows again", monitor)
         monitor.send_signal(signal.SIGTERM)
         # 5, 6: a busy computer may be late and lose frames, and the new line
         # begins in one.
@@ -161,10 +162,10 @@ def test_what_came_before_a_device_was_heard_is_no_loss():
     near, far = pty.openpty()
     tty.setraw(near)
     monitor = follow(os.ttyname(far))
-    until(lambda: rows("rows.part") > 0, "the header")
+    until(lambda: rows("rows.part") > 0, "the header", monitor)
     stream = output(*RUN, "--every", "50", "--format", "frames")
     os.write(near, b"half a frame\0" + stream)
-    until(lambda: rows("rows.part") == 12, "all rows")
+    until(lambda: rows("rows.part") == 12, "all rows", monitor)
     monitor.send_signal(signal.SIGTERM)
     same(monitor.wait(), 0)
 
@@ -226,8 +227,9 @@ def test_parts_of_two_starts_are_told():
     parts = []
     for _ in range(2):
         Path("stream").write_bytes(b"")
-        with keyed(port="stream"):
-            until(lambda: Path("stream").stat().st_size > 25000, "frames")
+        with keyed(port="stream") as board:
+            until(lambda: Path("stream").stat().st_size > 25000, "frames",
+                  board.run)
         stream = Path("stream").read_bytes()
         same(breaks(stream), [])
         # On a busy computer the board drops frames, and this is told (6).

@@ -42,7 +42,7 @@ class Victim(Line):
             maxlen=64)
         self.came = self.answers = self.states = 0
 
-    def frames(self, seconds=20):
+    def frames(self, seconds=None):
         found = super().frames(seconds)
         self.came += len(found)
         for kind, _, _, payload in found:

@@ -73,7 +73,8 @@ def test_a_pipe_is_read_until_the_signal():
         with open("pipe", "wb", buffering=0) as pipe:
             pipe.write(stream)
             until(lambda: Path("live.part").exists() and
-                  Path("live.part").read_text() == rows, "the rows")
+                  Path("live.part").read_text() == rows, "the rows",
+                  run)
             run.terminate()
             same(run.wait(), 0)
     same(Path("live").read_text(), rows)

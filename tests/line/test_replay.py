@@ -312,7 +312,7 @@ def session():
             return b"set:rate=100: took effect" in Path(
                 "told").read_bytes() and \
                 Path("rows.part").read_bytes().count(b"\n") > 1500
-        until(answered, "all commands are answered")
+        until(answered, "all commands are answered", monitor)
         monitor.send_signal(signal.SIGINT)
         return monitor.wait(), Path("told").read_text()
 

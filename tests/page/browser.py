@@ -3,13 +3,11 @@ events are JSON, each ended by a zero byte."""
 import base64
 import json
 import os
-import select
 import shutil
 import subprocess
 import tempfile
 import time
 
-LIMIT = 60  # [s] for one answer
 KEYS = {" ": 32, "ArrowRight": 39}  # which browsers know by number
 FLAGS = ["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-quic",
          "--no-first-run", "--disable-background-networking", "--disable-sync",
@@ -46,12 +44,8 @@ class Browser:
         os.close(self.back)
         shutil.rmtree(self.folder, ignore_errors=True)
 
-    def message(self, limit):
-        end = time.monotonic() + limit
+    def message(self):
         while b"\0" not in self.rest:
-            left = end - time.monotonic()
-            if left <= 0 or not select.select([self.back], [], [], left)[0]:
-                return None
             data = os.read(self.back, 1 << 20)
             if not data:
                 raise RuntimeError("the browser has ended")
@@ -68,9 +62,7 @@ class Browser:
         while data:
             data = data[os.write(self.to, data):]
         while True:
-            message = self.message(LIMIT)
-            if message is None:
-                raise RuntimeError(f"no answer to {method}")
+            message = self.message()
             if message.get("id") == self.number:
                 if "error" in message:
                     raise RuntimeError(f"{method}: {message['error']}")
@@ -107,10 +99,9 @@ class Tab:
         return self.browser.call(method, self.session, **params)
 
     def open(self, url):
-        self.call("Page.navigate", url=url)
-        end = time.monotonic() + LIMIT
+        failed = self.call("Page.navigate", url=url).get("errorText")
         while self.value("Boolean(window.twofold)") is not True:
-            if time.monotonic() > end:
+            if failed or self.complaints():
                 raise RuntimeError(f"{url} does not load: {self.complaints()}")
             time.sleep(0.05)
 

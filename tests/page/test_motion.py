@@ -125,7 +125,7 @@ TOLD = """(() => {
 
 def told_of(tab):
     """What is said of work that takes long, as soon as it is."""
-    return until(lambda: tab.value(TOLD), "it is said", 40, 0.05)
+    return until(lambda: tab.value(TOLD), "it is said")
 
 
 def test_far_goal_has_a_time_and_an_end():

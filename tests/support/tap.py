@@ -57,12 +57,13 @@ def call(*words, code=0, program=TWOFOLD, **options):
     return done.stdout, done.stderr
 
 
-def until(holds, what, patience=60, every=0.01):
-    """Waits for what has to happen. Returns: what holds() did."""
-    end = time.monotonic() + patience
+def until(holds, what, child=None):
+    """Waits for what has to happen, and fails where the child that does it has
+    ended before. Returns: what holds() did."""
     while not (got := holds()):
-        check(time.monotonic() < end, f"not in time: {what}")
-        time.sleep(every)
+        check(child is None or child.poll() is None or holds(),
+              f"it ended before: {what}")
+        time.sleep(0.01)
     return got
 
 
