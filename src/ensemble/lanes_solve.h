@@ -2,9 +2,12 @@
 // solution set of each lane, in loops without a branch on data. Most lanes have
 // a g+ of one sign, and one root is all that they need. Where it can have both,
 // near h = g = 0, two more roots and the forces of rest are wanted, 7 of 12
-// divisions: groups of lanes that a vector holds are asked whether one of them
-// needs these. Their passes hand on by memory what would make compilers thread
-// one comparison into the next, which leaves branches.
+// divisions: a group of lanes that a vector holds goes through these passes
+// only where one of them needs that. They hand on by memory what would make
+// compilers thread one comparison into the next, which leaves branches.
+//
+// Only ensemble.c includes this. Compiled as a source of its own it makes a
+// block take up to 4 % more instructions (gcc, float with AVX2).
 #ifndef TF_LANES_SOLVE_H
 #define TF_LANES_SOLVE_H
 

@@ -2,8 +2,6 @@
 #include "../model/rates.h"
 #include "trajectory.h"
 
-// The rates, the state and the forces of a trajectory, and its moves.
-
 TF_API rates_t tf_trajectory_rates(const trajectory_t *path) {
   return rates_at(path->motion.machine, path->motion.input, path->now.r,
                   path->now.p, path->now.z, path->omega);

@@ -68,7 +68,6 @@ TF_API event_t tf_next_event(const taylor_t *motion, const segment_t *segment,
 
 // A located step under way: where the trajectory is, the segment it is on, and
 // what the step has met so far.
-
 typedef struct {
   taylor_t motion; // series of the segment, from its start
   segment_t segment;
@@ -86,13 +85,11 @@ typedef struct {
   const tf_state_t *state; // that the step began with
 } trajectory_t;
 
-// Slip now.
 TF_INLINE tf_slip_t trajectory_slip(const trajectory_t *path) {
   return slip_from_pq(path->motion.machine, path->now.p,
                       path->now.r * path->now.z);
 }
 
-// Accelerations now.
 #define tf_trajectory_rates TF_LINK(tf_trajectory_rates)
 TF_API rates_t tf_trajectory_rates(const trajectory_t *path);
 

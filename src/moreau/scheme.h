@@ -7,9 +7,6 @@
 #include "balance.h"
 #include "stages.h"
 
-// The ends of a step that are rare, as functions of their own: with an end, or
-// with a status below TF_OK where the step is refused.
-
 // How a step ends. All but END_COMMON are rare.
 typedef enum {
   END_COMMON,
@@ -76,7 +73,6 @@ TF_API balanced_end_t tf_balanced_end(const tf_machine_t *k,
                                       const tf_input_t *input, unsigned mode,
                                       tf_force_t force);
 
-// Validation.
 TF_INLINE bool may_step(const tf_state_t *state, const tf_input_t *input) {
   return state->mode < TF_MODES && in_range(state, input);
 }
