@@ -67,7 +67,7 @@ static int apply(const cli_args_t *args, tf_scene_t *scene) {
   return CLI_DONE;
 }
 
-int cli_scene(const cli_args_t *args) {
+static int print_scene(const cli_args_t *args) {
   static cli_output_t output;
   char text[CLI_SCENE_BYTES];
   cli_buffer_t buffer = {text, 0, sizeof text, false};
@@ -82,7 +82,7 @@ const cli_command_t cli_commands[] = {
     {"scenes", "", "list the scenes", .raw = scenes},
     {"scene", "SCENE [OPTION]...",
      "print a scene as a file that can be changed", .bit = CLI_SCENE,
-     .perform = cli_scene},
+     .perform = print_scene},
     {"run", "SCENE [OPTION]...", "simulate a scene, one row per instant",
      .bit = CLI_RUN, .check = cli_run_check, .perform = cli_run},
     {"monitor", "FILE|DEVICE|- [OPTION]...",

@@ -68,7 +68,6 @@ static void describe(const cli_option_t *option, size_t column, size_t margin) {
   }
 }
 
-// The page of a command down to its section.
 static void print_page(const cli_command_t *command) {
   (void)printf("usage: twofold %s %s\n\n%s\n%s", command->name, command->words,
                command->what, command->bit != 0 ? "\n" : "");

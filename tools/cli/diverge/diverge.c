@@ -237,7 +237,6 @@ static bool follow(work_t *work) {
   return true;
 }
 
-// Returns: whether it ended.
 static bool do_sample(work_t *work, uint64_t sample) {
   const cli_job_t *job = work->job;
   cli_motion_t *motion = &work->motion;
@@ -287,7 +286,6 @@ static void summarise(const work_t *work, double seconds) {
           cycles > 0 ? 1e3 * seconds / cycles : 0.0);
 }
 
-// The same for a program: one line, the last one on standard error.
 static void summarise_json(const work_t *work, double seconds, int code) {
   const cli_args_t *args = work->job->args;
   const cli_done_t *done = &work->sheets.done;

@@ -79,7 +79,6 @@ static uint64_t node_at(search_t *search, const node_t *node) {
   return search->used++;
 }
 
-// Follows one branch in a mode from the state of the motion, and writes it.
 static void follow(search_t *search, uint64_t index, unsigned mode,
                    double stick_time) {
   cli_motion_t *motion = &search->motion;
@@ -116,7 +115,6 @@ static bool has_to_stop(const search_t *search) {
   return search->sheets->sheet->output.error != 0 || cli_stop_asked();
 }
 
-// All branches that leave the canard.
 static void leave_two_fold(search_t *search, uint64_t index) {
   const cli_job_t *job = search->job;
   cli_point_t at;

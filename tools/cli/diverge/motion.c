@@ -261,7 +261,6 @@ static double weakening(const cli_job_t *job) {
   return fabs(rise / (2 * e) * at->v) * job->wide.mu;
 }
 
-// Puts a state into stick at (r, z).
 static void put_into_stick(cli_motion_t *motion, double r, double z) {
   const cli_job_t *job = motion->job;
   const cli_wide_t *k = &job->wide;
@@ -311,7 +310,6 @@ void cli_motion_begin(cli_motion_t *motion, const cli_job_t *job,
   cli_track_start(motion);
 }
 
-// The longest step at an instant.
 static double longest_step(const cli_motion_t *motion,
                            const cli_instant_t *now) {
   const cli_two_fold_t *two_fold = &motion->job->two_fold;

@@ -64,7 +64,6 @@ static bool pass_two_fold(cli_motion_t *motion) {
   return cli_track(motion, &on) || leave_stick(motion);
 }
 
-// Every mode that may follow from where the motion is.
 static unsigned futures_of(const cli_motion_t *motion) {
   const tf_machine_t *k = &motion->job->machine;
   const tf_input_t input = tf_input_default(k);

@@ -73,7 +73,6 @@ static const char *read_select(cli_board_command_t *command, const char *rest) {
                "random";
 }
 
-// Four numbers separated by commas; add_number takes one at a time.
 static const char *read_input(cli_board_command_t *command, const char *rest) {
   for (int i = 0; i < 4; i++) {
     char number[CLI_REAL_ROOM];

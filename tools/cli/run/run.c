@@ -260,7 +260,6 @@ static int perform(cli_run_t *run, const cli_args_t *args) {
   return written == CLI_DONE ? code : written;
 }
 
-// Refuses a start or a seed on the command line beside those of a file.
 static int check_start(const cli_args_t *args, const cli_setup_t *setup,
                        const char *option, const char *path, uint32_t seed) {
   const cli_setting_t *setting = cli_setup_start_set(setup);

@@ -151,7 +151,6 @@ static int same(const reader_t *reader, const char *what, const char *there,
                            reader->path, what, there, here);
 }
 
-// The scheme has to be the one asked for, where one is.
 static int read_scheme(reader_t *reader, cli_setup_t *setup) {
   const char *there = next_value(reader, "scheme");
   for (unsigned i = 0; i < MOTION_SCHEMES; i++) {

@@ -85,7 +85,6 @@ typedef struct {
 // each other, and sets what depends on others; a reader is of the value of one
 // option, or of a positional argument.
 
-int cli_scene(const cli_args_t *args);
 int cli_singularities(const cli_args_t *args);
 int cli_regions(const cli_args_t *args);
 int cli_design(const cli_args_t *args);

@@ -370,7 +370,8 @@ tf_input_t cli_drive_over(cli_drive_t *drive, const tf_machine_t *machine,
   return input;
 }
 
-tf_real_t cli_drive_next(const cli_drive_t *drive, const cli_span_t *span) {
+// The time of the first row of a linear table within a span, or its end.
+static tf_real_t next_row(const cli_drive_t *drive, const cli_span_t *span) {
   const cli_inputs_t *const both[] = {&drive->profile, &drive->table};
   const tf_real_t off = span->off > SHORTEST ? span->off : SHORTEST;
   tf_real_t next = span->to, least = span->to - off;
@@ -409,7 +410,7 @@ tf_status_t cli_drive_take(cli_drive_t *drive, const cli_setup_t *setup,
   tf_report_t met = {.status = TF_OK};
   for (uint64_t part = 0, last = 0; !last && met.status >= 0; part++) {
     cli_span_t span = rest;
-    span.to = scheme == MOTION_LOCATED ? cli_drive_next(drive, &rest) : rest.to;
+    span.to = scheme == MOTION_LOCATED ? next_row(drive, &rest) : rest.to;
     last = !(span.to < rest.to);
     span.dt = last ? rest.dt : span.to - span.from;
     *input = cli_drive_over(drive, &setup->machine, &span);

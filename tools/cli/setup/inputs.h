@@ -95,9 +95,6 @@ void cli_drive_notes(const cli_drive_t *drive, const cli_setup_t *setup);
 tf_input_t cli_drive_over(cli_drive_t *drive, const tf_machine_t *machine,
                           const cli_span_t *span);
 
-/// The time of the first row of a linear table within a span, or its end.
-tf_real_t cli_drive_next(const cli_drive_t *drive, const cli_span_t *span);
-
 /// One step, which is taken as two halves, too, where drive->accuracy is not 0.
 /// Returns: as motion_step.
 tf_status_t cli_step(cli_drive_t *drive, motion_scheme_t scheme,

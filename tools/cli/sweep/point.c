@@ -81,7 +81,6 @@ static double energy_of(const point_t *point) {
                            point->input.r0);
 }
 
-// Sees step i.
 static void see(point_t *point, uint64_t i, const tf_input_t *input,
                 const tf_report_t *report) {
   const double t = (double)i * (double)point->setup.machine.dt;
