@@ -127,39 +127,3 @@ int cli_set_word(tf_params_t *params, const char *what, const char *option,
     params->rule = (tf_rule_t)i;
   return CLI_DONE;
 }
-
-int cli_find_scene(const char *place, const char *name, const char *besides,
-                   const tf_scene_t **scene) {
-  cli_closest_t closest = cli_closest_to(name);
-  for (size_t i = 0; i < TF_SCENES; i++) {
-    if (strcmp(tf_scenes[i]->name, name) == 0) {
-      *scene = tf_scenes[i];
-      return CLI_DONE;
-    }
-    cli_closest_offer(&closest, tf_scenes[i]->name);
-  }
-  return cli_message(CLI_USAGE,
-                     "%sunknown scene '%s'%s ('twofold scenes' lists them%s)",
-                     place, name, closest.hint, besides);
-}
-
-int cli_read_rule(const char *select, tf_params_t *params, uint32_t *seed) {
-  char name[CLI_NAME_ROOM];
-  const size_t length = strcspn(select, ":");
-  (void)snprintf(name, sizeof name, "%.*s", (int)length, select);
-  CLI_TRY(cli_set_word(params, "rule", "--select", select, name));
-  if (select[length] == '\0') return CLI_DONE;
-  if (params->rule != TF_RULE_RANDOM) {
-    return cli_message(
-        CLI_USAGE, "--select %s: only the rule random takes a seed", select);
-  }
-  uint64_t value = 0;
-  if (!cli_read_whole(select + length + 1, 0, UINT32_MAX, &value)) {
-    return cli_message(CLI_USAGE,
-                       "--select %s: the seed must be a whole number in "
-                       "[0, 4294967295]",
-                       select);
-  }
-  *seed = (uint32_t)value;
-  return CLI_DONE;
-}

@@ -127,6 +127,22 @@ static int read_profile(reader_t *reader, char *text) {
   return CLI_DONE;
 }
 
+// place, besides: in, for the message, before it and at its end.
+static int find_scene(const char *place, const char *name, const char *besides,
+                      const tf_scene_t **scene) {
+  cli_closest_t closest = cli_closest_to(name);
+  for (size_t i = 0; i < TF_SCENES; i++) {
+    if (strcmp(tf_scenes[i]->name, name) == 0) {
+      *scene = tf_scenes[i];
+      return CLI_DONE;
+    }
+    cli_closest_offer(&closest, tf_scenes[i]->name);
+  }
+  return cli_message(CLI_USAGE,
+                     "%sunknown scene '%s'%s ('twofold scenes' lists them%s)",
+                     place, name, closest.hint, besides);
+}
+
 static int read_base(reader_t *reader, char *text) {
   char place[PLACE_ROOM + 16];
   const tf_scene_t *base = NULL;
@@ -135,7 +151,7 @@ static int read_base(reader_t *reader, char *text) {
                        reader->key);
   }
   (void)snprintf(place, sizeof place, "%s %s: ", reader->place, reader->key);
-  CLI_TRY(cli_find_scene(place, text, "", &base));
+  CLI_TRY(find_scene(place, text, "", &base));
   cli_scene_file_t *file = reader->file;
   file->scene = *base;
   (void)snprintf(file->shows, sizeof file->shows, "%s", base->shows);
@@ -357,7 +373,7 @@ int cli_take_scene(const tf_scene_t **scene, const char *word) {
     *scene = &file.scene;
     return CLI_DONE;
   }
-  return cli_find_scene("", word, "; a file has a . or a / in its name", scene);
+  return find_scene("", word, "; a file has a . or a / in its name", scene);
 }
 
 // Scenes into text.

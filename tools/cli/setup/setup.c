@@ -95,6 +95,28 @@ static int read_setting(cli_setup_t *setup, const cli_setting_t *setting) {
   return CLI_DONE;
 }
 
+// Reads RULE[:SEED] of --select. Without SEED, seed is left as it is.
+static int read_rule(const char *select, tf_params_t *params, uint32_t *seed) {
+  char name[CLI_NAME_ROOM];
+  const size_t length = strcspn(select, ":");
+  (void)snprintf(name, sizeof name, "%.*s", (int)length, select);
+  CLI_TRY(cli_set_word(params, "rule", "--select", select, name));
+  if (select[length] == '\0') return CLI_DONE;
+  if (params->rule != TF_RULE_RANDOM) {
+    return cli_message(
+        CLI_USAGE, "--select %s: only the rule random takes a seed", select);
+  }
+  uint64_t value = 0;
+  if (!cli_read_whole(select + length + 1, 0, UINT32_MAX, &value)) {
+    return cli_message(CLI_USAGE,
+                       "--select %s: the seed must be a whole number in "
+                       "[0, 4294967295]",
+                       select);
+  }
+  *seed = (uint32_t)value;
+  return CLI_DONE;
+}
+
 int cli_setup_read(cli_setup_t *setup, const tf_scene_t *scene,
                    const cli_settings_t *settings, const char *select) {
   memset(setup, 0, sizeof *setup);
@@ -106,7 +128,7 @@ int cli_setup_read(cli_setup_t *setup, const tf_scene_t *scene,
     CLI_TRY(read_setting(setup, &settings->list[i]));
   setup->start.from_h = setup->set[CLI_V] == NULL &&
                         (setup->set[CLI_H] != NULL || !scene->v_is_given);
-  return select != NULL ? cli_read_rule(select, &setup->params, &setup->seed)
+  return select != NULL ? read_rule(select, &setup->params, &setup->seed)
                         : CLI_DONE;
 }
 

@@ -139,14 +139,6 @@ bool cli_parameter_fits(size_t index, tf_real_t value);
 int cli_set_word(tf_params_t *params, const char *what, const char *option,
                  const char *text, const char *name);
 
-/// Finds a built-in scene. place, besides: in, for the message, before it and
-/// at its end.
-int cli_find_scene(const char *place, const char *name, const char *besides,
-                   const tf_scene_t **scene);
-
-/// Reads RULE[:SEED] of --select. Without SEED, seed is left as it is.
-int cli_read_rule(const char *select, tf_params_t *params, uint32_t *seed);
-
 /// Stick does not include pinned.
 static inline bool cli_is_stick(unsigned mode) {
   return mode == TF_STICK_PLUS || mode == TF_STICK_MINUS;
