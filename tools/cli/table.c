@@ -182,7 +182,7 @@ const cli_option_t cli_options[] = {
      "length [s]; default: the scene's own"},
     {"--dt", "S", MOTIONS | CLI_SCENE, OTHER(read_named),
      "step [s]; the same as --set dt=S", .is_repeatable = true},
-    {"--scheme", "NAME", MOTIONS, CHOICE(scheme, CLI_NOT_GIVEN),
+    {"--scheme", "NAME", MOTIONS, CHOICE(scheme, MOTION_SCHEMES),
      "of the steps:", .choices = schemes, .noun = "scheme"},
     {"--accuracy", "E", CLI_RUN, POSITIVE(accuracy, 1, 0),
      "of --scheme moreau: takes each step also as two halves, at three times "

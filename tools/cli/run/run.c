@@ -340,14 +340,14 @@ static int prepare_replay(cli_run_t *run, cli_setup_t *setup) {
 static int prepare(cli_run_t *run, cli_setup_t *setup) {
   const cli_args_t *args = run->args;
   CLI_TRY(cli_setup_read(setup, args->scene, &args->settings, args->select));
-  if (args->scheme != CLI_NOT_GIVEN)
-    setup->scheme = (motion_scheme_t)args->scheme;
+  setup->scheme = (motion_scheme_t)args->scheme;
   if (args->from != NULL)
     CLI_TRY(cli_state_read(&run->from, args->from, setup));
   else if (args->replay != NULL)
     CLI_TRY(cli_replay_read(&run->replay, args->replay, setup));
-  CLI_TRY(cli_setup_scheme(setup, args->scheme,
-                           args->from != NULL ? args->from : args->replay));
+  const char *file = args->from != NULL ? args->from : args->replay;
+  CLI_TRY(
+      cli_setup_scheme(setup, args->scheme == MOTION_SCHEMES ? file : NULL));
   if (args->accuracy > 0 && setup->scheme != MOTION_MOREAU) {
     return cli_message(CLI_REFUSED,
                        "--accuracy: not with --scheme %s: only the steps of "

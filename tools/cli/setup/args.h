@@ -68,7 +68,7 @@ typedef struct {
   uint64_t seed;            ///< < 2^32
 
   // Words and switches of all of them.
-  unsigned scheme;     ///< its number, or CLI_NOT_GIVEN
+  unsigned scheme;     ///< motion_scheme_t; MOTION_SCHEMES: none
   unsigned format;     ///< cli_format_t; of monitor CLI_NOT_GIVEN: no rows
   unsigned summary;    ///< 1: for programs
   unsigned mechanism;  ///< cli_mechanism_t

@@ -251,13 +251,11 @@ void cli_setup_notes(const cli_setup_t *setup) {
 // Float loses a motion in the rounding of its state at shorter steps [s].
 #define SHORT_STEP TF_R(1e-3)
 
-int cli_setup_scheme(cli_setup_t *setup, unsigned asked, const char *file) {
+int cli_setup_scheme(cli_setup_t *setup, const char *file) {
   const tf_real_t dt = setup->params.dt;
   const bool rounds = dt < SHORT_STEP && sizeof dt == sizeof(float);
   const motion_scheme_t usual = rounds ? MOTION_COMPENSATED : MOTION_MOREAU;
-  if (asked != CLI_NOT_GIVEN) {
-    setup->scheme = (motion_scheme_t)asked;
-  } else if (setup->scheme == MOTION_SCHEMES) {
+  if (setup->scheme == MOTION_SCHEMES) {
     setup->scheme = usual;
     if (rounds) {
       (void)cli_message(CLI_DONE,
@@ -266,7 +264,7 @@ int cli_setup_scheme(cli_setup_t *setup, unsigned asked, const char *file) {
                         "state",
                         (double)dt);
     }
-  } else if (setup->scheme != usual) {
+  } else if (file != NULL && setup->scheme != usual) {
     (void)cli_message(CLI_DONE, "note: --scheme %s, which is that of %s",
                       motion_scheme_name(setup->scheme), file);
   }

@@ -82,11 +82,11 @@ int cli_setup_machine(cli_setup_t *setup);
 int cli_setup_check_starts(const cli_setup_t *setup);
 int cli_setup_start(cli_setup_t *setup);
 
-/// Chooses the scheme, which has to take the law: that of --scheme; that of the
-/// file that a run goes on from, which is there before; else moreau, and in
-/// float at short steps compensated. What is not moreau, or not usual, a note
-/// says. asked: in, its number, or CLI_NOT_GIVEN. file: in, for the note.
-int cli_setup_scheme(cli_setup_t *setup, unsigned asked, const char *file);
+/// Chooses the scheme where none is, moreau, or in float at short steps
+/// compensated, with a note. It has to take the law.
+/// file: in, that of the state or the record which may have given it, for a note
+/// where it is not the usual one; NULL: there is none.
+int cli_setup_scheme(cli_setup_t *setup, const char *file);
 
 /// Largest number of steps of a run, and between two rows: a double holds every
 /// integer up to it.

@@ -199,10 +199,8 @@ static int prepare(point_t *point, cli_sweep_t *sweep, uint64_t *steps) {
       cli_setup_read(&point->setup, args->scene, &point->settings,
                      point->select[0] != '\0' ? point->select : args->select));
   point->setup.scheme = sweep->scheme;
-  if (sweep->scheme == MOTION_SCHEMES) {
-    CLI_TRY(cli_setup_scheme(&point->setup, args->scheme, NULL));
-    sweep->scheme = point->setup.scheme;
-  }
+  CLI_TRY(cli_setup_scheme(&point->setup, NULL));
+  sweep->scheme = point->setup.scheme;
   CLI_TRY(cli_setup_machine(&point->setup));
   point->drive = sweep->drive;
   point->setup.input = cli_drive_begin(&point->drive, &point->setup.machine, 0);

@@ -166,7 +166,7 @@ static int perform(cli_sweep_t *sweep) {
 int cli_sweep(const cli_args_t *args) {
   static cli_sweep_t sweep;
   sweep.args = args;
-  sweep.scheme = MOTION_SCHEMES;
+  sweep.scheme = (motion_scheme_t)args->scheme;
   int code =
       cli_drive_read(&sweep.drive, args->scene, args->inputs, args->between);
   code = code == CLI_DONE ? cli_point_check(&sweep) : code;
