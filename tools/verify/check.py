@@ -45,7 +45,7 @@ tidy           sources.py tidy
 sanitize-gcc   compiled.py sanitize gcc
 bits           compiled.py bits
 contraction    contraction.py
-valgrind       valgrind.py
+memory         compiled.py memory
 eva            ../../run eva
 hostile        compiled.py hostile
 soak           soak.py

@@ -11,14 +11,10 @@
 #                           the target machine
 #   STEPS=1e9               soak: how many, in each of VARIANTS
 
-.PHONY: check valgrind bounds keep-bounds eva mutation fuzz \
-  fuzz-clang soak
+.PHONY: check bounds keep-bounds eva mutation fuzz fuzz-clang soak
 
 check: ## warnings, format, static analysis, sanitizers, promises
 	@BUILD='$(BUILD)/check' FULL='$(FULL)' exec tools/run check $(CHECKS)
-
-valgrind: ## nearly every test under memcheck (valgrind)
-	@BUILD='$(BUILD)/check' FULL=yes tools/run check valgrind
 
 eva: ## all entries of Frama-C Eva (minutes)
 	@BUILD='$(BUILD)' tools/run eva $(ENTRIES)

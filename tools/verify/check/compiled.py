@@ -15,6 +15,12 @@ import driven
 # Of the debugger's tables lines are enough, at half the time of compiling.
 SANITIZERS = ("-g1 -fsanitize=address,undefined,float-cast-overflow "
               "-fno-sanitize-recover=all")
+MEMORY = """unit/link/test_protocol unit/link/test_link unit/link/test_text
+  unit/link/test_frame unit/scene/test_simulation unit/scene/test_scene
+  unit/model/test_prepare unit/friction/test_select
+  unit/friction/test_slip_residual unit/moreau/test_begin
+  unit/moreau/test_ensemble law/test_located_report law/test_extremes
+  regress/test_no_friction regress/test_degraded"""
 ALLOWED = "sqrt sqrtf memcpy memset memmove memcmp"
 STATIC = re.compile(r"\.(data|bss|tdata|tbss)|\*COM\*")
 
@@ -167,6 +173,26 @@ def sanitize(compiler):
         wrong(f"tests fail under the sanitizers of {compiler}")
     checked(f"{said.splitlines()[-1]}; address and undefined behaviour"
             f"{real and ', '}{real}")
+
+
+def memory():
+    """No decision by a value that was never set, which the other sanitizers do
+    not see: the tests of MEMORY in double under the memory sanitizer of clang,
+    of the line, the session, the step and what is beside it; with FULL=yes all
+    programs in both real types."""
+    need("clang", "clang")
+    place, tests = BUILD / "memory", [f"tests/{name}.c" for name in
+                                      MEMORY.split()]
+    programs = [f"{place}/{real}/{test[:-2]}"
+                for real in (DEFINES if FULL else ["double"])
+                for test in (tests_in("tests") if FULL else tests)]
+    if not build("CC=clang", "OPT=-O1", f"BUILD={place}", "EXTRA=-g1 "
+                 "-fsanitize=memory -fno-sanitize-recover=all", *programs):
+        wrong("tests do not compile for the memory sanitizer")
+    said, code = told("tests/run", *programs)
+    if code:
+        wrong("tests fail under the memory sanitizer")
+    checked(f"{said.splitlines()[-1]}; {len(programs)} programs")
 
 
 def coverage():

@@ -45,8 +45,7 @@ SLOW = {f"test_{name}" for name in (
     "physics_numbers")}
 LONG, SHORT = 200, 20  # s of the processor that a test may take, if slow or not
 # What goes beyond an array ends the program, as the checks with sanitizers
-# would report, and what is read before it is written is not 0, as memcheck
-# would.
+# would report, and what is read before it is written is not 0.
 FLAGS = ("-w -fsanitize=bounds -fsanitize=bounds-strict "
          "-fsanitize-undefined-trap-on-error -ftrivial-auto-var-init=pattern")
 saw: dict[str, list[tuple[str, Path]]] = {}  # which tests noticed, by files
