@@ -72,8 +72,6 @@ static void leave(ref_orbit_t *orbit, int index, real_t delay) {
   enter(orbit, f->mode);
 }
 
-void ref_leave(ref_orbit_t *orbit, int index) { leave(orbit, index, 0); }
-
 // Whether a slip that ends a rest has its acceleration from the start, as under
 // a law of rest that leaves out a part of the hull, and need not grow.
 static bool starts_at_once(const ref_orbit_t *orbit, ref_state_t x, int index,

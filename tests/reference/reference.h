@@ -267,8 +267,6 @@ void ref_begin(ref_orbit_t *orbit, const ref_machine_t *machine, ref_state_t x,
                ref_mode_t mode);
 /// Goes on to time `end`.
 ref_stop_t ref_run(ref_orbit_t *orbit, ref_real_t end);
-/// Leaves h = g = 0 by the future `index` of orbit->consistent, or rests.
-void ref_leave(ref_orbit_t *orbit, int index);
 /// Force of the present mode at x.
 ref_force_t ref_force(const ref_orbit_t *orbit, ref_state_t x);
 /// Reason of an end, in words.

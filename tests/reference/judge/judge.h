@@ -1,6 +1,6 @@
 /// @file
 /// What the commands of the judge share: a machine as it is drawn, the library
-/// that runs it, the reference's view of it, and the counts of offenders.
+/// that runs it, and the reference's view of it.
 #ifndef REFERENCE_JUDGE_H
 #define REFERENCE_JUDGE_H
 
@@ -44,8 +44,6 @@ extern const char *const lib_scheme_names[LIB_SCHEMES + 1];
 typedef struct {
   double r, v, w;
 } lib_row_t;
-/// Called at the start and after each step that is not refused; may be NULL.
-typedef void (*lib_watch_t)(void *context, int status, const lib_row_t *at);
 
 /// The simulator in one real type, behind functions in double: library.c is
 /// compiled twice. run takes a machine from its start to a time; -1: refused,
@@ -54,7 +52,7 @@ typedef struct {
   const char *name;
   double epsilon;
   int (*run)(const lib_machine_t *machine, lib_scheme_t scheme, double t_end,
-             lib_row_t *end, lib_watch_t watch, void *context);
+             lib_row_t *end);
 } lib_real_t;
 extern const lib_real_t lib_f64, lib_f32;
 
@@ -110,18 +108,12 @@ moving_input_t moving_input(const lib_machine_t *machine, double from,
 int moving_table(const lib_machine_t *machine, long steps, ref_knot_t *table,
                  int most);
 
-/// Largest difference of r [m], v [m/s], w [rad/s], each against its own size
-/// or that of the machine.
-double row_difference(const ref_machine_t *q, ref_state_t x,
-                      const lib_row_t *row);
-double state_difference(const ref_machine_t *q, ref_state_t a, ref_state_t b);
-
 /// The command line.
 typedef struct {
   long machines, first;
   uint64_t seed;
   double t_end;
-  long show;             ///< how many offenders of each count are printed
+  long show;             ///< of table: how many offenders it names
   const char *row, *dts; ///< of table: its class, steps instead of its own
 } options_t;
 
@@ -131,30 +123,7 @@ typedef struct {
   double t_end;
   int (*run)(const options_t *options); ///< returns the exit code
 } command_t;
-extern const command_t command_validate, command_second, command_branch,
-    command_energy, command_table;
-
-/// A machine to judge; a command may change it and the time on the way.
-typedef struct {
-  const options_t *options;
-  long index;
-  draw_t draw;
-  lib_machine_t machine;
-  double t_end;
-} trial_t;
-/// Judges every machine of the options, then prints the counts.
-void judge_machines(const options_t *options, void (*judge)(trial_t *trial));
-
-/// A row of the report: offenders among tries. `scheme` replays the first
-/// offenders; NULL: they are not shown.
-typedef struct {
-  char what[96];
-  const char *scheme;
-  long hits, tries;
-} count_t;
-count_t *count_add(const char *scheme, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
-void count_try(count_t *count, const trial_t *trial, bool hit);
+extern const command_t command_validate, command_second, command_table;
 
 /// What the reference met on the way.
 typedef struct {

@@ -66,7 +66,7 @@ static tf_status_t step(run_t *run, lib_scheme_t scheme) {
 }
 
 static int run_to(const lib_machine_t *q, lib_scheme_t scheme, double t_end,
-                  lib_row_t *end, lib_watch_t watch, void *context) {
+                  lib_row_t *end) {
   const long steps = lround(t_end / q->dt);
   bool flagged = false;
   run_t run;
@@ -78,7 +78,6 @@ static int run_to(const lib_machine_t *q, lib_scheme_t scheme, double t_end,
     end->v = (double)run.motion.state.v + (double)run.motion.low.v;
     end->w = (double)run.motion.state.w + (double)run.motion.low.w;
     flagged |= status > TF_OK;
-    if (watch) watch(context, (int)status, end);
     if (n == steps) return flagged;
     drive(&run, (double)n * q->dt, (double)(n + 1) * q->dt);
     status = step(&run, scheme);

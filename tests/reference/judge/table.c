@@ -36,6 +36,25 @@ typedef struct {
   tally_t tally[ROW_STEPS][ROW_MODELS];
 } row_count_t;
 
+// Largest difference of r [m], v [m/s], w [rad/s], each against its own size or
+// that of the machine.
+static double row_difference(const ref_machine_t *q, ref_state_t x,
+                             const lib_row_t *row) {
+  const real_t w = ref_w(q, x), v = ref_v(q, x);
+  const real_t scale = ref_speed_scale(q, x);
+  const real_t in_r = fabsl(x.r - row->r) / (fabsl(x.r) + q->beta);
+  const real_t in_v = fabsl(v - row->v) / (fabsl(v) + scale);
+  const real_t in_w = fabsl(w - row->w) / (fabsl(w) + fabsl(q->omega0));
+  const real_t e = fmaxl(in_r, fmaxl(in_v, in_w));
+  return e >= 0 ? (double)e : HUGE_VAL;
+}
+
+static double state_difference(const ref_machine_t *q, ref_state_t a,
+                               ref_state_t b) {
+  const lib_row_t row = {(double)b.r, (double)ref_v(q, b), (double)ref_w(q, b)};
+  return row_difference(q, a, &row);
+}
+
 static bool watches_ties(const ref_consistent_t *f, const ref_way_t *taken) {
   for (int i = 0; i < f->count; ++i) {
     const ref_way_t *way = &f->list[i];
@@ -255,8 +274,8 @@ static void judge_case(case_t *c, const double *steps, const options_t *options,
     const driven_t *ref = driven_by(c, driven);
     if (!ref->known) continue;
     lib_row_t at = {0, 0, 0};
-    const int outcome = model->real->run(&c->machine, model->scheme, row->t_end,
-                                         &at, NULL, NULL);
+    const int outcome =
+        model->real->run(&c->machine, model->scheme, row->t_end, &at);
     const double error =
         outcome < 0 ? HUGE_VAL : row_difference(&c->q, ref->end, &at);
     const bool sharply =
