@@ -23,7 +23,7 @@
 #include "twofold/real.h"        // tf_real_t, TF_R
 #include "twofold/simulation.h"  // tf_simulation_open: inputs that a host sets
 #include "twofold/singularity.h" // tf_two_folds, tf_normal_form
-#include "twofold/status.h"      // tf_status_t, tf_status_name
+#include "twofold/status.h"      // tf_status_t, tf_arithmetic
 #include "twofold/step.h"        // tf_begin, tf_step, tf_report_t
 #include "twofold/telemetry.h"   // tf_send_state, tf_read_state
 #include "twofold/tyre.h"        // tf_tyre_force: the laws of friction

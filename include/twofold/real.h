@@ -5,8 +5,8 @@
 /// macro shows to break that is refused here; contraction the core forbids to
 /// itself (src/num/rounding.h), and a program whose inputs of a step shall keep
 /// their bits too is compiled with -ffp-contract=off. No macro shows explicit
-/// -ffp-contract=fast, -freciprocal-math or -fno-signed-zeros of clang: these
-/// must not be given (docs/PORTS.md).
+/// -ffp-contract=fast, -freciprocal-math or -fno-signed-zeros of clang, nor
+/// another rounding mode: tf_arithmetic (status.h) does.
 #ifndef TWOFOLD_REAL_H
 #define TWOFOLD_REAL_H
 

@@ -1,5 +1,6 @@
 /// @file
-/// Every code that the core returns.
+/// Every code that the core returns, and whether this machine computes as the
+/// core assumes.
 #ifndef TWOFOLD_STATUS_H
 #define TWOFOLD_STATUS_H
 
@@ -31,6 +32,31 @@ typedef enum {
 /// A code in words.
 #define tf_status_name TF_LINK(tf_status_name)
 TF_API const char *tf_status_name(tf_status_t status);
+
+/// What a setting of compiler or processor does to the bits of a step.
+typedef enum {
+  TF_ARITHMETIC_OK = 0,
+  TF_ARITHMETIC_ROUNDING,  ///< another rounding mode than to nearest is set
+  TF_ARITHMETIC_SUBNORMAL, ///< subnormal numbers count as 0
+  TF_ARITHMETIC_FUSED,     ///< a b - c is not rounded after the product
+  TF_ARITHMETIC_REORDERED, ///< (a + b) - b is taken for a
+  TF_ARITHMETIC_QUOTIENT,  ///< a/b is not rounded correctly: it is a (1/b)
+  TF_ARITHMETIC_ROOT,      ///< nor is sqrt
+  TF_ARITHMETIC_ZERO,      ///< the sign of 0 is lost
+  TF_ARITHMETICS
+} tf_arithmetic_t;
+
+/// Tries the arithmetic as the core is compiled, in the calling thread. A
+/// program does that before its first step; no other function does.
+/// Returns: TF_ARITHMETIC_OK, or the first that does not hold.
+/// Trust: the flags of the file that contains it, src/num/status.c, are those
+///   of all others of the core.
+#define tf_arithmetic TF_LINK(tf_arithmetic)
+TF_API tf_arithmetic_t tf_arithmetic(void);
+
+/// What is wrong, and what mends it.
+#define tf_arithmetic_name TF_LINK(tf_arithmetic_name)
+TF_API const char *tf_arithmetic_name(tf_arithmetic_t arithmetic);
 
 TF_END_C
 

@@ -150,6 +150,23 @@ def test_refused_steps(fmu):
     wheel.step(0.01, 0.01)
 
 
+def test_wrong_arithmetic(fmu):
+    """Another rounding mode of the importer is refused, and left as it is."""
+    libm, upward = ctypes.CDLL("libm.so.6"), 0x800  # on x86
+    new, wheel = fmu.instance(), fmu.instance().begin()
+    wheel.step(0.0, 0.01)
+    try:
+        libm.fesetround(upward)
+        refused(ERROR, "to nearest|fesetround", fmu.instance)
+        refused(DISCARD, "to nearest", new.begin)
+        refused(ERROR, "to nearest", wheel.step, 0.01, 0.01)
+        check(libm.fegetround() == upward, "the mode of the importer is lost")
+    finally:
+        libm.fesetround(0)
+    wheel.step(0.01, 0.01)
+    check(wheel.get("tick") == 200, "the refused step has moved the unit")
+
+
 def test_wrong_takes(fmu):
     """What a refusal calls open is what the next step takes."""
     at_rest = {"start_r": 0.17986265324413, "start_omega": -1, "start_h": 0}

@@ -22,6 +22,7 @@
 
 #include "command.h"
 
+#include <fenv.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -203,11 +204,23 @@ static int choose(int argc, char *const argv[]) {
                          : unknown_command(&closest);
 }
 
+// A library that was loaded before may have set another rounding mode or FTZ.
+// The process is this program's own, so it takes the usual ones back; what a
+// compiler has done stays.
+static int check_arithmetic(void) {
+  (void)fesetenv(FE_DFL_ENV);
+  const tf_arithmetic_t found = tf_arithmetic();
+  if (found == TF_ARITHMETIC_OK) return CLI_DONE;
+  return cli_message(CLI_STOPPED, "this build has other bits: %s",
+                     tf_arithmetic_name(found));
+}
+
 // What a command reports is part of what it was asked for: where it could not
 // be written, on a full disk, the command was not done. Standard output is
 // looked after by each command, which names it.
 int main(int argc, char *argv[]) {
   cli_guard_descriptors();
-  const int code = choose(argc - 1, argv + 1);
+  int code = check_arithmetic();
+  if (code == CLI_DONE) code = choose(argc - 1, argv + 1);
   return code == CLI_DONE && ferror(stderr) ? CLI_STOPPED : code;
 }

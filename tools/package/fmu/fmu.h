@@ -283,6 +283,12 @@ fmu_status_t fmu_initialized(fmu_t *fmu, unsigned next_phase); // motion.c
 fmu_status_t fmu_reset(fmu_t *fmu);
 fmu_status_t fmu_go_to(fmu_t *fmu, unsigned phase);
 
+/// Whether the calling thread computes as the core needs (motion.c): an
+/// importer may have set another rounding mode. The FMU leaves that mode alone:
+/// without FENV_ACCESS, which gcc lacks, no compiler keeps sums between the
+/// calls that would change it and change it back.
+/// Returns: FMU_OK; status after a message.
+fmu_status_t fmu_check_arithmetic(fmu_t *fmu, fmu_status_t status);
 /// Prepares machine, state and report from the values (motion.c).
 /// Returns: FMU_OK; FMU_DISCARD after a message, motion not begun.
 fmu_status_t fmu_begin(fmu_t *fmu);

@@ -104,6 +104,7 @@ fmu_t *fmu_new(fmu_t *own, const char *token) {
                     token == NULL ? "missing" : token, FMU_TOKEN);
     return NULL;
   }
+  if (fmu_check_arithmetic(own, FMU_ERROR) != FMU_OK) return NULL;
   fmu_t *fmu = claim(&instance_pool);
   if (fmu == NULL) {
     (void)fmu_error(own,

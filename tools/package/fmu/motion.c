@@ -97,11 +97,21 @@ static motion_start_t start_of(const double values[FMU_VARIABLES]) {
   return start;
 }
 
+fmu_status_t fmu_check_arithmetic(fmu_t *fmu, fmu_status_t status) {
+  const tf_arithmetic_t found = tf_arithmetic();
+  return found == TF_ARITHMETIC_OK
+             ? FMU_OK
+             : fmu_refuse(fmu, status, "the bits would be others: %s",
+                          tf_arithmetic_name(found));
+}
+
 fmu_status_t fmu_begin(fmu_t *fmu) {
   fmu_motion_t *motion = &fmu->motion;
   const double *values = motion->values;
   motion->begun = false;
-  if (prepare(fmu) != FMU_OK) return FMU_DISCARD;
+  if (fmu_check_arithmetic(fmu, FMU_DISCARD) != FMU_OK ||
+      prepare(fmu) != FMU_OK)
+    return FMU_DISCARD;
   motion->steered = (tf_real_t)values[FMU_OMEGA0] != FMU_SCENE->params.omega0 ||
                     values[FMU_ALPHA] != 0;
   const tf_input_t input = input_at(motion, 0, 0);
@@ -281,6 +291,7 @@ fmu_status_t fmu_step(fmu_t *fmu, double time, double length, fmu_step_t *end) {
   uint64_t last = 0;
   *end = (fmu_step_t){.time = fmu_time(&fmu->motion)};
   fmu_status_t status = find_end(fmu, time, length, &last);
+  if (status == FMU_OK) status = fmu_check_arithmetic(fmu, FMU_ERROR);
   if (status != FMU_OK) return status;
   memcpy(&fmu->before, &fmu->motion, sizeof fmu->before);
   while (fmu->motion.now.state.tick < last) {

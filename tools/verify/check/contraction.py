@@ -1,14 +1,16 @@
 #!/usr/bin/python3 -B
 """Bits under foreign build systems: compiled in gnu mode with none of the
 project's flags, the core has no fused operation on targets that have them, the
-golden hashes hold, and each option that changes bits and that a macro shows is
-refused. A control shows that each count can see one."""
+golden hashes hold, and each option that changes bits is refused: by a macro
+where one shows it, else by tf_arithmetic when a program starts. A control shows
+that each count can see one."""
+import os
 import re
 import shutil
 import subprocess
 
-from findings import (BUILD, DEFINES, FULL, ROOT, build, checked, need,
-                      wrong)
+from findings import (BUILD, DEFINES, FULL, ROOT, asked, build, checked,
+                      in_common, need, place_of, wrong)
 
 WORK = BUILD.absolute() / "contraction"
 FUSED = re.compile(r"\s(?:vfn?m[as]\.|vfn?m(?:add|sub)|fn?m(?:add|sub)\.)")
@@ -32,6 +34,23 @@ REFUSED = (
     "gcc -freciprocal-math", "gcc -ffinite-math-only", "gcc -fno-signed-zeros",
     "gcc -fsingle-precision-constant", "gcc -mfpmath=387", "clang -Ofast",
     "clang -ffast-math", "clang -ffinite-math-only")
+# Options that no macro shows, and what tf_arithmetic finds.
+UNSAFE = "clang -O2 -funsafe-math-optimizations"
+FUSED_BY = "clang -O2 -mfma -ffp-contract=fast"
+FOUND = ((0, "gcc -O3 -march=haswell -std=gnu17"),
+         (0, "gcc -O2 -mfma -ffp-contract=fast"),
+         (0, "clang -O3 -march=haswell"), (0, "gcc -O0"), (0, "clang -O0"),
+         (3, FUSED_BY),
+         (5, UNSAFE), (5, f"{UNSAFE} -mfma"),
+         (5, "clang -O2 -freciprocal-math"),
+         (7, "clang -O2 -fno-signed-zeros"))
+TRIES = """#include <twofold/status.h>
+int main(void) { return tf_arithmetic(); }
+"""
+# A library that sets another rounding mode before main.
+UPWARD = """#include <fenv.h>
+__attribute__((constructor)) static void up(void) { fesetround(FE_UPWARD); }
+"""
 
 
 def fused(compiler, *arguments):
@@ -79,6 +98,43 @@ for line in REFUSED:
                        "-o", WORK / "step.o"], stderr=subprocess.DEVNULL,
                       check=False).returncode == 0:
         wrong(f"{line} is not refused")
+
+
+def compiled(line, output):
+    subprocess.run([*line.split(), "-Iinclude", "-o", output], check=True)
+
+
+# clang links code that sets FTZ, which would be found first; gcc does not.
+(WORK / "tries.c").write_text(TRIES)
+for real, define in DEFINES.items():
+    for code, line in FOUND:
+        compiled(f"{line} {define} -c src/num/status.c", WORK / "status.o")
+        compiled(f"gcc {define} {WORK}/tries.c {WORK}/status.o -lm",
+                 WORK / "tries")
+        _, found = asked(WORK / "tries")
+        if found != code:
+            wrong(f"{line}, {real}: tf_arithmetic() is {found}, not {code}")
+
+# The command line: the usual one, and with the same file of the core fused.
+if not in_common("gcc", "-O1", f"{place_of('gcc', '-O1')}/double/twofold"):
+    wrong("the command line does not compile")
+home = place_of("gcc", "-O1") / "double"
+compiled(f"{FUSED_BY} -c src/num/status.c", WORK / "status.o")
+compiled(f"gcc {WORK}/status.o {' '.join(map(str, home.rglob('tools/**/*.o')))}"
+         f" {home}/help.o {home}/lanes/avx2.o {home}/libtwofold.a -lm",
+         WORK / "twofold")
+said, code = asked(WORK / "twofold", "scenes", stderr=subprocess.STDOUT)
+if code != 4 or "-ffp-contract=fast" not in said:
+    wrong(f"a fused command line ends with {code}: {said}")
+(WORK / "upward.c").write_text(UPWARD)
+compiled(f"gcc -shared -fPIC {WORK}/upward.c -lm", WORK / "upward.so")
+usual, upward = (
+    asked(home / "twofold", "run", "chaos", "--t-end", "0.1",
+          stderr=subprocess.DEVNULL, env={**os.environ, **more})
+    for more in ({}, {"LD_PRELOAD": str(WORK / "upward.so")}))
+if usual != upward:
+    wrong("the rounding mode of a library changes the bits of the command line")
 checked("no fused operation in gnu mode on M33, M7, M4F, rv32imafc and x86, "
         f"golden hashes hold by {'gcc and ' if FULL else ''}clang, "
-        f"{len(REFUSED)} options are refused")
+        f"{len(REFUSED)} options are refused by a macro, "
+        f"{sum(code > 0 for code, _ in FOUND)} when a program starts")

@@ -93,6 +93,8 @@ class Core:
                 ("tf_turntable_to", None, (input_, real, real)),
                 ("tf_energy", real, (any_, POINTER(self.State), real)),
                 ("tf_status_name", c_char_p, (c_int,)),
+                ("tf_arithmetic", c_int, ()),
+                ("tf_arithmetic_name", c_char_p, (c_int,)),
                 ("tf_ensemble_put", None,
                  (any_, c_size_t, POINTER(self.State))),
                 ("twofold_lanes", None,
@@ -109,6 +111,15 @@ class Core:
             function = getattr(_shared, f"{name}{avx2}_{self.suffix}")
             function.restype, function.argtypes = result, arguments
             setattr(self, "call_" + name.split("_", 1)[1], function)
+
+    def check_arithmetic(self):
+        """Raises where the bits would be others: some libraries that Python
+        loads set FTZ or another rounding mode, for their own purposes, so it is
+        left as it is."""
+        found = self.call_arithmetic()
+        if found:
+            raise FloatingPointError("the bits would be others: " +
+                                     self.call_arithmetic_name(found).decode())
 
     def fail(self, status, what):
         """Raises for a negative status."""

@@ -134,6 +134,7 @@ class Machine:
         return self._motion.state
 
     def _run(self, scheme=0):
+        self.core.check_arithmetic()
         return self.core.Run(ctypes.pointer(self._motion),
                              ctypes.pointer(self.scene), scheme)
 
