@@ -118,10 +118,6 @@ static void print_measure(const cli_measure_info_t *info) {
   (void)printf("  %-16s %-6s %s\n", info->name, info->unit, info->what);
 }
 
-static void print_outcomes(void) {
-  for (size_t i = 0; i < CLI_MEASURES; i++) print_measure(&cli_measures[i]);
-}
-
 static void print_line(const char *line) {
   if (strcmp(line, "COMMANDS") == 0)
     print_commands();
@@ -130,7 +126,7 @@ static void print_line(const char *line) {
   else if (strcmp(line, "NUMBERS") == 0)
     print_numbers(CLI_NUMBERS);
   else if (strcmp(line, "OUTCOMES") == 0)
-    print_outcomes();
+    for (size_t i = 0; i < CLI_MEASURES; i++) print_measure(&cli_measures[i]);
   else
     (void)puts(line);
 }

@@ -92,8 +92,7 @@ static int prepare(cli_job_t *job) {
   if (!random) params.tolerance = 0; // as fine as the number type allows
   (void)tf_prepare(&job->machine, &params, NULL);
   job->wide = cli_widen(&job->machine);
-  job->refinement = args->refinement > 0 ? args->refinement : random ? 10 : 64;
-  job->near = (double)params.dt / job->refinement;
+  job->near = (double)params.dt / args->refinement;
   job->near = random ? fmin(job->near, IN_SLIP) : job->near;
   job->dwell = random ? 0 : 4 * job->near;
   job->at_two_fold = cli_setup_start_set(setup) == NULL;
@@ -308,7 +307,7 @@ static void describe(work_t *work) {
                             (double)args->cycles,   (double)args->shard.index,
                             (double)args->shard.of, args->size,
                             args->spread,           args->patience,
-                            work->job->refinement,  args->fine};
+                            args->refinement,       args->fine};
   cli_buffer_t about = {work->sheets.about, 0, CLI_SHEET_ABOUT, false};
   about.used = provenance(work->job, "SI", about.text);
   for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
@@ -373,6 +372,7 @@ int cli_diverge_check(cli_args_t *args) {
                        "--size %g: --by random has a --rate and no size",
                        args->size);
   }
+  if (!(args->refinement > 0)) args->refinement = sized ? 64 : 10;
   if (args->exits == NULL && args->returns == NULL && args->branches == NULL)
     *(args->exhaustive ? &args->branches : &args->returns) = "-";
   if (args->resume && (args->exhaustive || is_standard(args->exits) ||

@@ -290,7 +290,8 @@ static void begin_noise(cli_motion_t *motion) {
   if (job->at_two_fold) start_before_two_fold(motion);
   motion->band = 4 * motion->size * sqrt(resolved);
   motion->length = (double)k->dt;
-  motion->near = (double)(tf_real_t)fmin(job->near, resolved / job->refinement);
+  motion->near =
+      (double)(tf_real_t)fmin(job->near, resolved / args->refinement);
   (void)tf_begin(k, &motion->state, &input, &motion->report);
 }
 

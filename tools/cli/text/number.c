@@ -157,18 +157,6 @@ double cli_range_at(const cli_range_t *range, uint64_t i) {
   return from + (whole ? (to - from) * at / last : (to - from) * (at / last));
 }
 
-// Each shard is a run of neighbours, so that the rows of all shards, one file
-// after the other, are those of the whole.
-
-void cli_shard_range(const cli_shard_t *shard, uint64_t count, uint64_t *first,
-                     uint64_t *end) {
-  const uint64_t before = shard->index - 1;
-  const uint64_t share = count / shard->of;
-  const uint64_t longer = count % shard->of; // shards with one more
-  *first = share * before + (before < longer ? before : longer);
-  *end = *first + share + (before < longer ? 1 : 0);
-}
-
 uint32_t cli_crc(uint32_t before, const void *from, size_t length) {
   return tf_crc32(before, from, length);
 }

@@ -137,11 +137,6 @@ typedef struct {
   uint64_t index, of;
 } cli_shard_t;
 
-/// The first of the shard's own among `count` pieces of work, and the first
-/// after them. Shards differ by one piece at most, and follow each other.
-void cli_shard_range(const cli_shard_t *shard, uint64_t count, uint64_t *first,
-                     uint64_t *end);
-
 /// The CRC-32 of zlib. before: in, that of the bytes before these, 0: none.
 uint32_t cli_crc(uint32_t before, const void *bytes, size_t length);
 
