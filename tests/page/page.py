@@ -1,6 +1,5 @@
 """What the tests of the page share: the browser, a tab with the page in it,
 and the command line beside it."""
-import atexit
 import functools
 import os
 import shutil
@@ -18,29 +17,24 @@ PAGE = BUILD / "page" / "index.html"
 URL = PAGE.as_uri()
 TWO_FOLD = 20473  # the step of `chaos` from which on three futures are open
 PROGRAM = shutil.which("chromium")
-_tabs = []
 
 
 @functools.cache
 def browser():
-    made = Browser(PROGRAM)
-    atexit.register(made.close)
-    return made
+    return Browser(PROGRAM)
 
 
 def tab(**options):
-    _tabs.append(Tab(browser(), **options))
-    return _tabs[-1]
+    return Tab(browser(), **options)
 
 
 def alone(test):
-    """The test, which leaves no tab behind that would slow the next one."""
+    """The test in a browser of its own, which goes with it."""
     def perform():
         try:
             test()
         finally:
-            while _tabs:
-                _tabs.pop().close()
+            browser().close()
     return perform
 
 

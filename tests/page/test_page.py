@@ -5,6 +5,7 @@ usage: test_page.py [WORD]...    tests whose names contain one of the words
 
 BUILD is the folder with page/index.html and double/twofold, which `make
 test-page` makes. The pictures are left in BUILD/page."""
+import os
 import sys
 
 import page
@@ -25,7 +26,7 @@ def main():
     return run([(name[5:], page.alone(test)) for room in (
         test_motion, test_futures, test_setup, test_scene, test_looks,
         test_tour, test_board) for name, test in vars(room).items()
-        if name.startswith("test_")])
+        if name.startswith("test_")], jobs=len(os.sched_getaffinity(0)))
 
 
 if __name__ == "__main__":
