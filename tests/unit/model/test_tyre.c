@@ -179,30 +179,3 @@ TEST(smooth_law_tends_to_the_jump) {
                  (1e-10L + 4 * EPSILON) * fabsl(wide(j.F)));
   }
 }
-
-/* (h, g) -> (-h, g) changes the signs of F and M, (h, -g) that of M alone:
- * bit for bit. And friction takes power out of the slip: F h >= 0. */
-TEST(every_law_is_odd_and_dissipates) {
-  for (int i = 0; i < samples(120000); i++) {
-    const tf_params_t params = random_params((tf_tyre_law_t)(i % TF_TYRE_LAWS));
-    const tf_tyre_t tyre = tyre_of(&params);
-    const tf_real_t side = random_sign();
-    const tf_real_t h = i % 13 ? side * log_uniform(1e-12, 1e3) : 0;
-    const tf_real_t g = i % 11 ? random_sign() * log_uniform(1e-12, 1e3) : 0;
-    const tf_force_t f = tf_tyre_force(&tyre, side, h, g);
-    const tf_force_t in_h = tf_tyre_force(&tyre, -side, -h, g);
-    const tf_force_t in_g = tf_tyre_force(&tyre, side, h, -g);
-    CHECK(in_h.F == -f.F && in_h.M == -f.M);
-    CHECK(in_g.F == f.F && in_g.M == -f.M);
-    CHECK(f.F * h >= 0);
-    if (params.law != TF_TYRE_NONE && h != 0) CHECK(f.F * h > 0);
-    if (params.law == TF_TYRE_JUMP) {
-      CHECK(wide(side * f.M) * wide(g) >= 0);
-      CHECK(fabsl(wide(f.M)) <=
-            wide(params.mu) * wide(params.kappa) * (1 + 20 * EPSILON));
-      CHECK(side * f.F >= params.mu * (1 - 4 * TF_REAL_EPSILON));
-      CHECK(side * f.F <=
-            params.mu * TF_R(4.0) / 3 * (1 + 2 * TF_REAL_EPSILON));
-    }
-  }
-}
