@@ -43,8 +43,9 @@ static tf_real_t sum(tf_real_t x, tf_real_t y) {
 // Upwards, downwards and towards 0 each miss one; the last is a tie.
 static bool rounds_to_nearest(void) {
   const tf_real_t e = TF_REAL_EPSILON;
-  return (sum(1, e / 4) == 1) & (sum(-1, -e / 4) == -1) &
-         (sum(1, 3 * e / 4) == 1 + e) & (sum(1, e / 2) == 1);
+  const tf_real_t above = sum(1, e / 4), below = sum(-1, -e / 4);
+  const tf_real_t outside = sum(1, 3 * e / 4), tie = sum(1, e / 2);
+  return (above == 1) & (below == -1) & (outside == 1 + e) & (tie == 1);
 }
 
 static bool keeps_subnormals(void) {
@@ -55,10 +56,10 @@ static bool keeps_subnormals(void) {
 // (1 + e)^2 = 1 + 2 e + e^2, of which rounding drops the last. A product that
 // had a second use would not be fused.
 static bool rounds_products(void) {
-  const tf_real_t a = unknown(1 + TF_REAL_EPSILON);
-  const tf_real_t b = unknown(1 + 2 * TF_REAL_EPSILON);
-  const tf_real_t c = unknown(a);
-  return (unknown(a * a - b) == 0) & (unknown(b - c * c) == 0);
+  const tf_real_t a = unknown(1 + TF_REAL_EPSILON), b = unknown(a);
+  const tf_real_t c = unknown(1 + 2 * TF_REAL_EPSILON);
+  const tf_real_t first = unknown(a * a - c), last = unknown(c - b * b);
+  return (first == 0) & (last == 0);
 }
 
 static bool keeps_order(void) {
@@ -68,17 +69,19 @@ static bool keeps_order(void) {
 
 // A reciprocal pays where several quotients share it; 5/3 and 7/3 differ.
 static bool divides(void) {
-  const tf_real_t b = unknown(3);
-  const tf_real_t one = unknown(1) / b, five = unknown(5) / b;
-  const tf_real_t seven = unknown(7) / b;
-  return (unknown(one) == TF_R(1.0) / 3) & (unknown(five) == TF_R(5.0) / 3) &
-         (unknown(seven) == TF_R(7.0) / 3);
+  const tf_real_t b = unknown(3), n5 = unknown(5), n7 = unknown(7);
+  const tf_real_t one = 1 / b, five = n5 / b, seven = n7 / b;
+  const tf_real_t q1 = unknown(one), q5 = unknown(five), q7 = unknown(seven);
+  return (q1 == TF_R(1.0) / 3) & (q5 == TF_R(5.0) / 3) & (q7 == TF_R(7.0) / 3);
 }
 
 static bool extracts_roots(void) {
-  return (unknown(square_root(unknown(2))) == TF_R(1.41421356237309504880)) &
-         (unknown(square_root(unknown(3))) == TF_R(1.73205080756887729353)) &
-         (unknown(square_root(unknown(5))) == TF_R(2.23606797749978969641));
+  const tf_real_t two = unknown(square_root(unknown(2)));
+  const tf_real_t three = unknown(square_root(unknown(3)));
+  const tf_real_t five = unknown(square_root(unknown(5)));
+  return (two == TF_R(1.41421356237309504880)) &
+         (three == TF_R(1.73205080756887729353)) &
+         (five == TF_R(2.23606797749978969641));
 }
 
 static bool keeps_sign_of_0(void) {

@@ -10,7 +10,7 @@ import shutil
 import subprocess
 
 from findings import (BUILD, DEFINES, FULL, ROOT, asked, build, checked,
-                      in_common, need, place_of, wrong)
+                      files_in, in_common, need, place_of, wrong)
 
 WORK = BUILD.absolute() / "contraction"
 FUSED = re.compile(r"\s(?:vfn?m[as]\.|vfn?m(?:add|sub)|fn?m(?:add|sub)\.)")
@@ -120,9 +120,10 @@ if not in_common("gcc", "-O1", f"{place_of('gcc', '-O1')}/double/twofold"):
     wrong("the command line does not compile")
 home = place_of("gcc", "-O1") / "double"
 compiled(f"{FUSED_BY} -c src/num/status.c", WORK / "status.o")
-compiled(f"gcc {WORK}/status.o {' '.join(map(str, home.rglob('tools/**/*.o')))}"
-         f" {home}/help.o {home}/lanes/avx2.o {home}/libtwofold.a -lm",
-         WORK / "twofold")
+objects = [f"{home}/{file.with_suffix('.o')}"
+           for file in files_in("tools/cli", pattern="*.c")]
+compiled(f"gcc {WORK}/status.o {' '.join(objects)} {home}/help.o "
+         f"{home}/lanes/avx2.o {home}/libtwofold.a -lm", WORK / "twofold")
 said, code = asked(WORK / "twofold", "scenes", stderr=subprocess.STDOUT)
 if code != 4 or "-ffp-contract=fast" not in said:
     wrong(f"a fused command line ends with {code}: {said}")
