@@ -71,6 +71,7 @@
 #include "../src/moreau/mode_end.c"
 #include "../src/moreau/rare_end.c"
 #include "../src/moreau/report.c"
+#include "../src/moreau/split.c"
 #include "../src/moreau/step.c"
 
 #ifdef SCHEME_LOCATED

@@ -92,7 +92,7 @@ static unsigned next_mode(const tf_machine_t *k, const tf_state_block_t *b,
   else if (!continues((unsigned)work->set[i], (unsigned)work->attracting[i],
                       mode))
     mode = select_lane(k, b, work, i);
-  if (mode == TF_NO_MODE || ends_slip(b->mode[i], mode))
+  if (mode == TF_NO_MODE || loses_slip(b->mode[i], mode))
     work->rare[i] = when(true);
   return mode;
 }

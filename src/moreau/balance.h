@@ -139,6 +139,11 @@ TF_INLINE bool ends_slip(unsigned from, unsigned mode) {
   return is_slip(from) && !is_slip(mode);
 }
 
+// Whether a slip loses its mode within a step. One that is consistent goes on.
+TF_INLINE bool loses_slip(unsigned from, unsigned mode) {
+  return is_slip(from) && mode != from;
+}
+
 // Whether a change of the velocities P and w is large in the norm of the
 // kinetic energy: its square is more than a share of the sum of those at both
 // ends.

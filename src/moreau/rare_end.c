@@ -124,24 +124,20 @@ static void end_of_slip(end_kind_t kind, free_motion_t *c, inclusion_t *in,
                         step_end_t *to) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
   const bool has_moment = k->contact.stick_kappa > 0;
-  bool coarse = has_moment && kind == END_REVERSED ? end_reversed(c, in, to)
-                                                   : turns_much(c, in, to);
+  bool coarse = has_moment && (kind == END_REVERSED ? end_reversed(c, in, to)
+                                                    : turns_much(c, in, to));
   if (has_moment && kind == END_HELD)
     (void)tf_end_along_course(c, in, TF_MODE_BIT(to->outcome.mode), to);
   to->outcome.delassus = end_delassus(c, in, signs_of(&in->g), &to->end);
-  if (ends_by_impulse(k, c->state, to)) {
-    if (tf_end_along_course(c, in, to->outcome.set & ~TF_MODE_BIT(TF_PINNED),
-                            to))
-      to->outcome.delassus =
-          step_delassus(k, in, sign_of(end_slip(c, &to->end).g));
-    else
-      coarse = true;
-  }
+  coarse |= ends_by_impulse(k, c->state, to);
   if (coarse) to->outcome.status = TF_COARSE;
 }
 
 static void set_valued_end(end_kind_t kind, free_motion_t *c, step_end_t *to) {
   inclusion_t in = inclusion(c);
+  if (kind > END_NO_MODE && loses_slip(c->state->mode, to->outcome.mode) &&
+      tf_split_end(c, &in, to))
+    return;
   if (TF_STEP_MACHINE(c)->contact.stick_kappa > 0 && kind == END_CODIM2) {
     tf_codim2_end(c, &in, to);
   } else if (kind == END_NO_MODE) {
@@ -154,7 +150,7 @@ static void set_valued_end(end_kind_t kind, free_motion_t *c, step_end_t *to) {
 TF_API tf_status_t tf_rare_end(end_kind_t kind, const tf_machine_t *k,
                                const tf_state_t *state, const tf_input_t *input,
                                const start_t *start, step_end_t *to) {
-  if (kind != END_TO_CHECK || ends_slip(state->mode, to->outcome.mode)) {
+  if (kind != END_TO_CHECK || loses_slip(state->mode, to->outcome.mode)) {
     free_motion_t c = free_motion(k, state, input, *start);
     know_start_slip(&c);
     if (!c.linear.definite) return TF_STEP_TOO_LONG;

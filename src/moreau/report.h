@@ -15,8 +15,8 @@ typedef struct {
   tf_status_t status; // below TF_OK: it is refused
   tf_real_t delassus;
   tf_real_t residual; // of a single-valued law
-  bool is_mean;     // the force is a mean of those before and behind h = g = 0
-  bool is_balanced; // it ends in the form that creates no energy
+  bool is_mean;       // the force is a mean of those before and behind a change
+  bool is_balanced;   // it ends in the form that creates no energy
 } outcome_t;
 
 // Of a slip only the side is checked, not the angle. The mean force of a step
@@ -26,9 +26,11 @@ TF_INLINE tf_real_t mode_residual(const tf_machine_t *k,
                                   tf_slip_t slip) {
   const unsigned mode = outcome->mode;
   if (!tf_tyre_is_set_valued(k->contact.tyre.law)) return outcome->residual;
-  if (outcome->is_mean)
+  if (outcome->is_mean && k->contact.stick_kappa > 0)
     return rest_residual(TF_REST_HULL, k->contact.tyre.mu,
                          k->contact.stick_kappa, force);
+  if (outcome->is_mean) // |F| <= mu, |M| = 0
+    return force_residual(k->contact.tyre.mu, force.F, 0);
   if (mode == TF_PINNED && k->contact.stick_kappa > 0)
     return rest_residual(k->contact.rest, k->contact.tyre.mu,
                          k->contact.stick_kappa, force);

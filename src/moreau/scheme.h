@@ -17,7 +17,7 @@ typedef enum {
   END_REVERSED,      // of these on there is an end: a slip that is reversed,
   END_HELD,          // one that turns and is held by the limit at h -> 0,
   END_TURNING,       // another one whose force turns, see slip_end();
-  END_TO_CHECK       // a slip that ends, or a balance of energy to be checked
+  END_TO_CHECK // a slip that is lost, or a balance of energy to be checked
 } end_kind_t;
 
 // The end of a rare step, judged by its balance of energy. to: in/out; in are
@@ -50,6 +50,13 @@ TF_API bool tf_end_along_course(const free_motion_t *c, const inclusion_t *in,
 #define tf_least_violation TF_LINK(tf_least_violation)
 TF_API void tf_least_violation(free_motion_t *c, inclusion_t *in, unsigned set,
                                step_end_t *to);
+
+// The end of a step that loses its slip, in two parts. c, in: of the whole
+// step. Returns: whether both parts have a common end; if not, `to` is as it
+// was.
+#define tf_split_end TF_LINK(tf_split_end)
+TF_API bool tf_split_end(const free_motion_t *c, const inclusion_t *in,
+                         step_end_t *to);
 
 // The end of a step whose balance of energy needs a check: in the form that
 // creates no energy where it does, and not TF_OK where the step is too long for
@@ -116,8 +123,8 @@ TF_INLINE end_kind_t end_of_step(const tf_machine_t *k, const tf_state_t *state,
   to->outcome.delassus = end_delassus(&c, &in, signs, &to->end);
   // Balance.
   const balance_t b = balance_of_end(k, state, input, to);
-  return !is_balanced(&b) || ends_slip(state->mode, mode) ? END_TO_CHECK
-                                                          : END_COMMON;
+  return !is_balanced(&b) || loses_slip(state->mode, mode) ? END_TO_CHECK
+                                                           : END_COMMON;
 }
 
 #endif

@@ -161,12 +161,13 @@ TEST(ensemble_stalls_as_single_steps_do) {
   p.dt = TF_R(1e-9);
   twins.machine = prepared(&p);
   const tf_input_t u = tf_input_default(&twins.machine);
-  const bool minus = twins.machine.cos_gamma > 0;
-  for (size_t i = 0; i < TF_LANES; i++)
-    twins.states[i] =
-        (tf_state_t){.r = uniform(0.1, 0.3),
-                     .w = u.omega0 + uniform(0.1, 0.2),
-                     .mode = minus ? TF_SLIP_MINUS : TF_SLIP_PLUS};
+  for (size_t i = 0; i < TF_LANES; i++) {
+    tf_report_t report;
+    twins.states[i] = (tf_state_t){.r = uniform(0.1, 0.3),
+                                   .w = u.omega0 + uniform(0.1, 0.2),
+                                   .mode = TF_NO_MODE};
+    CHECK(tf_begin(&twins.machine, &twins.states[i], &u, &report) == TF_OK);
+  }
   twin(TF_LANES);
   step_twins(&u);
   CHECK(twins.alone == 0);
