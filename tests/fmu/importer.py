@@ -5,10 +5,8 @@ the command line, whose rows an FMU has."""
 import csv
 import ctypes
 import os
-import shutil
 import sys
 import tempfile
-import weakref
 import xml.etree.ElementTree as ET
 import zipfile
 from collections import namedtuple
@@ -52,8 +50,8 @@ class Fmu:
     def __init__(self, version, scene="chaos", binary=None):
         self.archive = BUILD / "fmu" / scene / (
             "twofold.fmu" if version == "3" else "twofold-fmi2.fmu")
-        self.home = Path(tempfile.mkdtemp(prefix="twofold-fmu."))
-        weakref.finalize(self, shutil.rmtree, self.home)
+        # In the folder of the test, which goes with it.
+        self.home = Path(tempfile.mkdtemp(prefix="fmu.", dir=Path.cwd()))
         with zipfile.ZipFile(self.archive) as files:
             files.extractall(self.home)
         self.root = ET.parse(self.home / "modelDescription.xml").getroot()

@@ -6,6 +6,7 @@ usage: test_fmu.py [WORD]...     tests whose names contain one of the words
 BUILD is the folder with fmu/SCENE/twofold.fmu and double/twofold, which
 `make test-fmu` makes."""
 import inspect
+import os
 import sys
 
 import test_archive
@@ -172,4 +173,4 @@ def tests():
 
 
 if __name__ == "__main__":
-    sys.exit(run([*tests()]))
+    sys.exit(run([*tests()], jobs=len(os.sched_getaffinity(0))))
