@@ -60,6 +60,7 @@
 #include "../src/friction/quadrant.c"
 #include "../src/friction/select.c"
 #include "../src/friction/tyre.c"
+#include "../src/friction/zeros.c"
 #include "../src/model/machine.c"
 #include "../src/model/rest_motion.c"
 #include "../src/moreau/balanced.c"

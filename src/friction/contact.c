@@ -137,21 +137,21 @@ static inclusion_t inclusion_under(const tf_contact_t *contact,
   return in;
 }
 
-static tf_real_t size_of_form(const tf_form_t *f) {
-  return magnitude(f->c0) + magnitude(f->cx) + magnitude(f->cy) +
-         magnitude(f->cxx) + magnitude(f->cxy) + magnitude(f->cyy);
-}
-
 // NaN and infinity survive into the sum.
 static bool is_finite(const inclusion_t *in, tf_slip_t now) {
-  const tf_real_t size = size_of_form(&in->h) + size_of_form(&in->g) +
+  const tf_real_t size = form_size(&in->h, 1, 1) + form_size(&in->g, 1, 1) +
                          magnitude(now.h) + magnitude(now.g);
   return within(size, TF_REAL_MAX);
 }
 
+// The first of the zeros under which the wheel rests; without any, a point that
+// is in no law.
 static multipliers_t pin_of(const inclusion_t *in) {
-  const multipliers_t none = {0, 0};
-  return tf_multipliers_to(&in->h, &in->g, (tf_slip_t){0, 0}, none);
+  multipliers_t at[TF_MOST_ZEROS];
+  const unsigned count = tf_common_zeros(&in->h, &in->g, at);
+  for (unsigned i = 0; i < count; i++)
+    if (rests_under(in->rest, at[i].x, at[i].y)) return at[i];
+  return (multipliers_t){TF_REAL_MAX, 0};
 }
 
 TF_API tf_status_t tf_contact_modes(const tf_contact_t *contact,
@@ -162,9 +162,11 @@ TF_API tf_status_t tf_contact_modes(const tf_contact_t *contact,
   inclusion_t in = inclusion_under(contact, h, g, now.g);
   if (mode > TF_NO_MODE || !is_finite(&in, now)) return TF_BAD_STATE;
   const unsigned signs = signs_of(&in.g);
-  const multipliers_t pin = pin_of(&in);
-  in.pin_x = pin.x;
-  in.pin_y = pin.y;
+  if (in.has_moment && signs == BOTH_SIGNS) {
+    const multipliers_t pin = pin_of(&in);
+    in.pin_x = pin.x;
+    in.pin_y = pin.y;
+  }
   *modes = (tf_contact_modes_t){.set = 0};
   tf_enumerate(&in, signs, modes);
   if (reaches_codim2 != NULL)
@@ -196,8 +198,11 @@ TF_API tf_status_t tf_contact_force(const tf_contact_t *contact,
     return TF_BAD_STATE;
   const unsigned slip = none ? slip_of_sign(at.h, TF_SLIP_PLUS) : mode;
   if (!is_slip(slip)) {
-    *force = force_under(
-        contact, slip == TF_PINNED ? pin_of(&in) : multipliers_of(modes, mode));
+    const multipliers_t m =
+        slip == TF_PINNED ? pin_of(&in) : multipliers_of(modes, mode);
+    if (slip == TF_PINNED && !rests_under(in.rest, m.x, m.y))
+      return TF_BAD_STATE;
+    *force = force_under(contact, m);
     return TF_OK;
   }
   const sign_t side = sign_in(slip);

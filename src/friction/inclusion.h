@@ -40,6 +40,12 @@ TF_INLINE tf_real_t form_value(const tf_form_t *f, tf_real_t x, tf_real_t y) {
          y * (f->cy + x * f->cxy + y * f->cyy);
 }
 
+// The largest sum of its terms for x and y of these sizes.
+TF_INLINE tf_real_t form_size(const tf_form_t *f, tf_real_t x, tf_real_t y) {
+  return magnitude(f->c0) + x * (magnitude(f->cx) + x * magnitude(f->cxx)) +
+         y * (magnitude(f->cy) + x * magnitude(f->cxy) + y * magnitude(f->cyy));
+}
+
 // Whether a form that is `now` at the start can come to 0 within the step: by
 // how much it moves, free and under the forces of the law.
 TF_INLINE bool may_vanish(const tf_form_t *f, tf_real_t now) {
@@ -318,6 +324,15 @@ TF_API void tf_enumerate(const inclusion_t *in, unsigned signs,
 #define tf_multipliers_to TF_LINK(tf_multipliers_to)
 TF_API multipliers_t tf_multipliers_to(const tf_form_t *h, const tf_form_t *g,
                                        tf_slip_t to, multipliers_t guess);
+
+// All points of |x|, |y| <= 3/2 at which two forms are 0, once each, by |x| and
+// then by |y|. Returns how many. Curves that touch count as one zero if a change
+// of the coefficients by 64 epsilon makes it one. Of forms that are 0 along a
+// whole curve some points are returned.
+#define TF_MOST_ZEROS 4
+#define tf_common_zeros TF_LINK(tf_common_zeros)
+TF_API unsigned tf_common_zeros(const tf_form_t *h, const tf_form_t *g,
+                                multipliers_t at[TF_MOST_ZEROS]);
 
 // Whether a step that does not begin at rest has h = g = 0 within reach: a slip
 // that is so near, or a stick whose g changes its sign.
