@@ -4,7 +4,7 @@
 //
 //   .          command (with the commands `scenes` and `scene`), table (of
 //              the options), options (reads them), help and completions
-//   monitor/   the command `monitor`; takes only row.h of run/
+//   monitor/   the command `monitor`; takes row.h and session.h of run/
 //   run/       the command `run`: loop, rows, frames, events, summary
 //   analysis/  singularities, regions, design, atlas and tyre
 //   diverge/   the command `diverge`. Bottom up: canard, motion (with noise),

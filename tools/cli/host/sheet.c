@@ -194,7 +194,7 @@ static int open_all(cli_sheets_t *sheets) {
 }
 
 // Shards differ by one piece of work at most. Each is a run of neighbours, so
-// that the rows of all shards, one file after the other, are those of the whole.
+// that the rows of all shards, file after file, are those of the whole.
 static void take_shard(cli_sheets_t *sheets, const cli_shard_t *shard,
                        uint64_t count) {
   const uint64_t before = shard->index - 1;

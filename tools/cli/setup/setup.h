@@ -84,8 +84,8 @@ int cli_setup_start(cli_setup_t *setup);
 
 /// Chooses the scheme where none is, moreau, or in float at short steps
 /// compensated, with a note. It has to take the law.
-/// file: in, that of the state or the record which may have given it, for a note
-/// where it is not the usual one; NULL: there is none.
+/// file: in, the state or the record that may have given it, for a note where
+/// it is not the usual one; NULL: there is none.
 int cli_setup_scheme(cli_setup_t *setup, const char *file);
 
 /// Largest number of steps of a run, and between two rows: a double holds every
