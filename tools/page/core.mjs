@@ -31,7 +31,10 @@ export class Core {
     const exports = instantiate(module);
     this.c = exports;
     const fault = this.text(exports.arithmetic_fault());
-    if (fault) throw new Error(`this build has other bits: ${fault}`);
+    if (fault) {
+      document.body.prepend(`This build has other bits: ${fault}`);
+      throw new Error(fault);
+    }
     // The module never grows its memory, so views of it last.
     this.row = new Float64Array(exports.memory.buffer, exports.look(), COLUMNS);
     this.scenes = this.#list(exports.scenes(), 'scene_name');

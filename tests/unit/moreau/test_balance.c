@@ -295,3 +295,150 @@ TEST(two_guesses_miss_the_middle_by_the_third_power) {
   }
   CHECK_NEAR(far / near, 8, 2);
 }
+
+/* The end of a step in long double, of (6) or (18). */
+typedef struct {
+  real r, v, w;
+} wide_end_t;
+
+/* What one step has been given: the paper's numbers, inputs, start and force. */
+typedef struct {
+  ref_machine_t q;
+  real th, dt, force, torque, r, v, w, F, M;
+} step_of_t;
+
+static step_of_t step_of(const sim_t *s, const tf_state_t *x) {
+  step_of_t a = {.q = {PARAMETERS_OF(real, &s->params)},
+                 .th = wide(s->params.theta),
+                 .dt = wide(s->params.dt),
+                 .force = wide(s->u.force),
+                 .torque = wide(s->u.torque),
+                 .r = wide(x->r),
+                 .v = wide(x->v),
+                 .w = wide(x->w),
+                 .F = wide(s->report.force.F),
+                 .M = wide(s->report.force.M)};
+  ref_prepare(&a.q);
+  return a;
+}
+
+/* (1) to (7), as DESIGN.md has them. */
+static wide_end_t by_6(const step_of_t *a) {
+  const ref_machine_t *q = &a->q;
+  const real k = a->th * a->dt, r = a->r + k * a->v,
+             e = 2 * k * q->m * r * a->w;
+  const real Q_r = q->k2 * (q->r0 - r) - q->c2 * a->v + q->m * r * a->w * a->w +
+                   a->force + a->F * q->sine;
+  const real Q_phi = a->torque - q->c1 * a->w - 2 * q->m * r * a->v * a->w +
+                     a->F * (r * q->cosine - q->d * q->sine) + a->M;
+  const real J =
+      q->m * (q->beta * q->beta + r * r) + k * (q->c1 + 2 * q->m * r * a->v);
+  const real S[2][2] = {{q->m + k * (k * q->k2 + q->c2), -(q->m * q->d + e)},
+                        {-(q->m * q->d - e), J + q->m * q->d * q->d}};
+  const real det = S[0][0] * S[1][1] - S[0][1] * S[1][0];
+  const real dv = a->dt * (S[1][1] * Q_r - S[0][1] * Q_phi) / det;
+  const real dw = a->dt * (S[0][0] * Q_phi - S[1][0] * Q_r) / det;
+  return (wide_end_t){a->r + a->dt * (a->v + a->th * dv), a->v + dv, a->w + dw};
+}
+
+/* (18) with its matrix held at (r, w, R), solved for (s, P, u) at the theta
+ * point as three equations. */
+static wide_end_t by_18_about(const step_of_t *a, real r, real w, real R) {
+  const ref_machine_t *q = &a->q;
+  const real k = a->th * a->dt, km = k / q->m, j = q->d / R;
+  const real G = q->m * r * w / R, b = a->force + a->F * q->sine;
+  const real c = a->torque + a->F * (r * q->cosine - q->d * q->sine) + a->M;
+  const real from[3] = {a->r - q->r0, a->v - q->d * a->w,
+                        hypotl(q->beta, a->r) * a->w};
+  real A[3][4] = {
+      {1, -k, -k * j, from[0]},
+      {km * q->k2, 1 + km * q->c2, km * (q->c2 * j - G), from[1] + km * b},
+      {km * q->k2 * j, km * (q->c2 * j + G),
+       1 + km * (q->c2 * j * j + q->c1 / (R * R)),
+       from[2] + km * (j * b + c / R)}};
+  real to[3];
+  for (int i = 0; i < 3; i++)
+    for (int n = i + 1; n < 3; n++)
+      for (int m = 3; m >= i; m--) A[n][m] -= A[n][i] / A[i][i] * A[i][m];
+  for (int i = 2; i >= 0; i--) {
+    to[i] = A[i][3];
+    for (int m = i + 1; m < 3; m++) to[i] -= A[i][m] * to[m];
+    to[i] /= A[i][i];
+  }
+  for (int i = 0; i < 3; i++) to[i] = from[i] + (to[i] - from[i]) / a->th;
+  const real end_r = to[0] + q->r0, end_w = to[2] / hypotl(q->beta, end_r);
+  return (wide_end_t){end_r, to[1] + q->d * end_w, end_w};
+}
+
+static wide_end_t by_18(const step_of_t *a) {
+  const real before = hypotl(a->q.beta, a->r),
+             first = a->r + a->th * a->dt * a->v;
+  wide_end_t end = by_18_about(a, first, a->w, hypotl(a->q.beta, first));
+  for (int i = 0; i < 2; i++) {
+    const real R0 = (1 - a->th) * before;
+    const real R1 = a->th * hypotl(a->q.beta, end.r);
+    end = by_18_about(a, (1 - a->th) * a->r + a->th * end.r,
+                      (R0 * a->w + R1 * end.w) / (R0 + R1), R0 + R1);
+  }
+  return end;
+}
+
+/* As a share of the velocities, but for what rounding does to r/dt. */
+static bool leads_to(const step_of_t *a, wide_end_t end, const tf_state_t *x) {
+  const real R = hypotl(a->q.beta, wide(x->r)), d = a->q.d;
+  const real v = wide(x->v), w = wide(x->w);
+  const real size =
+      fabsl(a->v - d * a->w) + fabsl(v - d * w) + R * (fabsl(a->w) + fabsl(w));
+  const real off = fabsl(v - end.v - d * (w - end.w)) + R * fabsl(w - end.w) +
+                   fabsl(wide(x->r) - end.r) / a->dt;
+  return off <= 1e-9L * size + 4 * EPSILON * fabsl(wide(x->r)) / a->dt;
+}
+
+/* Machines, springs, loads and turntables of all kinds; none is so light that
+ * the rounding of F moves it. */
+static sim_t loaded_machine(void) {
+  tf_params_t p = moderate_params();
+  p.law = (tf_tyre_law_t[]){TF_TYRE_JUMP, TF_TYRE_COULOMB,
+                            TF_TYRE_NONE}[tap_bits() % 3];
+  p.m = log_uniform(0.3, 3);
+  p.k2 = log_uniform(1, 1e5);
+  p.c1 = uniform(0, 0.1);
+  p.c2 = uniform(0, 0.1);
+  p.theta = tap_bits() % 3 ? TF_R(0.5) : uniform(0.5, 1);
+  p.dt = log_uniform(1e-5, 0.3);
+  sim_t s = sim_of(&p);
+  s.u.force = uniform(-1, 1);
+  s.u.torque = uniform(-1, 1);
+  s.u.alpha = tap_bits() % 2 ? 0 : uniform(-1, 1);
+  s.x.r = uniform(-0.5, 0.5);
+  s.x.v = uniform(-1, 1);
+  s.x.w = uniform(-3, 3);
+  return s;
+}
+
+/* Where a step is TF_OK its force leads to its end: by (6); on a stiff spring,
+ * of a slip that goes on or without friction, by (6) or (18). */
+TEST(reported_force_leads_to_the_end) {
+  if (!IS_DOUBLE)
+    SKIP("a stiff spring rounds by more than (6) and (18) differ");
+  long plain = 0, balanced = 0;
+  for (int i = 0; i < samples(8000); i++) {
+    sim_t s = loaded_machine();
+    if (sim_begin(&s) != TF_OK) continue;
+    for (int n = 0; n < 10; n++) {
+      const tf_state_t x = s.x;
+      s.u.omega0 += s.u.alpha * s.k.dt;
+      if (sim_step(&s, MOREAU) != TF_OK) break;
+      const step_of_t a = step_of(&s, &x);
+      const bool linear = leads_to(&a, by_6(&a), &s.x);
+      const bool is_stiff = 0x1p13L * wide(s.k.a) >= a.q.m;
+      const bool goes_on =
+          a.F == 0 || (x.mode == s.x.mode && x.mode <= TF_SLIP_MINUS);
+      CHECK(linear || (is_stiff && goes_on && leads_to(&a, by_18(&a), &s.x)));
+      plain += linear;
+      balanced += !linear;
+    }
+  }
+  CHECK_ABOVE(plain, samples(20000));
+  CHECK_ABOVE(balanced, samples(1000));
+}
