@@ -91,6 +91,9 @@ $(if $(DEADMAN),$(call must_be_whole,DEADMAN,0))
 # The scenes that a board has room for, where not for all.
 BOARD_SCENE := $(or $(firstword $(BOARD_SCENES)),chaos)
 SCENE ?= $(BOARD_SCENE)
+ifeq ($(PROGRAM)$(filter generic,$(SCENE)),population)
+$(error PROGRAM=population is of random machines: SCENE=generic)
+endif
 $(foreach one,SCENE START KEY,$(if $(word 2,$($(one))),$(error \
   $(one)='$($(one))' has a blank, and make takes it for two names)))
 
@@ -236,7 +239,8 @@ $(FIRMWARE): $(BUILD)/$(REAL)/constants $(CONSTANTS) $(FIRMWARE).flags \
 $(FIRMWARE).flags: $(BUILD)/$(REAL)/constants FORCE
 	@mkdir -p $(@D)
 	@new=$@.$$$$; \
-	echo "$(BOARD_CC) $(FIRMWARE_FLAGS) $(EXTRA) $(START) $(KEY)" >$$new; \
+	echo "$(BOARD_CC) $(FIRMWARE_FLAGS) $(EXTRA) $(FIRMWARE_SOURCES)" \
+	  "$(BOARD_LINK) $(START) $(KEY)" >$$new; \
 	if cmp -s $$new $@; then rm $$new; else mv $$new $@; fi
 
 firmware: $(FIRMWARE)

@@ -1,7 +1,7 @@
-// Addition of doubles in software, rounded as IEEE 754 requires, for Cortex-M3
-// and M4: that of libgcc for Thumb-2 does not always do so (docs/PORTS.md). The
-// linker replaces it by these functions (--wrap); their arguments are the bits
-// of doubles, in the registers of the run-time ABI.
+// Addition of doubles in software, rounded as IEEE 754 requires, for Arm without
+// an FPU for them: that of libgcc does not always do so (docs/PORTS.md), but on
+// Cortex-M0. The linker replaces it by these functions (--wrap); their arguments
+// are the bits of doubles, in the registers of the run-time ABI.
 #include <stdint.h>
 
 #define SIGN ((uint64_t)1 << 63)
@@ -17,7 +17,7 @@ uint64_t double_reversed(uint64_t a,
                          uint64_t b) __asm__("__wrap___aeabi_drsub");
 
 // The significand, and the exponent, which is 1 for subnormal numbers too.
-static inline uint64_t significand(uint64_t bits, unsigned *exponent) {
+static inline uint64_t significand_of(uint64_t bits, unsigned *exponent) {
   const unsigned field = (unsigned)(bits >> 52);
   *exponent = field ? field : 1;
   return ((bits & (HIDDEN - 1)) | (field ? HIDDEN : 0)) << GUARD;
@@ -63,8 +63,8 @@ uint64_t double_sum(uint64_t a, uint64_t b) {
     return opposite && other == INFINITE ? INFINITE | QUIET : a;
   }
   unsigned exponent, exponent_b;
-  uint64_t sum = significand(larger, &exponent);
-  const uint64_t added = significand(other, &exponent_b);
+  uint64_t sum = significand_of(larger, &exponent);
+  const uint64_t added = significand_of(other, &exponent_b);
   const uint64_t shifted = sticky_shift(added, exponent - exponent_b);
   sum = opposite ? sum - shifted : sum + shifted;
   if (sum == 0) return opposite ? 0 : sign;

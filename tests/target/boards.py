@@ -93,6 +93,13 @@ def test_port(board: Board, real: str) -> None:
     check(not found, "\n".join(found))
 
 
+def test_wrong_sum(board: Board, real: str) -> None:
+    """Without an addition of its own the kit names the one of libgcc."""
+    found = [*port.wrong(board, real, f"ADD_{real}=", f"WRAP_{real}=")]
+    same(found, ["arithmetic: other bits than this computer's in: borrow"
+                 f"{port.REMEDY}"])
+
+
 def hashed(board: Board, real: str, program: str, want: str, *words: str,
            scene: str = "chaos") -> None:
     """A program that sends a line with a hash and ends."""
@@ -254,6 +261,9 @@ def tests_of_real(board: Board, real: str) -> Iterator[tuple[Callable, list]]:
                        ("CHECK_MODULE", test_module), ("PAINT", test_stack)):
         if board.fact(what):
             yield test, []
+    if "--wrap" in make(f"BOARD={board.name}", f"REAL={real}",
+                        "board-LINK").stdout:
+        yield test_wrong_sum, []
     if board.fact("FRAMES"):
         yield test_frames, [board.fact("FRAMES")]
 

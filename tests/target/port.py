@@ -19,6 +19,9 @@ PORT = re.findall(r"^[a-z].*\b(port_\w+)\(",
 CODE, LINES, TICKS = 7, 48, 16
 HEARD = bytes(range(ord("A"), ord("A") + 32))
 FLOOD = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
+REMEDY = ("; where that is libgcc's addition of doubles for Arm, add"
+          " port/arch/double_add.c to BOARD_SOURCES and -Wl,--wrap="
+          "__aeabi_dadd,--wrap=__aeabi_dsub,--wrap=__aeabi_drsub to BOARD_LINK")
 WHOLE = [f"flood {i:04} {FLOOD}" for i in range(LINES)]
 
 
@@ -61,7 +64,7 @@ def arithmetic(ran: Ran, host: Ran) -> Iterator[str]:
              if here.get(name) not in (None, bits)]
     if wrong:
         yield (f"arithmetic: other bits than this computer's in: "
-               f"{', '.join(wrong)}")
+               f"{', '.join(wrong)}{REMEDY if 'borrow' in wrong else ''}")
 
 
 def time(ran: Ran, rate: int, shared: bool) -> str:
@@ -110,8 +113,8 @@ def serial_line(board: Board, ran: Ran) -> Iterator[str]:
                " lost")
 
 
-def wrong(board: Board, real: str) -> Iterator[str]:
-    """All of it, one text each."""
+def wrong(board: Board, real: str, *words: str) -> Iterator[str]:
+    """All of it, one text each; made with these variables."""
     empty = [f"BOARD_{name}" for name in
              ("CC", "REALS", "RUN", "STEPS", "RATES_float")
              if not board.fact(name)]
@@ -122,7 +125,7 @@ def wrong(board: Board, real: str) -> Iterator[str]:
     rate, _, shift = min(rates, key=lambda one: int(
         one.split(":")[0])).partition(":")
     path, said = board.make(real, f"kit-{rate}", f"RATE={rate}",
-                            scene=board.fact("SCENE"))
+                            *words, scene=board.fact("SCENE"))
     if said:
         yield unbuilt(board, said)
         return
