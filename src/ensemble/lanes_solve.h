@@ -207,7 +207,7 @@ static void shares_of(const tf_machine_t *restrict k,
     group->c0[n] = share.c0;
     group->c1[n] = share.c1;
     group->c2[n] = share.c2;
-    group->prefer[n] = when(now.g >= 0);
+    group->prefer[n] = when(is_nearer_plus(now.g, g.c0));
     work->rare[i] |= ~(work->above[i] | work->below[i]) &
                      (lane_bends(g0.at_upper, g1.at_upper, g.cyy) |
                       lane_bends(g0.at_lower, g1.at_lower, g.cyy));
@@ -272,8 +272,8 @@ static void sticks_of(const tf_machine_t *restrict k, int from,
     const lane_root_t root = lane_root(h1.c0, h1.c1, h1.c2);
     const tf_real_t g_end0 = quadratic_at(&g0, work->root[0][i]);
     const tf_real_t g_end1 = quadratic_at(&g1, root.x);
-    const mask_t rolls0 = when(has_sign_of_g(g_end0, PLUS, true));
-    const mask_t rolls1 = when(has_sign_of_g(g_end1, MINUS, true));
+    const mask_t rolls0 = when(has_sign_of_g(g_end0, PLUS, false));
+    const mask_t rolls1 = when(has_sign_of_g(g_end1, MINUS, false));
     const linear_t l = linear_of(work, 0, i);
     const tf_force_t pin = lane_pin(k, can, &l);
     const tf_real_t x = pin.F * k->contact.inv_mu,

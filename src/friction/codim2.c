@@ -63,7 +63,8 @@ TF_API void tf_codim2_modes(const tf_contact_t *contact,
   add_exit(contact, field, MINUS, out);
   const tf_real_t plus = add_stick(contact, field, PLUS, out);
   const tf_real_t minus = add_stick(contact, field, MINUS, out);
-  out->solutions.near_stick = minus > plus ? TF_STICK_MINUS : TF_STICK_PLUS;
+  const bool is_minus = minus != plus ? minus > plus : field->g.c0 < 0;
+  out->solutions.near_stick = is_minus ? TF_STICK_MINUS : TF_STICK_PLUS;
   if (rests_under(contact->rest, field->pin.x, field->pin.y))
     out->solutions.set |= (uint8_t)TF_MODE_BIT(TF_PINNED);
 }

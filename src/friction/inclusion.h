@@ -28,7 +28,8 @@
 // The inclusion (incl) of one step.
 typedef struct {
   tf_form_t h, g;
-  tf_real_t g_now;        // g before the step: decides a tie of s [m/s]
+  tf_real_t g_now;        // g before the step: decides a tie of s [m/s],
+                          // see is_nearer_plus()
   bool has_moment;        // false: cy, cxy, cyy are 0 and stick depends on no s
   tf_rest_law_t rest;     // the law at h = g = 0
   tf_real_t pin_x, pin_y; // the x, y that end the step at h = g = 0; read only
@@ -156,11 +157,17 @@ TF_INLINE bool has_two_roots(const quadratic_t *h, bool above) {
          h->c1 * h->c1 > 4 * h->c0 * h->c2;
 }
 
+// Whether the side g > 0 is the present one: where g is 0, the side to which it
+// would move without friction.
+TF_INLINE bool is_nearer_plus(tf_real_t g_now, tf_real_t g_free) {
+  return (g_now > 0) | ((g_now == 0) & (g_free >= 0));
+}
+
 // Whether a stick under y = s x ends with the sign of g that s stands for.
 // Without a moment both s are one law: then the sign of g decides which stick
-// it is called, and g = 0 counts as g > 0.
-TF_INLINE bool has_sign_of_g(tf_real_t g_end, sign_t s, bool has_moment) {
-  return s == MINUS ? g_end < 0 : g_end > 0 || (g_end == 0 && !has_moment);
+// it is called, and g = 0 counts as the present side.
+TF_INLINE bool has_sign_of_g(tf_real_t g_end, sign_t s, bool counts_zero) {
+  return (s == MINUS ? g_end < 0 : g_end > 0) || (g_end == 0 && counts_zero);
 }
 
 // The stick of one s, if there is one.
@@ -177,7 +184,8 @@ TF_INLINE void solve_stick(const quadratic_t *h, const quadratic_t *g, sign_t s,
     g_end = quadratic_at(g, x);
   }
   out->x[s] = x;
-  if (has_sign_of_g(g_end, s, has_moment))
+  const bool counts_zero = !has_moment && out->near_stick == stick_with(s);
+  if (has_sign_of_g(g_end, s, counts_zero))
     out->set |= (uint8_t)TF_MODE_BIT(stick_with(s));
 }
 
@@ -255,7 +263,8 @@ TF_INLINE void solve_slip(const inclusion_t *in, sign_t side, slip_ends_t at,
   }
   const tf_real_t h_bend = in->h.cyy, g_bend = in->g.cyy;
   tf_real_t tau = moment_share(at.g_plus, at.g_minus, g_bend, with_plus,
-                               with_sign(side, at.h_minus) > 0, in->g_now >= 0);
+                               with_sign(side, at.h_minus) > 0,
+                               is_nearer_plus(in->g_now, in->g.c0));
   tf_real_t h_end = slip_end_at(tau, at.h_plus, at.h_minus, h_bend);
   if (!(with_sign(side, h_end) > 0) && (bends(at.g_plus, at.g_minus, g_bend) ||
                                         bends(at.h_plus, at.h_minus, h_bend))) {
@@ -303,8 +312,8 @@ TF_INLINE void enumerate_both_signs(const inclusion_t *in,
 
 TF_INLINE void enumerate(const inclusion_t *in, unsigned signs,
                          tf_contact_modes_t *out) {
-  const bool at_plus =
-      signs == BOTH_SIGNS ? in->g_now >= 0 : signs == PLUS_SIGN;
+  const bool at_plus = signs == BOTH_SIGNS ? is_nearer_plus(in->g_now, in->g.c0)
+                                           : signs == PLUS_SIGN;
   out->near_stick = at_plus ? TF_STICK_PLUS : TF_STICK_MINUS;
   if (signs == BOTH_SIGNS)
     enumerate_both_signs(in, out);
@@ -325,10 +334,10 @@ TF_API void tf_enumerate(const inclusion_t *in, unsigned signs,
 TF_API multipliers_t tf_multipliers_to(const tf_form_t *h, const tf_form_t *g,
                                        tf_slip_t to, multipliers_t guess);
 
-// All points of |x|, |y| <= 3/2 at which two forms are 0, once each. Returns how
-// many. Curves that touch count as one zero if a change of the coefficients by
-// 64 epsilon makes it one. Of forms that are 0 along a whole curve some points
-// are returned.
+// All points of |x|, |y| <= 3/2 at which two forms are 0, once each, by |x| and
+// then by |y|. Returns how many. Curves that touch count as one zero if a change
+// of the coefficients by 64 epsilon makes it one. Of forms that are 0 along a
+// whole curve some points are returned.
 #define TF_MOST_ZEROS 4
 #define tf_common_zeros TF_LINK(tf_common_zeros)
 TF_API unsigned tf_common_zeros(const tf_form_t *h, const tf_form_t *g,

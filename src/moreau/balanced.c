@@ -139,7 +139,9 @@ TF_API balanced_end_t tf_balanced_end(const tf_machine_t *k,
   }
   const tf_slip_t slip =
       slip_speeds(k, end.at.r, end.at.v, end.at.w - input->omega0);
-  end.mode = slip_of_sign(slip.h, state->mode);
+  const unsigned side =
+      is_slip(state->mode) ? state->mode : slip_with(sign_of(end.force.F));
+  end.mode = slip_of_sign(slip.h, side);
   if (tf_tyre_is_set_valued(k->contact.tyre.law))
     end.delassus = delassus_at(k, end.at.r * k->cos_gamma, sign_of(slip.g),
                                inertia_at(k, end.at.r));

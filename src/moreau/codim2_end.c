@@ -10,6 +10,9 @@
 // A force of the hull may be larger by a third, for the curvature of a path
 // within its step.
 #define HULL_SHARE TF_R(0.75)
+// By how much the velocities may be off at the end of a rest, squared, as a
+// share of the sum of both ends, see misses_departure().
+#define DEPARTURE_SHARE TF_R(0x1p-6)
 
 // What rounding makes of g where forces balance, step after step: that of the
 // state, which an incremental step does not have, and that of the terms of (2)
@@ -122,13 +125,22 @@ static tf_real_t value_under(affine_t f, multipliers_t m) {
   return f.c0 + f.cx * m.x + f.cy * m.y;
 }
 
+// Whether a form has a value, but for rounding.
+static bool leads_to(const tf_form_t *f, tf_real_t to, multipliers_t m) {
+  return within(
+      form_value(f, m.x, m.y) - to,
+      64 * TF_REAL_EPSILON * form_size(f, magnitude(m.x), magnitude(m.y)));
+}
+
 // Ends the step at a slip in a mode, under multipliers that are found from a
 // guess. False where no force of the law's convex hull leads there: the path
 // has missed h = g = 0 by much, or friction cannot steer (r = 0, gamma = 0).
 static bool end_at(const free_motion_t *c, const inclusion_t *in, unsigned mode,
                    tf_slip_t to, multipliers_t guess, step_end_t *out) {
-  const multipliers_t m = tf_multipliers_to(&in->h, &in->g, to, guess);
-  if (!rests_under(TF_REST_HULL, HULL_SHARE * m.x, HULL_SHARE * m.y))
+  multipliers_t m = guess;
+  for (int i = 0; i < 3; i++) m = tf_multipliers_to(&in->h, &in->g, to, m);
+  if (!leads_to(&in->h, to.h, m) || !leads_to(&in->g, to.g, m) ||
+      !rests_under(TF_REST_HULL, HULL_SHARE * m.x, HULL_SHARE * m.y))
     return false;
   out->end = end_by(c, m);
   out->outcome.mode = mode;
@@ -149,11 +161,11 @@ static bool continue_from_codim2(const free_motion_t *c, const inclusion_t *in,
   const unsigned mode =
       tf_leave_codim2(&k->contact, field, arrival->from, arrives,
                       c->state->tick, c->state->seed, modes);
+  out->outcome.mode = mode;
   if (mode == TF_NO_MODE) return false;
   out->outcome.set = modes->solutions.set;
   if (mode == TF_PINNED) {
     out->end = pinned_end(c);
-    out->outcome.mode = mode;
     // It also stops what is left of h and g, with a force of the hull.
     return rests_under(TF_REST_HULL, HULL_SHARE * in->pin_x,
                        HULL_SHARE * in->pin_y);
@@ -244,9 +256,10 @@ static bool may_miss(tf_slip_t now, tf_slip_t end, bool is_lost, unsigned set) {
 }
 
 static codim2_course_t course_of_slip(const free_motion_t *c,
-                                      const codim2_field_t *field) {
+                                      const codim2_field_t *field,
+                                      unsigned mode) {
   return tf_codim2_course(&TF_STEP_MACHINE(c)->contact, field, c->start.slip,
-                          c->state->mode == TF_SLIP_PLUS ? PLUS : MINUS);
+                          sign_in(mode));
 }
 
 // A slip that has h = g = 0 within reach. It is TF_COARSE where no force of the
@@ -255,7 +268,7 @@ static void end_slip_near_codim2(const free_motion_t *c, const inclusion_t *in,
                                  const codim2_field_t *field,
                                  const tf_contact_modes_t *s, step_end_t *to) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
-  const codim2_course_t course = course_of_slip(c, field);
+  const codim2_course_t course = course_of_slip(c, field, c->state->mode);
   const bool comes = course.mode == TF_PINNED;
   consistent_modes_t modes = {.solutions = {.set = 0}};
   codim2_field_t behind;
@@ -280,9 +293,27 @@ static void end_slip_near_codim2(const free_motion_t *c, const inclusion_t *in,
   if (coarse) to->outcome.status = TF_COARSE;
 }
 
+// A rest that ends, but not as it should: no force of the law leads there, the
+// step is too long for that. It ends in the mode that follows, if that solves
+// the inclusion; g is 0 at its start, so that the side of the faster stick
+// decides ties.
+static void end_rest(const free_motion_t *c, inclusion_t *in,
+                     const consistent_modes_t *modes, tf_contact_modes_t *s,
+                     step_end_t *to) {
+  const tf_state_t *x = c->state;
+  unsigned mode = to->outcome.mode;
+  in->g_now = unit(sign_in(modes->solutions.near_stick));
+  tf_enumerate(in, BOTH_SIGNS, s);
+  if (!has(s->set, mode))
+    mode = tf_contact_choose(&TF_STEP_MACHINE(c)->contact, s, TF_NO_MODE,
+                             x->tick, x->seed);
+  to->outcome = (outcome_t){.mode = mode, .set = s->set, .status = TF_COARSE};
+  if (mode != TF_NO_MODE) to->end = tf_mode_end(c, s, mode);
+}
+
 // A stick that loses its mode where g = 0 is within reach, or a motion that is
 // at h = g = 0. A rest that goes on needs no solution of the inclusion.
-static void end_at_codim2(const free_motion_t *c, const inclusion_t *in,
+static void end_at_codim2(const free_motion_t *c, inclusion_t *in,
                           const codim2_field_t *field, tf_contact_modes_t *s,
                           step_end_t *to) {
   const unsigned mode = c->state->mode;
@@ -302,8 +333,10 @@ static void end_at_codim2(const free_motion_t *c, const inclusion_t *in,
   if (comes || may_be_held(s, mode))
     tf_codim2_modes(&TF_STEP_MACHINE(c)->contact, field, &modes);
   if (comes && continue_from_codim2(c, in, field, &modes, &arrival, to)) return;
-  if (mode == TF_PINNED) tf_enumerate(in, BOTH_SIGNS, s);
-  pass_codim2(c, in, field, &modes, s, to);
+  if (mode == TF_PINNED)
+    end_rest(c, in, &modes, s, to);
+  else
+    pass_codim2(c, in, field, &modes, s, to);
 }
 
 // Whether a rest that goes on by the mean of the forces ends within the step,
@@ -316,6 +349,27 @@ static bool misses_end_of_rest(const free_motion_t *c, unsigned mode) {
   const rest_motion_t rest =
       tf_rest_motion(k, c->input, c->state->r, c->linear.omega0 - turn);
   return tf_rest_is_interrupted(&rest, k->dt);
+}
+
+// Whether a rest ends in a step that is too long for the motion: with the
+// accelerations at its start and end it would end elsewhere.
+static bool misses_departure(const free_motion_t *c, const step_end_t *to) {
+  const tf_machine_t *k = TF_STEP_MACHINE(c);
+  const tf_input_t *u = c->input;
+  const tf_real_t omega0 = u->omega0, before = omega0 - turn_of_step(k, u);
+  const end_state_t from = {c->state->r, 0, before}, at = to->end.at;
+  const tf_force_t force = to->end.force;
+  const tf_real_t z = at.w - omega0, p = slider_speed(k, at.v, z);
+  const rates_t first = rates_at(k, u, from.r, 0, 0, before);
+  const rates_t last = rates_at(k, u, at.r, p, z, omega0);
+  const tf_real_t spin =
+      spin_rate_under(from.r * k->cos_gamma, force, inertia_at(k, from.r)) +
+      spin_rate_under(at.r * k->cos_gamma, force, inertia_at(k, at.r));
+  const tf_real_t half = k->dt / 2;
+  const tf_real_t off_p =
+      p - half * (first.dp + last.dp + 2 * force.F * first.Fp);
+  const tf_real_t off_z = z - half * (first.dz + last.dz + spin);
+  return changes_much(k, from, at, off_p, off_z, DEPARTURE_SHARE);
 }
 
 TF_API void tf_codim2_end(free_motion_t *c, inclusion_t *in, step_end_t *to) {
@@ -336,13 +390,18 @@ TF_API void tf_codim2_end(free_motion_t *c, inclusion_t *in, step_end_t *to) {
   }
   to->outcome.delassus =
       step_delassus(TF_STEP_MACHINE(c), in, sign_of(end_slip(c, &to->end).g));
-  if (misses_end_of_rest(c, to->outcome.mode)) to->outcome.status = TF_COARSE;
+  const bool rests = c->state->mode == TF_PINNED;
+  if (misses_end_of_rest(c, to->outcome.mode) ||
+      (rests && to->outcome.mode != TF_PINNED && misses_departure(c, to)))
+    to->outcome.status = TF_COARSE;
 }
 
 TF_API bool tf_end_along_course(const free_motion_t *c, const inclusion_t *in,
                                 unsigned modes, step_end_t *to) {
+  const unsigned from = c->state->mode;
   const codim2_field_t field = field_of_step(c, in);
-  const codim2_course_t course = course_of_slip(c, &field);
+  const codim2_course_t course =
+      course_of_slip(c, &field, is_slip(from) ? from : to->outcome.mode);
   return has(modes, course.mode) &&
          follow_course(c, in, &course, to->outcome.set, to);
 }

@@ -7,6 +7,14 @@ TF_API forced_end_t tf_mode_end(const free_motion_t *c,
   return mode_end(c, s, mode, true);
 }
 
+// How far an end is from the law: in slip, how far h is on the other side.
+static tf_real_t violation_of(const tf_machine_t *k, unsigned mode,
+                              tf_force_t force, tf_slip_t slip) {
+  const outcome_t outcome = {.mode = mode};
+  if (!is_slip(mode)) return mode_residual(k, &outcome, force, slip);
+  return clip(with_sign(sign_in(mode), -slip.h), 0, TF_REAL_MAX);
+}
+
 TF_API void tf_least_violation(free_motion_t *c, inclusion_t *in, unsigned set,
                                step_end_t *to) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
@@ -24,11 +32,12 @@ TF_API void tf_least_violation(free_motion_t *c, inclusion_t *in, unsigned set,
     if (slipping && sticks && !(candidates.attracting & TF_MODE_BIT(mode)))
       continue;
     const forced_end_t end = tf_mode_end(c, &candidates, mode);
-    const outcome_t outcome = {.mode = mode};
-    const tf_real_t residual =
-        mode_residual(k, &outcome, end.force, end_slip(c, &end));
-    if (!(residual < least)) continue;
-    least = residual;
+    const tf_slip_t slip = end_slip(c, &end);
+    const tf_real_t violation = violation_of(k, mode, end.force, slip);
+    const bool ties =
+        violation == least && magnitude(end.at.w) < magnitude(to->end.at.w);
+    if (!(violation < least) && !ties) continue;
+    least = violation;
     to->outcome.mode = mode;
     to->end = end;
   }

@@ -165,8 +165,9 @@ double EXPORT(parameter_there)(uint32_t i) {
   return cli_parameter(&tf_scenes[parameter_scene(i)]->params, i);
 }
 
-const char *EXPORT(arithmetic)(void) {
-  return tf_arithmetic_name(tf_arithmetic());
+const char *EXPORT(arithmetic_fault)(void) {
+  const tf_arithmetic_t found = tf_arithmetic();
+  return found == TF_ARITHMETIC_OK ? "" : tf_arithmetic_name(found);
 }
 
 double EXPORT(state_limit)(void) { return TF_STATE_LIMIT; }
