@@ -21,20 +21,6 @@ typedef struct {
 
 static loop_t the_loop;
 
-// Until the next tick: sends bytes, receives bytes, and idles if there are
-// none. However many bytes come in, sending goes on and the tick is not missed.
-static void use_spare_time(loop_t *loop) {
-  while (port_ticks() == loop->tick) {
-    const int byte = port_get();
-    if (byte >= 0) app_receive((uint8_t)byte, port_clock());
-    if (loop->first < loop->last) {
-      if (port_room() > 0) port_put(loop->buffer[loop->first++]);
-    } else if (byte < 0) {
-      port_idle(loop->tick);
-    }
-  }
-}
-
 // The time that a record takes hardly varies, and descriptions take a few times
 // as long. A longer time was spent elsewhere (in an emulator, or on a computer
 // with other work), and one such moment must not end all telemetry.
@@ -90,13 +76,33 @@ static void queue_record(loop_t *loop, int heartbeat) {
   if (time > loop->longest_record) loop->longest_record = time;
 }
 
-static unsigned queue_other(loop_t *loop) {
+// Writes an answer or a description. Returns: its bytes.
+static unsigned write_other(loop_t *loop) {
   const uint32_t begun = port_clock();
   const unsigned bytes = app_other(loop->buffer + loop->last);
   const uint32_t time = port_clock() - begun;
   if (time > loop->longest_record) loop->longest_record = time;
   loop->last += bytes;
   return bytes;
+}
+
+// Returns: whether there were one, room and time.
+static bool queue_other(loop_t *loop) {
+  return make_room(loop) && is_time_for_record(loop) && write_other(loop) > 0;
+}
+
+// Until the next tick: sends bytes, receives bytes, and idles if there are
+// none. However many bytes come in, sending goes on and the tick is not missed.
+static void use_spare_time(loop_t *loop) {
+  while (port_ticks() == loop->tick) {
+    const int byte = port_get();
+    if (byte >= 0) app_receive((uint8_t)byte, port_clock());
+    if (loop->first < loop->last) {
+      if (port_room() > 0) port_put(loop->buffer[loop->first++]);
+    } else if (byte < 0 && !queue_other(loop)) {
+      port_idle(loop->tick);
+    }
+  }
 }
 
 // Sends what describes the records, before the first step and for a second at
@@ -108,7 +114,7 @@ static void send_descriptions(loop_t *loop) {
   queue_record(loop, 1);
   while ((more || loop->first != loop->last) &&
          loop->tick - loop->last_heartbeat < loop->plan->rate) {
-    if (more && make_room(loop)) more = queue_other(loop) > 0;
+    if (more && make_room(loop)) more = write_other(loop) > 0;
     use_spare_time(loop);
     loop->tick = port_ticks();
   }
@@ -145,7 +151,8 @@ static void queue_what_is_due(loop_t *loop) {
     loop->until_record = loop->plan->every;
     queue_record(loop, 0);
   }
-  if (make_room(loop) && is_time_for_record(loop)) (void)queue_other(loop);
+  while (queue_other(loop)) {
+  }
 }
 
 static loop_end_t run(loop_t *loop) {

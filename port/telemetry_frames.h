@@ -55,9 +55,11 @@ static unsigned telemetry_heartbeat(const loop_counts_t *c, uint8_t *to) {
   }
 #ifdef UPLINK
   const tf_decoder_t *decoder = &sim.link.decoder;
-  beat.bad =
-      decoder->bad + decoder->too_long + decoder->bad_version + sim.link.lost;
+  beat.bad = decoder->bad + decoder->too_long + decoder->bad_version;
+  beat.lost = sim.link.lost;
   beat.ignored = sim.link.ignored;
+  beat.superseded = sim.link.superseded;
+  beat.late = sim.link.late;
   beat.expired = sim.simulation.expired;
 #endif
   telemetry_description = 0;
@@ -118,8 +120,11 @@ static size_t telemetry_next(uint8_t *to) {
 #ifdef UPLINK
   const size_t n = telemetry_answer(to);
   if (n > 0) return n;
-  if (sim.link.describe) telemetry_description = 0;
-  sim.link.describe = false;
+  // Behind the answer to the command that wants it.
+  if (sim.link.describe && !sim.link.has_aside) {
+    telemetry_description = 0;
+    sim.link.describe = false;
+  }
 #endif
   switch (telemetry_description) {
     case 0:

@@ -67,7 +67,7 @@ static inline tf_real_t tf_wire_get_real(const uint8_t *at) {
   return as.real;
 }
 
-#define TF_FRAME_VERSION 4
+#define TF_FRAME_VERSION 5
 /// Version, type, length, sequence (4) and tick (8); then the payload and CRC.
 #define TF_FRAME_HEADER 15
 #define TF_FRAME_CRC 5

@@ -13,6 +13,11 @@
 /// tf_link_answer is called: memory is bounded and no answer is lost. A command
 /// that finds the queue full is counted, gets no answer, and may be sent again.
 /// What is refused on arrival never fills the queue.
+///
+/// TF_UP_SETPOINT sets the inputs without an answer, for a controller that
+/// sends them at every tick. The newest wins: it replaces all that are dated at
+/// its tick or later, and of those that are due together the last takes effect.
+/// Only one that is refused is answered.
 ///   when the program starts:          tf_link_open(&link, scene, &params);
 ///   and, where it has such a number:  tf_link_begin_session(&link, n, key);
 ///   else with each byte before it has a session:
@@ -70,6 +75,8 @@ TF_API size_t tf_command_seal(uint8_t *wire, uint8_t type, size_t length,
 
 /// Commands that can wait, or whose answers can.
 #define TF_LINK_QUEUE 4
+/// Setpoints that can wait for their ticks. A further one replaces the last.
+#define TF_LINK_SETPOINTS 8
 /// How far ahead a command may be dated [steps].
 #define TF_LINK_AHEAD 65536
 /// Ticks that a command may restore are less than this.
@@ -90,6 +97,13 @@ typedef struct {
   uint8_t data[TF_COMMAND_DATA];
 } tf_command_t;
 
+/// Inputs that wait for their tick; 0: for the next step.
+typedef struct {
+  uint64_t tick;
+  uint32_t sequence;
+  tf_input_t input;
+} tf_setpoint_t;
+
 typedef struct {
   const tf_scene_t *scene;
   tf_params_t params; ///< in effect
@@ -98,16 +112,21 @@ typedef struct {
   bool describe;    ///< schema and layouts are due; their sender clears it
   bool has_aside;   ///< `aside` is in use
   uint8_t waiting;  ///< entries of the queue in use, in order of arrival
+  uint8_t dated;    ///< setpoints in use, in order of their ticks
   uint32_t session; ///< that commands have to name; 0: none yet
   uint32_t noise;   ///< makes the session
   uint32_t next;    ///< least number of a command that is still taken
+  uint32_t seen;    ///< least number that has not come
   uint32_t lost;    ///< numbers that were passed over, modulo 2^32
   uint32_t ignored; ///< commands without an answer: no room, or cleared
-  uint32_t every;   ///< steps from record to record; 0: no command sets them
-  tf_line_t line;   ///< what it may need; the program sets both
+  uint32_t superseded, late; ///< as in a heartbeat
+  uint64_t now;              ///< tick of the last boundary
+  uint32_t every; ///< steps from record to record; 0: no command sets them
+  tf_line_t line; ///< what it may need; the program sets both
   tf_decoder_t decoder;
   tf_command_t queue[TF_LINK_QUEUE];
   tf_command_t aside; ///< done with on arrival; its answer is still to be sent
+  tf_setpoint_t setpoint[TF_LINK_SETPOINTS];
   uint8_t buffer[TF_DECODER_SIZE(TF_COMMAND_BYTES)];
 } tf_link_t;
 

@@ -35,7 +35,8 @@ typedef enum {
   TF_UP_CLEAR = 0x49,
   TF_UP_DESCRIBE = 0x4A,
   TF_UP_DEADMAN = 0x4B,
-  TF_UP_EVERY = 0x4C
+  TF_UP_EVERY = 0x4C,
+  TF_UP_SETPOINT = 0x4D
 } tf_type_t;
 
 /// Bytes of the payloads; at most, of those that end with text.
@@ -43,7 +44,7 @@ typedef enum {
 #define TF_LAYOUT_BYTES TF_FRAME_PAYLOAD
 #define TF_STATE_BYTES (4 * TF_REAL_BYTES + 5)
 #define TF_REPORT_BYTES (6 * TF_REAL_BYTES + 5)
-#define TF_HEARTBEAT_BYTES 72u
+#define TF_HEARTBEAT_BYTES 88u
 #define TF_EXPIRED_BYTES 4u
 
 /// Contents of a schema frame.
@@ -68,7 +69,7 @@ typedef struct {
   uint32_t refused;  ///< by the scheme; the state is untouched
   uint32_t overruns; ///< steps that ended after the next tick
   uint32_t dropped;  ///< telemetry records, for lack of room or time
-  uint32_t bad;      ///< broken or lost frames from the host
+  uint32_t bad;      ///< frames from the host that came broken
   uint32_t ignored;  ///< commands without an answer: queue full, cleared
   /// Execution time of a step, from input to output, since the start [ns].
   uint32_t exec_min, exec_mean, exec_max;
@@ -79,8 +80,13 @@ typedef struct {
   uint32_t stalled;   ///< steps TF_STALLED
   uint32_t expired;   ///< inputs from outside that were not renewed in time
   uint32_t skipped;   ///< ticks that got no step
-  uint32_t run;       ///< tf_schema_t.run
-  uint32_t chain;     ///< tf_frame_chain of all frames before this one
+  uint32_t lost;      ///< commands that never came, by their numbers
+  uint32_t
+      superseded;  ///< setpoints that a newer one replaced before their step
+  uint32_t late;   ///< setpoints that took effect after the tick they name
+  uint32_t unread; ///< bytes that came broken, or to a full buffer
+  uint32_t run;    ///< tf_schema_t.run
+  uint32_t chain;  ///< tf_frame_chain of all frames before this one
 } tf_heartbeat_t;
 
 /// Hash of all parameters that the motion depends on, the same on every board:

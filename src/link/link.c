@@ -59,11 +59,11 @@ static int admit(const tf_link_t *link, const tf_frame_t *frame) {
              : TF_ANSWER_DONE;
 }
 
-// The number is used up, whatever becomes of the command: one that is refused
-// today might act tomorrow if it were sent again.
-static void use_number(tf_link_t *link, uint32_t sequence) {
-  link->lost += sequence - link->next;
-  link->next = sequence + 1u;
+// A command that is ignored has come, although its number is not used up.
+static void see_number(tf_link_t *link, uint32_t sequence) {
+  if (sequence < link->seen) return;
+  link->lost += sequence - link->seen;
+  link->seen = sequence + 1u;
 }
 
 // Takes a command, its data behind the session.
@@ -99,10 +99,44 @@ static void describe(tf_link_t *link, const tf_frame_t *frame) {
   set_aside(link, frame, code);
 }
 
+static tf_input_t input_at(const uint8_t *at) {
+  return (tf_input_t){tf_wire_get_real(at), tf_wire_get_real(at + REAL_SIZE),
+                      tf_wire_get_real(at + 2 * REAL_SIZE),
+                      tf_wire_get_real(at + 3 * REAL_SIZE),
+                      tf_wire_get_real(at + 4 * REAL_SIZE)};
+}
+
+static bool is_far(uint64_t tick, uint64_t now) {
+  return tick > now && tick - now > TF_LINK_AHEAD;
+}
+
+static int judge_setpoint(const tf_link_t *link, const tf_frame_t *frame,
+                          size_t length) {
+  if (length != INPUT_SIZE) return TF_ANSWER_LENGTH;
+  if (is_far(frame->tick, link->now)) return TF_ANSWER_FAR;
+  const tf_input_t input = input_at(frame->payload + TF_SESSION_BYTES);
+  return input_in_range(&input) ? TF_ANSWER_DONE : (int)TF_BAD_STATE;
+}
+
+// They stay in the order of their ticks, and of their numbers as well.
+static void keep_setpoint(tf_link_t *link, const tf_frame_t *frame) {
+  while (link->dated > 0 &&
+         (link->dated == TF_LINK_SETPOINTS ||
+          link->setpoint[link->dated - 1].tick >= frame->tick)) {
+    link->dated--;
+    link->superseded++;
+  }
+  link->setpoint[link->dated++] =
+      (tf_setpoint_t){frame->tick, frame->sequence,
+                      input_at(frame->payload + TF_SESSION_BYTES)};
+}
+
 // Whether a new command may wait for its turn. A `clear` acts on arrival,
 // because it may be needed to empty a queue that is blocked; so it has no date.
-static int judge_arrival(const tf_frame_t *frame, size_t length) {
+static int judge_arrival(const tf_link_t *link, const tf_frame_t *frame,
+                         size_t length) {
   const bool is_clear = frame->type == TF_UP_CLEAR;
+  if (frame->type == TF_UP_SETPOINT) return judge_setpoint(link, frame, length);
   if (length > (is_clear ? 0 : TF_COMMAND_DATA)) return TF_ANSWER_LENGTH;
   return is_clear && frame->tick != 0 ? TF_ANSWER_FAR : TF_ANSWER_DONE;
 }
@@ -134,20 +168,28 @@ static void take_frame(tf_link_t *link, const tf_frame_t *frame) {
   if (code == TF_ANSWER_OLD && is_waiting(link, frame)) return;
   const bool is_new = code == TF_ANSWER_DONE;
   const size_t length = is_new ? frame->length - TF_SESSION_BYTES : 0;
-  if (is_new) code = judge_arrival(frame, length);
-  if (code == TF_ANSWER_DONE && frame->type == TF_UP_CLEAR) {
-    link->ignored += link->waiting;
-    link->waiting = 0;
+  const bool sets = frame->type == TF_UP_SETPOINT;
+  if (is_new) {
+    see_number(link, frame->sequence);
+    code = judge_arrival(link, frame, length);
   }
-  if (code == TF_ANSWER_DONE && link->waiting == TF_LINK_QUEUE) {
+  if (code == TF_ANSWER_DONE && frame->type == TF_UP_CLEAR) {
+    link->ignored += (uint32_t)link->waiting + link->dated;
+    link->waiting = link->dated = 0;
+  }
+  if (code == TF_ANSWER_DONE && !sets && link->waiting == TF_LINK_QUEUE) {
     link->ignored++;
     return;
   }
-  if (is_new) use_number(link, frame->sequence);
-  if (code == TF_ANSWER_DONE)
-    keep_command(&link->queue[link->waiting++], frame, length);
-  else
+  // The number is used up, whatever becomes of the command: one that is refused
+  // today might act tomorrow if it were sent again.
+  if (is_new) link->next = frame->sequence + 1u;
+  if (code != TF_ANSWER_DONE)
     set_aside(link, frame, code);
+  else if (sets)
+    keep_setpoint(link, frame);
+  else
+    keep_command(&link->queue[link->waiting++], frame, length);
 }
 
 TF_API void tf_link_receive(tf_link_t *link, uint8_t byte) {
@@ -174,12 +216,7 @@ static int set_input(tf_simulation_t *simulation, const tf_command_t *command) {
     simulation->source = TF_INPUT_SCENE;
     return TF_ANSWER_DONE;
   }
-  const uint8_t *at = command->data;
-  const tf_input_t input = {tf_wire_get_real(at),
-                            tf_wire_get_real(at + REAL_SIZE),
-                            tf_wire_get_real(at + 2 * REAL_SIZE),
-                            tf_wire_get_real(at + 3 * REAL_SIZE),
-                            tf_wire_get_real(at + 4 * REAL_SIZE)};
+  const tf_input_t input = input_at(command->data);
   if (!in_range(&simulation->state, &input)) return TF_BAD_STATE;
   tf_simulation_set_input(simulation, &input);
   return TF_ANSWER_DONE;
@@ -327,12 +364,33 @@ static void finish(tf_command_t *command, const tf_simulation_t *simulation) {
   command->source = (uint8_t)simulation->source;
 }
 
+// Of the setpoints that are due and came before a command, the last takes
+// effect. Returns: how many did.
+static unsigned apply_setpoint(tf_link_t *link, tf_simulation_t *simulation,
+                               uint32_t before) {
+  const uint64_t now = simulation->state.tick;
+  unsigned due = 0;
+  while (due < link->dated && link->setpoint[due].tick <= now &&
+         link->setpoint[due].sequence < before)
+    due++;
+  if (due == 0) return 0;
+  const tf_setpoint_t *last = &link->setpoint[due - 1];
+  link->superseded += due - 1;
+  link->late += last->tick != 0 && last->tick < now;
+  tf_simulation_set_input(simulation, &last->input);
+  link->dated = (uint8_t)(link->dated - due);
+  for (unsigned i = 0; i < link->dated; i++)
+    link->setpoint[i] = link->setpoint[i + due];
+  return 1;
+}
+
 TF_API unsigned tf_link_boundary(tf_link_t *link, tf_simulation_t *simulation) {
   unsigned effective = 0;
   for (unsigned i = 0; i < link->waiting; i++) {
     tf_command_t *command = &link->queue[i];
     const uint64_t now = simulation->state.tick, due = command->tick;
-    if (command->done || (due > now && due - now <= TF_LINK_AHEAD)) continue;
+    if (command->done || (due > now && !is_far(due, now))) continue;
+    effective += apply_setpoint(link, simulation, command->sequence);
     finish(command, simulation);
     if (due > now)
       command->code = TF_ANSWER_FAR;
@@ -340,6 +398,8 @@ TF_API unsigned tf_link_boundary(tf_link_t *link, tf_simulation_t *simulation) {
       command->code = (int8_t)perform(link, simulation, command);
     effective += command->code == TF_ANSWER_DONE;
   }
+  effective += apply_setpoint(link, simulation, UINT32_MAX);
+  link->now = simulation->state.tick;
   if (link->has_aside && !link->aside.done) finish(&link->aside, simulation);
   return effective;
 }

@@ -102,10 +102,9 @@ TF_API const char *const tf_layout_report =
     "h,real,1,m/s;g,real,1,m/s;F,real,1,N;M,real,1,N m;delassus,real,1,1/kg;"
     "residual,real,1,N;mode,u8;set,u8;choices,u8;status,i8;input,u8";
 TF_API const char *const tf_layout_heartbeat =
-    "steps,u32;refused,u32;overruns,u32;dropped,u32;bad,u32;ignored,u32;"
-    "min,u32,1e-9,s;mean,u32,1e-9,s;max,u32,1e-9,s;period,u32,1e-9,s;"
-    "degraded,u32;fell_back,u32;coarse,u32;stalled,u32;expired,u32;"
-    "skipped,u32;run,u32;chain,u32";
+    "steps;refused;overruns;dropped;bad;ignored;min,u32,1e-9,s;"
+    "mean,u32,1e-9,s;max,u32,1e-9,s;period,u32,1e-9,s;degraded;fell_back;"
+    "coarse;stalled;expired;skipped;lost;superseded;late;unread;run;chain";
 
 TF_API size_t tf_send_layout(uint8_t *wire, uint32_t *sequence, uint64_t tick,
                              tf_type_t type, const char *layout) {

@@ -55,7 +55,7 @@ def sealed(code):
 
 def framed(kind, number, tick, payload):
     """The bytes of a frame on the line (docs/PROTOCOL.md, section 1)."""
-    body = struct.pack("<BBBIQ", 4, kind, len(payload), number, tick) + payload
+    body = struct.pack("<BBBIQ", 5, kind, len(payload), number, tick) + payload
     return b"\0" + sealed(stuffed(body)) + b"\0"
 
 
@@ -65,7 +65,7 @@ def chained(sent):
     chain, stream = 0, b""
     for number, (kind, tick, payload) in enumerate(sent):
         if kind == HEARTBEAT:
-            payload = payload[:68] + struct.pack("<I", chain)
+            payload = payload[:84] + struct.pack("<I", chain)
         stream += framed(kind, number, tick, payload)
         chain = zlib.crc32(stream[-6:-1], chain)
     return stream

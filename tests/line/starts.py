@@ -64,7 +64,7 @@ def siphash(key, message):
 
 def tagged(kind, number, tick, payload):
     """The payload with its tag, by docs/PROTOCOL.md, section 4."""
-    body = struct.pack("<BBBIQ", 4, kind, len(payload) + 8, number, tick)
+    body = struct.pack("<BBBIQ", 5, kind, len(payload) + 8, number, tick)
     return payload + struct.pack("<Q", siphash(KEY, body + payload))
 
 

@@ -212,9 +212,9 @@ def test_a_keyed_board_takes_keyed_commands():
         check("stop: took effect" in said, said)
         said = board.send("every:20", "every:10", code=3,
                           key=["--key", "key"])
-        says(said, r"20: took effect at step \d+; it asks 9020 bytes/s of "
+        says(said, r"20: took effect at step \d+; it asks 9008 bytes/s of "
              "11520, a record every 20", "10: refused, more than the line "
-             r"carries at step \d+; it asks 17370 bytes/s of 11520, a record "
+             r"carries at step \d+; it asks 17358 bytes/s of 11520, a record "
              "every 20 steps")
         call("monitor", board.name, "--send", "stop", "--key", "none", code=2)
         for mode in 0o640, 0o604, 0o620:

@@ -73,9 +73,9 @@ def test_a_line_that_does_not_carry_its_records_is_refused():
     for form, every, sends in (
             ("plotter", 11, "114 bytes with a record and 157 each second"),
             ("csv", 11, "121 bytes with a record and 4 each second"),
-            ("frames", 13, "136 bytes with a record and 670 each second"),
-            ("frames UPLINK=yes", 16, "167 bytes with a record and 670 each"),
-            (f"frames {key}", 16, "167 bytes with a record and 670 each")):
+            ("frames", 13, "136 bytes with a record and 658 each second"),
+            ("frames UPLINK=yes", 16, "167 bytes with a record and 658 each"),
+            (f"frames {key}", 16, "167 bytes with a record and 658 each")):
         for steps in every, every - 1:
             asks = [line for line in make(
                 "-n", "BAUD=115200", *f"FORMAT={form}".split(),

@@ -155,13 +155,13 @@ def test_what_is_not_a_number_is_a_row():
     says(got, ",nan,.*stick-,2\n$")
     other = sealed(stuffed(struct.pack("<BBBIQ", 3, HEARTBEAT, 0, 0, 1000)))
     says(monitor(b"\0" + other + b"\0", code=4)[1], "stream: its protocol is "
-         "version 3, here it is 4: build what sends it")
+         "version 3, here it is 5: build what sends it")
 
 
 def test_what_is_not_understood():
     says(monitor(call("run", "chaos", "--t-end", "0.01")[0].encode(),
                  "--format", "csv", code=4)[1],
-         "no frame of protocol version 4")
+         "no frame of protocol version 5")
     monitor(b"", code=4)
     says_each("""
 4 missing|missing: No such file or directory
@@ -209,7 +209,7 @@ def test_a_run_that_was_cut_is_told():
         said = monitor(stream[:border], *words, code=6)[1]
         # A state whose report is cut off is lost.
         check("ends before its run" in said or "were lost" in said, said)
-        if border + 99 < len(stream):
+        if border + 119 < len(stream):
             monitor(stream[border:], *words, code=6)
     says(monitor(stream + stream, *words, code=6)[1], "rows.part")
     monitor(b"", *words, code=4)
@@ -260,7 +260,7 @@ def beating(*words):
                                                 "frames")):
         sent.append((kind, tick, payload))
         if kind == REPORT and tick % 50 == 0:
-            sent.append((HEARTBEAT, tick, bytes(64) + struct.pack(
+            sent.append((HEARTBEAT, tick, bytes(80) + struct.pack(
                 "<II", *runs([(sent[0][0], 0, 0, sent[0][2])]), 0)))
     stream = chained(sent)
     return stream, [0, *borders_of(stream), len(stream)]
@@ -319,7 +319,7 @@ def test_counts_are_those_since_the_first_heartbeat():
                           ([2**32 - 2, 2], 1)):
         for where, code in ((3, 6), (15, 5)):
             beats = [(HEARTBEAT, 500, struct.pack(
-                "<17I", 500, *(one * (at == where) for at in range(1, 16)),
+                "<21I", 500, *(one * (at == where) for at in range(1, 20)),
                 *runs(frames(stream)))) for one in counts]
             _, said = monitor(chained(sent + beats), "--summary", "json",
                               code=grows * code)

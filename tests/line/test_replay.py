@@ -80,7 +80,7 @@ def seal(path, lines):
 def record(path, schema, *rows):
     """Writes a record of commands: (step, (type, data)) each."""
     seal(path, ["tick,type,data,command",
-                f"0,01,{schema.hex()},schema of version 4",
+                f"0,01,{schema.hex()},schema of version 5",
                 *(f"{tick},{kind:02x},{data.hex()},-"
                   for tick, (kind, data) in rows)])
 
@@ -381,8 +381,8 @@ def wrong_records(lines):
 2 chaos --dt {DT} --replay record --from x|not with --from
 2 chaos --dt {DT} --replay rows|rows:1: no record
 2 chaos --dt {DT} --replay none|none: No such file""", "run")
-    refused("bad", [row.replace(" of version 4", "") for row in rows], 3,
-            "'schema', here it is 'schema of version 4': record the session "
+    refused("bad", [row.replace(" of version 5", "") for row in rows], 3,
+            "'schema', here it is 'schema of version 5': record the session "
             "again")
     refused("bad", [row.replace(",44,,start", ",44,0g,start") for row in rows],
             2, "bad:&no record of")

@@ -116,7 +116,7 @@ def test_decoder_in_python_rejects():
     """What is no frame under a right CRC, as test_frame.c has it for the core:
     another version, a wrong length, a distance that leads out, and one byte too
     many."""
-    def piece(payload, version=4, longer=0):
+    def piece(payload, version=5, longer=0):
         return sealed(stuffed(struct.pack(
             "<BBBIQ", version, 7, len(payload) + longer, 1, 2) + payload))
     same([decode.decode(piece(bytes(size))) for size in (0, 238)],
@@ -132,8 +132,8 @@ def test_layouts_describe_their_payloads():
     sizes = {"real": 8, "u8": 1, "i8": 1, "u32": 4}
     found = decode.frames(output(*RUN, "--format", "frames"))
     lengths = {kind: len(payload) for kind, _, _, payload in found}
-    layouts = {payload[0]: [field.split(",") for field in
-                            payload[1:].decode().split(";")]
+    layouts = {payload[0]: [(field if "," in field else field + ",u32").split(
+        ",") for field in payload[1:].decode().split(";")]
                for kind, _, _, payload in found if kind == 2}
     same({kind: sum(sizes[field[1]] for field in fields)
           for kind, fields in layouts.items()},

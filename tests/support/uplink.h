@@ -103,13 +103,17 @@ static inline void send_parameter(board_t *board, uint64_t at, unsigned index,
   tf_wire_put_real(payload + 1, value);
   send(board, TF_UP_PARAMETER, at, payload, sizeof payload);
 }
-static inline void send_input(board_t *board, uint64_t at,
-                              const tf_input_t *input) {
+static inline void send_inputs(board_t *board, tf_type_t type, uint64_t at,
+                               const tf_input_t *input) {
   uint8_t payload[5 * sizeof(tf_real_t)];
   const tf_real_t values[5] = {input->omega0, input->r0, input->force,
                                input->torque, input->alpha};
   for (size_t i = 0; i < 5; i++) tf_wire_put_real(payload + i * R, values[i]);
-  send(board, TF_UP_INPUT, at, payload, sizeof payload);
+  send(board, type, at, payload, sizeof payload);
+}
+static inline void send_input(board_t *board, uint64_t at,
+                              const tf_input_t *input) {
+  send_inputs(board, TF_UP_INPUT, at, input);
 }
 
 /* The boundary between two steps: how many commands take effect there. */

@@ -37,9 +37,9 @@ typedef struct {
 } sent_t;
 
 /* What docs/PROTOCOL.md makes of commands, beside their data: which numbers are
- * used up, what waits, what had no room. */
+ * used up, which have come, what waits, what had no room. */
 typedef struct {
-  uint32_t next, lost, ignored;
+  uint32_t next, seen, lost, ignored;
   unsigned waiting;
   sent_t waits[TF_LINK_QUEUE];
 } model_t;
@@ -64,10 +64,15 @@ static int expected(model_t *model, const sent_t *sent, uint64_t ahead) {
   const bool is_clear = sent->type == TF_UP_CLEAR;
   if (sent->number < model->next || sent->number == UINT32_MAX)
     return waits_already(model, sent) ? NOTHING : TF_ANSWER_OLD;
-  const int arrival = sent->length > (is_clear ? 0 : TF_COMMAND_DATA)
+  const bool sets = sent->type == TF_UP_SETPOINT; /* of a wrong length */
+  const int arrival = sets || sent->length > (is_clear ? 0 : TF_COMMAND_DATA)
                           ? TF_ANSWER_LENGTH
                       : is_clear && ahead > 0 ? TF_ANSWER_FAR
                                               : TF_ANSWER_DONE;
+  if (sent->number >= model->seen) {
+    model->lost += sent->number - model->seen;
+    model->seen = sent->number + 1;
+  }
   if (arrival == TF_ANSWER_DONE && is_clear) {
     model->ignored += model->waiting;
     model->waiting = 0;
@@ -76,7 +81,6 @@ static int expected(model_t *model, const sent_t *sent, uint64_t ahead) {
     model->ignored++;
     return NOTHING;
   }
-  model->lost += sent->number - model->next;
   model->next = sent->number + 1;
   if (arrival != TF_ANSWER_DONE) return arrival;
   if (ahead > TF_LINK_AHEAD) return TF_ANSWER_FAR;
@@ -114,10 +118,11 @@ static sent_t draw(const model_t *model, bool locked) {
   if (fault == 3) sent.number += one_of(4);
   if (one_of(4) == 0) sent.type = (uint8_t)tap_bits();
   if (one_of(4) == 0) sent.length = (uint8_t)one_of(most + 1);
-  /* A question has no number, and these move the step, which the model does
-   * not. */
+  /* A question has no number, a setpoint no answer, and these move the step,
+   * which the model does not. */
   if (sent.type == TF_UP_DESCRIBE || sent.type == TF_UP_RESET ||
-      (sent.type == TF_UP_RESTORE && sent.length == TF_COMMAND_DATA))
+      (sent.type == TF_UP_RESTORE && sent.length == TF_COMMAND_DATA) ||
+      (sent.type == TF_UP_SETPOINT && sent.length == 5 * R))
     sent.type = TF_UP_STOP;
   return sent;
 }
@@ -233,7 +238,7 @@ TEST(tag_is_siphash_of_the_body) {
   const size_t size =
       tf_command_seal(wire, TF_UP_STOP, 0, 0x11223344u, &number, 77, key);
   static const char body[] =
-      "\4\x45\14\5\0\0\0"  /* version, stop, 12 bytes, number 5 */
+      "\5\x45\14\5\0\0\0"  /* version, stop, 12 bytes, number 5 */
       "\115\0\0\0\0\0\0\0" /* at tick 77 */
       "\x44\x33\x22\x11";  /* of the session */
   const tf_frame_t got = frame_of(wire, size);

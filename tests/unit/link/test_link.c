@@ -261,3 +261,109 @@ TEST(start_stop_reset_and_rule) {
     CHECK(code_of(&board) == TF_ANSWER_LENGTH && !board.link.describe);
   }
 }
+
+static void send_setpoint(board_t *board, uint64_t at, tf_real_t force) {
+  const tf_input_t input = {-1, 0, force, 0, 0};
+  send_inputs(board, TF_UP_SETPOINT, at, &input);
+}
+
+/* What holds in the step from a tick on, and what is told of it. */
+#define CHECK_FORCE(board, at, wanted)                  \
+  do {                                                  \
+    CHECK((board)->simulation.state.tick == (at));      \
+    boundary(board);                                    \
+    CHECK((board)->simulation.input.force == (wanted)); \
+    tick(board);                                        \
+    CHECK(answer_of(board).length == 0);                \
+  } while (0)
+
+/* One a tick, two ticks ahead: each acts at its tick, none is answered. */
+TEST(setpoints_act_at_their_ticks_without_an_answer) {
+  board_t board;
+  power_up(&board, "driven");
+  for (unsigned n = 0; n < 40; n++) {
+    send_setpoint(&board, n + 2, (tf_real_t)n);
+    CHECK_FORCE(&board, n, (tf_real_t)(n > 2 ? n - 2 : 0));
+  }
+  CHECK(board.link.superseded == 0 && board.link.late == 0);
+  CHECK(board.link.lost == 0 && board.link.ignored == 0);
+}
+
+TEST(the_newest_setpoint_wins) {
+  board_t board;
+  power_up(&board, "driven");
+  send_setpoint(&board, 0, 1); /* at once, and again: the second */
+  send_setpoint(&board, 0, 2);
+  CHECK_FORCE(&board, 0, 2);
+  CHECK(board.link.superseded == 1);
+  send_setpoint(&board, 5, 3); /* dated later than a newer one: gone */
+  send_setpoint(&board, 3, 4);
+  CHECK_FORCE(&board, 1, 2);
+  CHECK_FORCE(&board, 2, 2);
+  CHECK_FORCE(&board, 3, 4);
+  CHECK(board.link.superseded == 2 && board.link.late == 0);
+  send_setpoint(&board, 1, 5); /* too late, but for the last of them */
+  send_setpoint(&board, 2, 6);
+  CHECK_FORCE(&board, 4, 6);
+  CHECK(board.link.superseded == 3 && board.link.late == 1);
+  for (unsigned n = 0; n <= TF_LINK_SETPOINTS; n++) /* one too many */
+    send_setpoint(&board, 10 + n, (tf_real_t)n);
+  CHECK(board.link.superseded == 4);
+  send_setpoint(&board, 0, 7); /* at once: nothing dated is left */
+  CHECK_FORCE(&board, 5, 7);
+  CHECK(board.link.superseded == 4 + TF_LINK_SETPOINTS);
+  ticks(&board, 20);
+  CHECK(board.simulation.input.force == 7);
+}
+
+/* With commands it acts in the order in which they came. */
+TEST(setpoints_keep_their_place_among_commands) {
+  board_t board;
+  power_up(&board, "driven");
+  send_setpoint(&board, 0, 1);
+  send_plain(&board, TF_UP_INPUT); /* those of the scene */
+  CHECK(boundary(&board) == 2 && code_of(&board) == TF_ANSWER_DONE);
+  CHECK(board.simulation.source == TF_INPUT_SCENE);
+  send_plain(&board, TF_UP_RESET);
+  send_setpoint(&board, 0, 2);
+  CHECK(boundary(&board) == 2 && code_of(&board) == TF_ANSWER_DONE);
+  CHECK(board.simulation.source == TF_INPUT_SET);
+  send_setpoint(&board, 9, 3);
+  send_plain(&board, TF_UP_CLEAR);
+  CHECK(board.link.dated == 0 && board.link.ignored == 1);
+}
+
+/* What is refused is answered, and changes nothing. */
+TEST(wrong_setpoints_are_answered) {
+  board_t board;
+  power_up(&board, "driven");
+  ticks(&board, 10);
+  const acting_t before = acting(&board);
+  send_setpoint(&board, 0, (tf_real_t)NAN);
+  CHECK_TOLD(&board, 0, TF_BAD_STATE);
+  send_setpoint(&board, board.link.now + TF_LINK_AHEAD + 1, 1);
+  CHECK_TOLD(&board, 0, TF_ANSWER_FAR);
+  send_plain(&board, TF_UP_SETPOINT);
+  CHECK_TOLD(&board, 0, TF_ANSWER_LENGTH);
+  board.up--;
+  send_setpoint(&board, 0, 1);
+  CHECK_TOLD(&board, 0, TF_ANSWER_OLD);
+  CHECK(acts_alike(&board, &before) && board.link.dated == 0);
+}
+
+/* An ignored command has come: only what never came is lost. */
+TEST(ignored_commands_are_not_lost) {
+  board_t board;
+  power_up(&board, "chaos");
+  for (unsigned n = 0; n < TF_LINK_QUEUE + 3; n++)
+    send_plain(&board, TF_UP_START);
+  CHECK(board.link.ignored == 3 && board.link.lost == 0);
+  CHECK(boundary(&board) == TF_LINK_QUEUE && drain(&board) == TF_LINK_QUEUE);
+  board.up -= 2; /* sent again, and one of them never came */
+  send_plain(&board, TF_UP_START);
+  CHECK_TOLD(&board, 1, TF_ANSWER_DONE);
+  CHECK(board.link.lost == 0);
+  board.up += 3;
+  send_plain(&board, TF_UP_START);
+  CHECK(board.link.lost == 2);
+}

@@ -65,8 +65,8 @@ static const tf_report_t report_shown = {
 /* Its chain is that of the examples in float before it. */
 static tf_heartbeat_t heartbeat_shown(void) {
   static const char *const before[] = {"schema", "layout", "state", "report"};
-  tf_heartbeat_t beat = {1000,    0, 2, 3, 1, 0, 5200, 5400, 9100,
-                         1000000, 4, 0, 1, 3, 2, 93,   RUN,  0};
+  tf_heartbeat_t beat = {1000, 0, 2, 3, 1,  0, 5200, 5400, 9100, 1000000, 4,
+                         0,    1, 3, 2, 93, 6, 5,    7,    8,    RUN,     0};
   for (unsigned i = 0; i < 4; i++) {
     const example_t frame = example(before[i]);
     const uint8_t *crc = frame.wire + frame.size - 1 - TF_FRAME_CRC;

@@ -20,7 +20,7 @@ def decode(piece):
         at = end
     body = body[:-1]  # the last zero is the end
     version, kind, length, sequence, tick = struct.unpack_from("<BBBIQ", body)
-    if version != 4 or length != len(body) - 15:
+    if version != 5 or length != len(body) - 15:
         return None
     return kind, sequence, tick, body[15:]
 
@@ -35,7 +35,7 @@ def frames(stream):
 def runs(found):
     """The hashes of the run in the schemas and heartbeats among frames. Where
     there are two, the frames are of two runs."""
-    return {struct.unpack_from("<I", payload, 25 if kind == 1 else 64)[0]
+    return {struct.unpack_from("<I", payload, 25 if kind == 1 else 80)[0]
             for kind, _, _, payload in found if kind in (1, 6)}
 
 
@@ -50,7 +50,7 @@ def breaks(stream):
         if number != follows:
             chain = None if number else 0
         if kind == 6:
-            told, = struct.unpack_from("<I", payload, 68)
+            told, = struct.unpack_from("<I", payload, 84)
             found += [tick] if chain not in (None, told) else []
             chain = told
         if chain is not None:
