@@ -144,14 +144,19 @@ static bool is_finite(const inclusion_t *in, tf_slip_t now) {
   return within(size, TF_REAL_MAX);
 }
 
-// The first of the zeros under which the wheel rests; without any, a point that
-// is in no law.
+// Of the zeros under which the wheel rests the one with the least |x|, and then
+// the least |y|; without any, a point that is in no law.
 static multipliers_t pin_of(const inclusion_t *in) {
-  multipliers_t at[TF_MOST_ZEROS];
+  multipliers_t at[TF_MOST_ZEROS], pin = {TF_REAL_MAX, TF_REAL_MAX};
   const unsigned count = tf_common_zeros(&in->h, &in->g, at);
-  for (unsigned i = 0; i < count; i++)
-    if (rests_under(in->rest, at[i].x, at[i].y)) return at[i];
-  return (multipliers_t){TF_REAL_MAX, 0};
+  for (unsigned i = 0; i < count; i++) {
+    const tf_real_t by_x = magnitude(pin.x) - magnitude(at[i].x);
+    const tf_real_t by_y = magnitude(pin.y) - magnitude(at[i].y);
+    if (rests_under(in->rest, at[i].x, at[i].y) &&
+        (by_x > 0 || (by_x == 0 && by_y > 0)))
+      pin = at[i];
+  }
+  return pin;
 }
 
 TF_API tf_status_t tf_contact_modes(const tf_contact_t *contact,

@@ -220,55 +220,38 @@ static verdict_t search_box(const box_t *in, zeros_t *zeros) {
   return verdict;
 }
 
-// In the order of |x|, and of |y| where that is equal.
-static void sort_zeros(multipliers_t *at, unsigned count) {
-  for (unsigned i = 1; i < count; i++)
-    for (unsigned j = i; j > 0; j--) {
-      const multipliers_t a = at[j - 1], b = at[j];
-      const tf_real_t by_x = magnitude(b.x) - magnitude(a.x);
-      if (by_x > 0 || (by_x == 0 && magnitude(b.y) >= magnitude(a.y))) break;
-      at[j - 1] = b;
-      at[j] = a;
-    }
-}
-
 // Boxes one after another, each before its halves. By level, from the last bit
-// on: which side was halved, and whether this is the second half.
+// on: whether y was halved, and whether this is the second half.
 TF_API unsigned tf_common_zeros(const tf_form_t *h, const tf_form_t *g,
                                 multipliers_t at[TF_MOST_ZEROS]) {
   zeros_t zeros = {.h = in_own_unit(h), .g = in_own_unit(g), .at = at};
-  multipliers_t centre = {0, 0}, half = {REACH, REACH};
+  tf_real_t centre[2] = {0, 0}, half[2] = {REACH, REACH};
   uint64_t of_y = 0, second = 0;
   unsigned level = 0;
   for (int n = 0;
        n < MOST_BOXES && zeros.count < TF_MOST_ZEROS && !zeros.are_one_curve;
        n++) {
-    const box_t in = box_about(&zeros, centre, half);
+    const box_t in = box_about(&zeros, (multipliers_t){centre[0], centre[1]},
+                               (multipliers_t){half[0], half[1]});
     const verdict_t verdict = search_box(&in, &zeros);
     if (verdict > ONE_AT_MOST && level < LEVELS) {
-      of_y = of_y << 1 | (verdict == HALVE_Y);
+      const unsigned side = verdict == HALVE_Y;
+      half[side] /= 2;
+      centre[side] -= half[side];
+      of_y = of_y << 1 | side;
       second <<= 1;
       level++;
-      tf_real_t *side = verdict == HALVE_Y ? &half.y : &half.x;
-      tf_real_t *middle = verdict == HALVE_Y ? &centre.y : &centre.x;
-      *side /= 2;
-      *middle -= *side;
       continue;
     }
     for (; level > 0 && second & 1; level--) {
-      tf_real_t *side = of_y & 1 ? &half.y : &half.x;
-      *(of_y & 1 ? &centre.y : &centre.x) -= *side;
-      *side *= 2;
+      centre[of_y & 1] -= half[of_y & 1];
+      half[of_y & 1] *= 2;
       of_y >>= 1;
       second >>= 1;
     }
     if (level == 0) break;
+    centre[of_y & 1] += 2 * half[of_y & 1];
     second |= 1;
-    if (of_y & 1)
-      centre.y += 2 * half.y;
-    else
-      centre.x += 2 * half.x;
   }
-  sort_zeros(at, zeros.count);
   return zeros.count;
 }

@@ -30,11 +30,9 @@ export class Core {
   constructor(module) {
     const exports = instantiate(module);
     this.c = exports;
-    const fault = this.text(exports.arithmetic_fault());
-    if (fault) {
-      document.body.prepend(`This build has other bits: ${fault}`);
-      throw new Error(fault);
-    }
+    const found = this.text(exports.arithmetic());
+    if (found !== 'ok') document.body.prepend(`Wrong bits: ${found}`);
+    if (found !== 'ok') throw new Error(found);
     // The module never grows its memory, so views of it last.
     this.row = new Float64Array(exports.memory.buffer, exports.look(), COLUMNS);
     this.scenes = this.#list(exports.scenes(), 'scene_name');

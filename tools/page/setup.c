@@ -165,9 +165,8 @@ double EXPORT(parameter_there)(uint32_t i) {
   return cli_parameter(&tf_scenes[parameter_scene(i)]->params, i);
 }
 
-const char *EXPORT(arithmetic_fault)(void) {
-  const tf_arithmetic_t found = tf_arithmetic();
-  return found == TF_ARITHMETIC_OK ? "" : tf_arithmetic_name(found);
+const char *EXPORT(arithmetic)(void) {
+  return tf_arithmetic_name(tf_arithmetic());
 }
 
 double EXPORT(state_limit)(void) { return TF_STATE_LIMIT; }
