@@ -109,8 +109,8 @@ TF_API bool tf_split_end(const free_motion_t *c, const inclusion_t *in,
   to->outcome = (outcome_t){
       .mode = part.next,
       .set = TF_MODE_BIT(part.next),
-      .is_mean = true,
       .status = part_turns(c, &part, begin, end.at) ? TF_COARSE : TF_OK,
-      .delassus = step_delassus(TF_STEP_MACHINE(c), in, sign_g)};
+      .delassus = step_delassus(TF_STEP_MACHINE(c), in, sign_g),
+      .is_mean = true};
   return true;
 }
