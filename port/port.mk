@@ -201,7 +201,7 @@ FIRMWARE_FLAGS += -DBAUD=$(BAUD)u
 ifeq ($(PROGRAM),firmware)
 CHECK_LINE = @$(BUILD)/$(REAL)/constants --line \
   '$(if $(filter generic,$(SCENE)),$(START),$(SCENE))' $(FORMAT) $(RATE) \
-  $(EVERY) $(BAUD) $(UPLINK)
+  $(EVERY) $(BAUD) $(UPLINK) $(if $(KEY),key)
 endif
 endif
 ifeq ($(SCENE),generic)

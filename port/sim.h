@@ -79,7 +79,8 @@ static bool sim_begin(void) {
   const tf_status_t status =
       tf_simulation_open(&sim.simulation, SCENE, &params, 1);
   sim.simulation.deadman = DEADMAN;
-  sim.link.line = tf_line_of_frames(RATE, BAUD, SCENE->name, BUILD_NAME, true);
+  sim.link.line = tf_line_of_frames(RATE, BAUD, SCENE->name, BUILD_NAME, true,
+                                    SIM_WANTS_TAG ? TF_TAG_BYTES : 0);
   sim.link.every = sim.every = sim.until = EVERY;
   return status == TF_OK && sim_begin_session();
 }

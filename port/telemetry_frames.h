@@ -21,6 +21,16 @@ static unsigned telemetry_done(uint8_t *frame, size_t size) {
   return (unsigned)size;
 }
 
+// With the tag of a board that has a key.
+static size_t telemetry_vouched(uint8_t *frame, size_t size) {
+#ifdef UPLINK_KEY
+  return tf_frame_vouch(frame, size, sim_key, sim.link.nonce);
+#else
+  (void)frame;
+  return size;
+#endif
+}
+
 static unsigned telemetry_record(uint8_t *to) {
   const unsigned n =
       telemetry_done(to, tf_send_state(to, &telemetry_sequence, &SIM_STATE));
@@ -63,8 +73,9 @@ static unsigned telemetry_heartbeat(const loop_counts_t *c, uint8_t *to) {
   beat.expired = sim.simulation.expired;
 #endif
   telemetry_description = 0;
-  return telemetry_done(
-      to, tf_send_heartbeat(to, &telemetry_sequence, SIM_STATE.tick, &beat));
+  const size_t n =
+      tf_send_heartbeat(to, &telemetry_sequence, SIM_STATE.tick, &beat);
+  return telemetry_done(to, telemetry_vouched(to, n));
 }
 
 static tf_schema_t telemetry_described(void) {
@@ -92,7 +103,8 @@ static void telemetry_begin(void) {
 
 static size_t telemetry_schema(uint8_t *to) {
   const tf_schema_t schema = telemetry_described();
-  return tf_send_schema(to, &telemetry_sequence, SIM_STATE.tick, &schema);
+  return telemetry_vouched(
+      to, tf_send_schema(to, &telemetry_sequence, SIM_STATE.tick, &schema));
 }
 
 static size_t telemetry_layout(uint8_t *to, tf_type_t type,
@@ -119,7 +131,7 @@ static size_t telemetry_answer(uint8_t *to) {
 static size_t telemetry_next(uint8_t *to) {
 #ifdef UPLINK
   const size_t n = telemetry_answer(to);
-  if (n > 0) return n;
+  if (n > 0) return telemetry_vouched(to, n);
   // Behind the answer to the command that wants it.
   if (sim.link.describe && !sim.link.has_aside) {
     telemetry_description = 0;

@@ -36,6 +36,8 @@ TF_BEGIN_C
 #define TF_SESSION_BYTES 4u
 #define TF_TAG_BYTES 8u
 #define TF_KEY_BYTES 16u
+/// Bytes of a number that a host draws and has never drawn before.
+#define TF_NONCE_BYTES 8u
 /// Where the data of a command have to be for tf_command_seal.
 #define TF_COMMAND_AT (TF_FRAME_AT + TF_SESSION_BYTES)
 /// Longest data that a board of this real type takes, and longest payload.
@@ -58,7 +60,8 @@ typedef enum {
 } tf_answer_code_t;
 
 /// Completes a command around its data: a frame with session, data and tag.
-/// TF_UP_DESCRIBE has neither session nor tag: by it a host learns the session.
+/// TF_UP_DESCRIBE has session 0 and no tag: by it a host learns the session. Its
+/// data may be a nonce of TF_NONCE_BYTES.
 /// wire: in/out, TF_FRAME_SIZE(TF_SESSION_BYTES + length + TF_TAG_BYTES) bytes;
 ///   in, the data at wire + TF_COMMAND_AT; out, the bytes for the line.
 /// type: in. length: in, of the data, 0 to TF_COMMAND_MOST: a host may command
@@ -72,6 +75,28 @@ typedef enum {
 TF_API size_t tf_command_seal(uint8_t *wire, uint8_t type, size_t length,
                               uint32_t session, uint32_t *sequence,
                               uint64_t tick, const uint8_t *key);
+
+/// Whether a board with a key tags frames of a type: schemas, heartbeats,
+/// answers, TF_DOWN_EXPIRED.
+static inline bool tf_is_vouched_for(uint8_t type) {
+  return type == TF_DOWN_SCHEMA || type == TF_DOWN_HEARTBEAT ||
+         type == TF_DOWN_ANSWER || type == TF_DOWN_EXPIRED;
+}
+
+/// Appends the tag to a frame of the board: the SipHash-2-4 of its body and of
+/// the nonce of the host, 0 before the first. So it answers this host, and is no
+/// recording.
+/// wire: in/out, the frame, with room for TF_TAG_BYTES more. size: in, its bytes.
+/// key: in, TF_KEY_BYTES.
+/// Returns: bytes of the frame.
+#define tf_frame_vouch TF_LINK(tf_frame_vouch)
+TF_API size_t tf_frame_vouch(uint8_t *wire, size_t size, const uint8_t *key,
+                             uint64_t nonce);
+
+/// Whether a frame, in its decoder's buffer, ends with that tag.
+#define tf_frame_is_vouched TF_LINK(tf_frame_is_vouched)
+TF_API bool tf_frame_is_vouched(const tf_frame_t *frame, const uint8_t *key,
+                                uint64_t nonce);
 
 /// Commands that can wait, or whose answers can.
 #define TF_LINK_QUEUE 4
@@ -115,6 +140,7 @@ typedef struct {
   uint8_t dated;    ///< setpoints in use, in order of their ticks
   uint32_t session; ///< that commands have to name; 0: none yet
   uint32_t noise;   ///< makes the session
+  uint64_t nonce;   ///< of the host that last had one, for tf_frame_vouch
   uint32_t next;    ///< least number of a command that is still taken
   uint32_t seen;    ///< least number that has not come
   uint32_t lost;    ///< numbers that were passed over, modulo 2^32

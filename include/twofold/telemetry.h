@@ -39,8 +39,9 @@ typedef enum {
   TF_UP_SETPOINT = 0x4D
 } tf_type_t;
 
-/// Bytes of the payloads; at most, of those that end with text.
-#define TF_SCHEMA_BYTES TF_FRAME_PAYLOAD
+/// Bytes of the payloads; at most, of those that end with text. Behind a schema
+/// there is room for a tag.
+#define TF_SCHEMA_BYTES (TF_FRAME_PAYLOAD - 8u)
 #define TF_LAYOUT_BYTES TF_FRAME_PAYLOAD
 #define TF_STATE_BYTES (4 * TF_REAL_BYTES + 5)
 #define TF_REPORT_BYTES (6 * TF_REAL_BYTES + 5)
@@ -164,11 +165,12 @@ typedef struct {
 
 /// Of frames: state and report in each record, and, where commands are taken,
 /// the answer to one; a heartbeat, a schema and the three layouts each second.
-/// baud: in, of 10 bits a byte; 0: not known. scene, build: in, names.
+/// baud: in, of 10 bits a byte; 0: not known. scene, build: in, names. tag: in,
+///   bytes of the tag of a board with a key, or 0.
 #define tf_line_of_frames TF_LINK(tf_line_of_frames)
 TF_API tf_line_t tf_line_of_frames(uint32_t rate, uint32_t baud,
                                    const char *scene, const char *build,
-                                   bool takes_commands);
+                                   bool takes_commands, uint32_t tag);
 
 /// Returns: what a record every so many steps, > 0, needs of the line.
 #define tf_line_asks TF_LINK(tf_line_asks)

@@ -1,5 +1,7 @@
-// A command as a frame, and its tag: SipHash-2-4 of the frame's body before
-// COBS, header included, which is all that the board acts on.
+// A command as a frame, and the tags of both directions: SipHash-2-4 of the
+// frame's body before COBS, header included, which is all that the board acts
+// on; behind the body of a frame from the board stands the nonce of its host.
+// Types of frames go one way only, so no tag of one is a tag of the other.
 #include "parts.h"
 #include "twofold/link.h"
 
@@ -67,8 +69,11 @@ TF_API size_t tf_command_seal(uint8_t *wire, uint8_t type, size_t length,
                               uint32_t session, uint32_t *sequence,
                               uint64_t tick, const uint8_t *key) {
   if (length > TF_COMMAND_MOST) return 0;
-  if (type == TF_UP_DESCRIBE)
-    return tf_frame_seal(wire, type, 0, sequence, tick);
+  if (type == TF_UP_DESCRIBE) {
+    if (length == 0) return tf_frame_seal(wire, type, 0, sequence, tick);
+    session = 0;
+    key = NULL;
+  }
   (void)tf_wire_put(wire + TF_FRAME_AT, session, TF_SESSION_BYTES);
   size_t payload = TF_SESSION_BYTES + length;
   if (key != NULL) {
@@ -79,4 +84,32 @@ TF_API size_t tf_command_seal(uint8_t *wire, uint8_t type, size_t length,
                       TF_TAG_BYTES);
   }
   return tf_frame_seal(wire, type, payload, sequence, tick);
+}
+
+TF_API size_t tf_frame_vouch(uint8_t *wire, size_t size, const uint8_t *key,
+                             uint64_t nonce) {
+  const size_t stuffed = size - 2 - TF_FRAME_CRC, tagged = stuffed - 1;
+  uint8_t *body = wire + 2;
+  (void)tf_unstuff(wire + 1, stuffed);
+  uint32_t sequence = (uint32_t)tf_wire_get(body + 3, 4);
+  const size_t length = tagged - TF_FRAME_HEADER + TF_TAG_BYTES;
+  body[2] = (uint8_t)length;
+  (void)tf_wire_put(body + tagged, nonce, TF_NONCE_BYTES);
+  (void)tf_wire_put(body + tagged,
+                    tf_siphash(key, body, tagged + TF_NONCE_BYTES),
+                    TF_TAG_BYTES);
+  return tf_frame_seal(wire, body[1], length, &sequence,
+                       tf_wire_get(body + 7, 8));
+}
+
+TF_API bool tf_frame_is_vouched(const tf_frame_t *frame, const uint8_t *key,
+                                uint64_t nonce) {
+  uint8_t bytes[TF_FRAME_HEADER + TF_FRAME_PAYLOAD];
+  const uint8_t *body = frame->payload - TF_FRAME_HEADER;
+  if (frame->length < TF_TAG_BYTES) return false;
+  const size_t tagged = TF_FRAME_HEADER + (frame->length - TF_TAG_BYTES);
+  for (size_t i = 0; i < tagged; i++) bytes[i] = body[i];
+  (void)tf_wire_put(bytes + tagged, nonce, TF_NONCE_BYTES);
+  return tf_siphash(key, bytes, tagged + TF_NONCE_BYTES) ==
+         tf_wire_get(body + tagged, TF_TAG_BYTES);
 }

@@ -53,8 +53,7 @@ static void stuff(uint8_t *code, const uint8_t *end) {
   *last = (uint8_t)(end - last);
 }
 
-// Undoes it. Returns: whether its chain of distances ends at the end.
-static bool unstuff(uint8_t *code, size_t length) {
+TF_API bool tf_unstuff(uint8_t *code, size_t length) {
   size_t next = code[0];
   for (size_t at = 1; at < length; at++)
     if (at == next) {
@@ -123,7 +122,7 @@ static uint32_t *fault_of(tf_decoder_t *decoder) {
   if (decoder->overflowed) return &decoder->too_long;
   if (decoder->used < SHORTEST ||
       !has_crc(code + stuffed, tf_crc32(0, code, stuffed)) ||
-      !unstuff(code, stuffed))
+      !tf_unstuff(code, stuffed))
     return &decoder->bad;
   if (code[1] != TF_FRAME_VERSION) {
     decoder->version = code[1];

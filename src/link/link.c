@@ -91,7 +91,12 @@ static void set_aside(tf_link_t *link, const tf_frame_t *frame, int code) {
 
 // Anyone may request the session: nothing else changes.
 static void describe(tf_link_t *link, const tf_frame_t *frame) {
-  const int code = frame->length == 0 ? TF_ANSWER_DONE : TF_ANSWER_LENGTH;
+  const bool has_nonce = frame->length == TF_SESSION_BYTES + TF_NONCE_BYTES;
+  const int code =
+      frame->length == 0 || has_nonce ? TF_ANSWER_DONE : TF_ANSWER_LENGTH;
+  if (has_nonce)
+    link->nonce =
+        tf_wire_get(frame->payload + TF_SESSION_BYTES, TF_NONCE_BYTES);
   if (code == TF_ANSWER_DONE) {
     if (link->session == 0) link->session = link->noise == 0 ? 1 : link->noise;
     link->describe = true;

@@ -15,6 +15,11 @@ TF_API uint32_t tf_crc32(uint32_t crc, const uint8_t *bytes, size_t length);
 TF_API uint8_t *tf_frame_header(uint8_t *wire, uint8_t type, size_t length,
                                 uint32_t sequence, uint64_t tick);
 
+// Undoes COBS in place: code byte and body, of so many bytes together. Returns:
+// whether its chain of distances ends at the end.
+#define tf_unstuff TF_LINK(tf_unstuff)
+TF_API bool tf_unstuff(uint8_t *code, size_t length);
+
 // SipHash-2-4 (Aumasson and Bernstein, SipHash: a fast short-input PRF,
 // INDOCRYPT 2012), made for messages as short as these. key: 16 bytes.
 // Returns: the tag; the time depends on the length alone.

@@ -161,7 +161,7 @@ TF_API void tf_read_heartbeat(const uint8_t *payload,
 
 TF_API tf_line_t tf_line_of_frames(uint32_t rate, uint32_t baud,
                                    const char *scene, const char *build,
-                                   bool takes_commands) {
+                                   bool takes_commands, uint32_t tag) {
   // As one type, in which none of these sums comes near the end.
   const uint32_t frame = TF_FRAME_SIZE(0u), heartbeat = TF_HEARTBEAT_BYTES;
   const uint32_t step = TF_STATE_BYTES + TF_REPORT_BYTES;
@@ -173,9 +173,9 @@ TF_API tf_line_t tf_line_of_frames(uint32_t rate, uint32_t baud,
   const uint32_t most = TF_SCHEMA_BYTES;
   return (tf_line_t){
       .rate = rate,
-      .record = 2u * frame + step + (takes_commands ? frame + 8u : 0u),
-      .beside =
-          5u * frame + heartbeat + layouts + (schema < most ? schema : most),
+      .record = 2u * frame + step + (takes_commands ? frame + 8u + tag : 0u),
+      .beside = 5u * frame + heartbeat + layouts +
+                (schema < most ? schema : most) + 2u * tag,
       .carries = baud / 10u};
 }
 

@@ -205,22 +205,70 @@ def test_answers_to_others_are_not_its_own():
 
 def test_a_keyed_board_takes_keyed_commands():
     with keyed() as board:
-        for key in [], ["--key", "wrong"]:
-            said = board.send("stop", code=3, key=key)
-            check("stop: refused, its tag is not that" in said, said)
+        said = board.send("stop", code=3)
+        check("stop: refused, its tag is not that" in said, said)
+        said = board.send("stop", code=4, key=["--key", "wrong"])
+        check("no frame with the tag of --key" in said, said)
         said = board.send("stop", key=["--key", "key"])
         check("stop: took effect" in said, said)
         said = board.send("every:20", "every:10", code=3,
                           key=["--key", "key"])
-        says(said, r"20: took effect at step \d+; it asks 9008 bytes/s of "
+        says(said, r"20: took effect at step \d+; it asks 9424 bytes/s of "
              "11520, a record every 20", "10: refused, more than the line "
-             r"carries at step \d+; it asks 17358 bytes/s of 11520, a record "
+             r"carries at step \d+; it asks 18174 bytes/s of 11520, a record "
              "every 20 steps")
         call("monitor", board.name, "--send", "stop", "--key", "none", code=2)
         for mode in 0o640, 0o604, 0o620:
             Path("wrong").chmod(mode)
             said = call("monitor", board.name, "--key", "wrong", code=2)[1]
             check("--key wrong: others may read it" in said, said)
+
+
+def played(stream, *words):
+    """What monitor, with the key, says of bytes that answer its question."""
+    near, far = pty.openpty()
+    tty.setraw(near)
+    tty.setraw(far)
+    with subprocess.Popen(
+            [TWOFOLD, "monitor", os.ttyname(far), "--key", "key", *words],
+            stdin=subprocess.DEVNULL, stderr=subprocess.PIPE) as monitor:
+        os.read(near, 99)
+        os.write(near, stream)
+        said = monitor.communicate()[1].decode()
+    os.close(near)
+    os.close(far)
+    return monitor.returncode, said
+
+
+def test_a_key_is_satisfied_by_its_board_alone():
+    """Not by a board without it, by a recording, by an answer put between."""
+    with keyed() as board:
+        with Line(board.name) as line:
+            line.describe()
+            stop = framed(STOP, 9, 0, starts.tagged(STOP, 9, 0, line.session))
+            os.write(line.line, framed(DESCRIBE, 0, 0, bytes(4) + b"a nonce!"))
+            os.write(line.line, stop)
+            recorded = b""
+            while ANSWER not in [
+                    frame[0] for frame in frames(recorded)
+                    if frame[3][4] == STOP]:
+                recorded += os.read(line.line, 4096)
+        code, said = played(recorded[-3000:], "--send", "stop")
+        same((code, "or a recording is played" in said), (4, True))
+
+        def put(kind, number):
+            return framed(ANSWER, 9, 12345, struct.pack(
+                "<I4B", number, STOP, 0, 0, 255) + bytes(8)) \
+                if kind == STOP else b""
+        code, said = relayed(lambda _, frame: frame, board, TWOFOLD, "monitor",
+                             "LINE", "--send", "stop", "--key", "key", down=put)
+        same((code, "somebody else sends" in said, "12345" in said),
+             (4, True, False))
+    with Board("double") as other:
+        said = other.send("stop", code=4, key=["--key", "key"])
+        check("the board has another key or none" in said, said)
+    Path("stream").write_bytes(recorded)
+    call("monitor", "stream", "--key", "key", code=4)
 
 
 def test_parts_of_two_starts_are_told():

@@ -75,7 +75,7 @@ def test_a_line_that_does_not_carry_its_records_is_refused():
             ("csv", 11, "121 bytes with a record and 4 each second"),
             ("frames", 13, "136 bytes with a record and 658 each second"),
             ("frames UPLINK=yes", 16, "167 bytes with a record and 658 each"),
-            (f"frames {key}", 16, "167 bytes with a record and 658 each")):
+            (f"frames {key}", 17, "175 bytes with a record and 674 each")):
         for steps in every, every - 1:
             asks = [line for line in make(
                 "-n", "BAUD=115200", *f"FORMAT={form}".split(),

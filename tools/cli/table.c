@@ -296,8 +296,9 @@ const cli_option_t cli_options[] = {
      "answer unless there is --format or a live view",
      .choices = commands, .is_repeatable = true},
     {"--key", "FILE", CLI_MONITOR, READS(key),
-     "the key of a board that takes only tagged commands: a file of 32 "
-     "hexadecimal digits that only its owner may read"},
+     "the key of a board: a file of 32 hexadecimal digits that only its owner "
+     "may read. Tags the commands; ends with 4 if answers, schemas and "
+     "heartbeats are not tagged for this monitor"},
     {"--follow", NULL, CLI_MONITOR, FLAG(follow),
      "waits until an unplugged device is back, or until a file grows"},
 };

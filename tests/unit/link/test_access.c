@@ -252,6 +252,52 @@ TEST(tag_is_siphash_of_the_body) {
   CHECK(number == 7);
 }
 
+/* The tag of what a board sends is of its body and of the nonce of its host: no
+ * bit of these, or of the key, may be another one. */
+TEST(answers_are_made_for_this_host) {
+  board_t board;
+  uint8_t key[TF_KEY_BYTES], nonce[TF_NONCE_BYTES];
+  uint8_t wire[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)], body[TF_FRAME_PAYLOAD];
+  for (unsigned i = 0; i < sizeof key; i++) key[i] = (uint8_t)tap_bits();
+  for (unsigned i = 0; i < sizeof nonce; i++) nonce[i] = (uint8_t)tap_bits();
+  power_up(&board, "chaos");
+  send(&board, TF_UP_DESCRIBE, 0, nonce, sizeof nonce);
+  const uint64_t drawn = tf_wire_get(nonce, sizeof nonce);
+  CHECK(board.link.nonce == drawn);
+  send_plain(&board, TF_UP_DESCRIBE); /* another host, without one */
+  CHECK(board.link.nonce == drawn);
+  send(&board, TF_UP_DESCRIBE, 0, nonce, 7);
+  CHECK(board.link.nonce == drawn);
+  boundary(&board);
+  size_t size = tf_link_answer(&board.link, wire, &board.down);
+  const tf_frame_t plain = frame_of(wire, size);
+  const uint32_t number = plain.sequence;
+  memcpy(body, plain.payload, plain.length);
+  memcpy(wire + TF_FRAME_AT, body, plain.length);
+  uint32_t next = number;
+  size = tf_frame_seal(wire, TF_DOWN_ANSWER, plain.length, &next, 12345);
+  size = tf_frame_vouch(wire, size, key, drawn);
+  CHECK(size == TF_FRAME_SIZE(plain.length + TF_TAG_BYTES));
+  tf_frame_t frame = frame_of(wire, size);
+  CHECK(frame.sequence == number && frame.tick == 12345);
+  CHECK(frame.length == plain.length + TF_TAG_BYTES);
+  CHECK(!memcmp(frame.payload, body, plain.length));
+  CHECK(tf_frame_is_vouched(&frame, key, drawn));
+  CHECK(!tf_has_tag(&frame, key)); /* it is no command */
+  for (unsigned bit = 0; bit < 64; bit++)
+    CHECK(!tf_frame_is_vouched(&frame, key, drawn ^ (uint64_t)1 << bit));
+  uint8_t *at = (uint8_t *)(uintptr_t)(frame.payload - TF_FRAME_HEADER);
+  for (unsigned bit = 0; bit < 8u * (TF_FRAME_HEADER + frame.length); bit++) {
+    at[bit / 8] ^= (uint8_t)(1u << bit % 8);
+    CHECK(!tf_frame_is_vouched(&frame, key, drawn));
+    at[bit / 8] ^= (uint8_t)(1u << bit % 8);
+  }
+  key[0] ^= 1;
+  CHECK(!tf_frame_is_vouched(&frame, key, drawn));
+  frame.length = 7;
+  CHECK(!tf_frame_is_vouched(&frame, key, drawn));
+}
+
 /* Only a controller prolongs its inputs: no other command, no broken or
  * repeated frame, no jump of the tick. */
 TEST(only_inputs_feed_the_dead_man) {

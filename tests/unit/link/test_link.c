@@ -126,8 +126,8 @@ TEST(records_are_as_many_as_the_line_carries) {
   CHECK_TOLD(&board, 0, TF_ANSWER_LENGTH);
   char name[300] = {0};
   memset(name, 'a', sizeof name - 1);
-  CHECK(tf_line_of_frames(1, 0, name, "", false).beside ==
-        tf_line_of_frames(1, 0, name + 61, "", false).beside);
+  CHECK(tf_line_of_frames(1, 0, name, "", false, 0).beside ==
+        tf_line_of_frames(1, 0, name + 61, "", false, 0).beside);
 }
 
 TEST(inputs_act_at_their_tick) {

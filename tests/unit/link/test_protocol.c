@@ -222,14 +222,14 @@ TEST(schema_says_what_runs) {
   name[399] = '\0';
   schema.scene = schema.build = name;
   frame = frame_of(wire, tf_send_schema(wire, &sequence, 0, &schema));
-  CHECK(frame.length == TF_FRAME_PAYLOAD);
-  CHECK(frame.payload[TF_FRAME_PAYLOAD - 2] == 0);
-  CHECK(frame.payload[TF_FRAME_PAYLOAD - 1] == 0);
+  CHECK(frame.length == TF_SCHEMA_BYTES);
+  CHECK(frame.payload[TF_SCHEMA_BYTES - 2] == 0);
+  CHECK(frame.payload[TF_SCHEMA_BYTES - 1] == 0);
   schema.scene = "short"; /* the whole rest is the other's */
   frame = frame_of(wire, tf_send_schema(wire, &sequence, 0, &schema));
-  CHECK(frame.length == TF_FRAME_PAYLOAD);
-  CHECK(frame.payload[TF_FRAME_PAYLOAD - 2] == 'x');
-  CHECK(frame.payload[TF_FRAME_PAYLOAD - 1] == 0);
+  CHECK(frame.length == TF_SCHEMA_BYTES);
+  CHECK(frame.payload[TF_SCHEMA_BYTES - 2] == 'x');
+  CHECK(frame.payload[TF_SCHEMA_BYTES - 1] == 0);
   /* The hash sees every parameter. */
   const uint32_t hash = tf_params_hash(params);
   for (unsigned i = 0; i < TF_PARAMETERS; i++) {

@@ -2,9 +2,9 @@
 //   constants SCENE [RATE]     for a firmware; dt is the scene's, or 1/RATE
 //   constants --scene SCENE    only the scene itself
 //   constants --number SCENE   its number in tf_scenes
-//   constants --line SCENE FORMAT RATE EVERY BAUD [yes]
+//   constants --line SCENE FORMAT RATE EVERY BAUD [yes [KEY]]
 //                              whether its line carries a firmware's records;
-//                              yes: it has an uplink
+//                              yes: it has an uplink, and a key
 //   constants --key FILE       the bytes of a key
 // SCENE is a name or, but for its number, a file ('twofold help scene').
 #include <stdlib.h>
@@ -16,13 +16,15 @@
 
 // words: FORMAT RATE EVERY BAUD. Texts have the longest lines of port/, the CSV
 // its header every ten seconds. Returns: 0; 3 after a message.
-static int judge_line(const tf_scene_t *scene, char **words, bool commands) {
+static int judge_line(const tf_scene_t *scene, char **words, bool commands,
+                      bool tagged) {
   uint32_t n[4] = {0};
   for (int i = 1; i < 4; i++) n[i] = (uint32_t)strtoul(words[i], NULL, 10);
   const bool csv = !strcmp(words[0], "csv");
   const tf_line_t line =
       !strcmp(words[0], "frames")
-          ? tf_line_of_frames(n[1], n[3], scene->name, "twofold", commands)
+          ? tf_line_of_frames(n[1], n[3], scene->name, "twofold", commands,
+                              tagged ? TF_TAG_BYTES : 0)
           : (tf_line_t){n[1], csv ? 121 : 114, csv ? 4 : 157, n[3] / 10};
   const unsigned long long asks = tf_line_asks(&line, n[2]),
                            records = (unsigned long long)line.record * n[1];
@@ -59,7 +61,7 @@ int main(int argc, char **argv) {
   int i = 0;
   const bool number = argc == 3 && !strcmp(argv[1], "--number");
   const bool alone = argc == 3 && !strcmp(argv[1], "--scene");
-  const bool line = (argc == 7 || argc == 8) && !strcmp(argv[1], "--line");
+  const bool line = argc >= 7 && argc <= 9 && !strcmp(argv[1], "--line");
   if (argc < 2 || (argc > 3 && !line)) {
     fprintf(stderr, "usage: constants [--scene|--number] SCENE [RATE]\n");
     return 2;
@@ -68,7 +70,7 @@ int main(int argc, char **argv) {
   const int code =
       cli_take_scene(&scene, argv[number || alone || line ? 2 : 1]);
   if (code != 0) return code;
-  if (line) return judge_line(scene, argv + 3, argc > 7);
+  if (line) return judge_line(scene, argv + 3, argc > 7, argc > 8);
   if (!number && !alone)
     return constants_of_firmware(stdout, scene, argc > 2 ? argv[2] : NULL);
   while (i < TF_SCENES && tf_scenes[i] != scene) i++;

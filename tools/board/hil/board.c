@@ -138,6 +138,10 @@ static void take_answer(hil_board_t *board, const tf_frame_t *frame) {
 }
 
 static int take(hil_board_t *board, const tf_frame_t *frame) {
+  if (!cli_guard_takes(&board->guard, frame))
+    return board->guard.forged
+               ? hil_message(CLI_STOPPED, "%s: " CLI_FORGED, board->source.name)
+               : CLI_DONE;
   if (frame->type == TF_DOWN_SCHEMA) return take_schema(board, frame);
   if (frame->type == TF_DOWN_STATE && frame->length == TF_STATE_BYTES)
     take_state(board, frame);
@@ -148,7 +152,7 @@ static int take(hil_board_t *board, const tf_frame_t *frame) {
   if (frame->type == TF_DOWN_EXPIRED && board->listens &&
       board->expired_count < board->room)
     board->expired[board->expired_count++] = frame->tick;
-  if (frame->type == TF_DOWN_HEARTBEAT && frame->length == TF_HEARTBEAT_BYTES) {
+  if (frame->type == TF_DOWN_HEARTBEAT && frame->length >= TF_HEARTBEAT_BYTES) {
     tf_read_heartbeat(frame->payload, &board->heartbeat);
     board->has_heartbeat = true;
   }
@@ -211,6 +215,8 @@ static int order(hil_board_t *board, tf_type_t type, const uint8_t *data,
     CLI_TRY(send_as(board, board->number, type, 0, data, length));
     CLI_TRY(await(board, &board->has_answer, ANSWER_PATIENCE));
   }
+  if (!board->has_answer && board->key != NULL && !board->guard.vouched)
+    return hil_message(CLI_STOPPED, "%s: " CLI_NOT_VOUCHED, board->source.name);
   if (!board->has_answer)
     return hil_message(CLI_STOPPED,
                        "%s: no answer: it takes no commands, or its line "
@@ -256,7 +262,10 @@ static int order_deadman(hil_board_t *board, uint64_t ticks) {
 // still on the line are ignored until the first answer comes.
 static int prepare(hil_board_t *board) {
   static const tf_type_t orders[] = {TF_UP_CLEAR, TF_UP_STOP, TF_UP_RESET};
-  CLI_TRY(order(board, TF_UP_DESCRIBE, NULL, 0));
+  if (!cli_guard_begin(&board->guard, board->key))
+    return hil_message(CLI_STOPPED, "--key: the system has no random numbers");
+  CLI_TRY(order(board, TF_UP_DESCRIBE, board->guard.nonce,
+                board->key != NULL ? TF_NONCE_BYTES : 0));
   CLI_TRY(await(board, &board->has_session, STATE_PATIENCE));
   if (!board->has_session)
     return hil_message(CLI_STOPPED, "the board does not describe itself");

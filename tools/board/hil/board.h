@@ -47,6 +47,7 @@ typedef struct {
   uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
   uint32_t sequence;  ///< number of the next command
   const uint8_t *key; ///< NULL: the board wants no tag
+  cli_guard_t guard;
   // From the schema frame.
   uint32_t session; ///< that commands name; 0: not known yet
   bool has_session; ///< it is not 0

@@ -300,3 +300,22 @@ const char *cli_read_key(const char *path, uint8_t key[TF_KEY_BYTES]) {
   return whole ? NULL
                : "must hold 32 hexadecimal digits, then only white space";
 }
+
+bool cli_guard_begin(cli_guard_t *guard, const uint8_t *key) {
+  *guard = (cli_guard_t){.key = key};
+  if (key == NULL) return true;
+  FILE *file = fopen("/dev/urandom", "rb");
+  if (file == NULL) return false;
+  const bool drawn = fread(guard->nonce, sizeof guard->nonce, 1, file) == 1;
+  return fclose(file) == 0 && drawn;
+}
+
+bool cli_guard_takes(cli_guard_t *guard, const tf_frame_t *frame) {
+  if (guard->key == NULL) return true;
+  if (!tf_is_vouched_for(frame->type)) return guard->vouched;
+  const bool right = tf_frame_is_vouched(
+      frame, guard->key, tf_wire_get(guard->nonce, TF_NONCE_BYTES));
+  guard->forged |= guard->vouched && !right;
+  guard->vouched |= right;
+  return right;
+}

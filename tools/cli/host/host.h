@@ -107,3 +107,27 @@ void cli_source_close(cli_source_t *source);
 /// The file's owner alone may read it.
 /// Returns: NULL; or what is wrong with the file.
 const char *cli_read_key(const char *path, uint8_t key[TF_KEY_BYTES]);
+
+/// What a host with a key takes of a board: frames of this board, made for this
+/// host. Before the first of them it takes nothing, for old ones may be on the
+/// line.
+typedef struct {
+  const uint8_t *key;            ///< TF_KEY_BYTES; NULL: it takes all
+  uint8_t nonce[TF_NONCE_BYTES]; ///< the data of TF_UP_DESCRIBE
+  bool vouched;                  ///< a frame with the right tag has come
+  bool forged;                   ///< ... and then one without
+} cli_guard_t;
+
+/// Draws a nonce. Returns: whether the system has random numbers.
+bool cli_guard_begin(cli_guard_t *guard, const uint8_t *key);
+
+/// Returns: whether the frame is to be taken. One that is has no tag any more
+/// to be read: its bytes are `tag` behind the payload.
+bool cli_guard_takes(cli_guard_t *guard, const tf_frame_t *frame);
+
+#define CLI_NOT_VOUCHED                                                      \
+  "no frame with the tag of --key: the board has another key or none, or a " \
+  "recording is played"
+#define CLI_FORGED                                                           \
+  "a frame without the tag of --key: somebody else sends, or the board was " \
+  "started anew"

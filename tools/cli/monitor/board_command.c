@@ -153,16 +153,33 @@ int cli_read_send(cli_args_t *args, const cli_given_t *given) {
 
 int cli_board_commands_open(cli_board_commands_t *commands,
                             const cli_args_t *args) {
-  if (args->sends > 0) // the schema has to be known before any command
+  // The schema has to be known before any command, and that the board has the
+  // key before anything.
+  if (args->sends > 0 || args->key != NULL)
     (void)read_command(&commands->list[commands->count++], "describe");
   for (size_t i = 0; i < args->sends; i++)
     (void)read_command(&commands->list[commands->count++], args->send[i]);
-  commands->has_key = args->key != NULL;
-  const char *wrong =
-      commands->has_key ? cli_read_key(args->key, commands->key) : NULL;
+  if (args->key == NULL) return CLI_DONE;
+  const char *wrong = cli_read_key(args->key, commands->key);
+  commands->guard.key = commands->key;
   return wrong == NULL
-             ? CLI_DONE
+             ? cli_board_commands_again(commands)
              : cli_message(CLI_USAGE, "--key %s: %s", args->key, wrong);
+}
+
+int cli_board_commands_again(cli_board_commands_t *commands) {
+  cli_board_command_t *first = &commands->list[0];
+  if (commands->guard.key == NULL) return CLI_DONE;
+  if (!cli_guard_begin(&commands->guard, commands->key))
+    return cli_message(CLI_STOPPED, "--key: the system has no random numbers");
+  for (int real = 0; real < 2; real++) {
+    memcpy(first->row[real].data, commands->guard.nonce, TF_NONCE_BYTES);
+    first->row[real].length = TF_NONCE_BYTES;
+  }
+  if (commands->next < commands->count) return CLI_DONE;
+  commands->next = 0;
+  commands->count = commands->count > 0;
+  return CLI_DONE;
 }
 
 // Whether the board has described itself since it answered `describe`: a schema
@@ -178,11 +195,16 @@ int cli_board_commands_send(cli_board_commands_t *commands,
                             cli_source_t *source) {
   uint8_t wire[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)];
   const double now = cli_now();
+  if (commands->guard.forged)
+    return cli_message(CLI_STOPPED, "%s: " CLI_FORGED, source->name);
   if (commands->next == commands->count) return CLI_DONE;
   const cli_board_command_t *command = &commands->list[commands->next];
   const cli_session_row_t *row = &command->row[receiver->is_float];
   const bool asks = row->type == TF_UP_DESCRIBE;
   if (commands->waiting || !(asks || is_described(commands, receiver))) {
+    if (now > commands->deadline && commands->guard.key != NULL &&
+        !commands->guard.vouched)
+      return cli_message(CLI_STOPPED, "%s: " CLI_NOT_VOUCHED, source->name);
     return now <= commands->deadline
                ? CLI_DONE
                : cli_message(CLI_STOPPED,
@@ -202,7 +224,7 @@ int cli_board_commands_send(cli_board_commands_t *commands,
   memcpy(wire + TF_COMMAND_AT, row->data, row->length);
   const size_t length =
       tf_command_seal(wire, row->type, row->length, commands->session, &next, 0,
-                      commands->has_key ? commands->key : NULL);
+                      commands->guard.key);
   if (!asks) commands->sequence = next;
   return cli_source_write(source, wire, length)
              ? CLI_DONE

@@ -22,14 +22,18 @@ typedef struct {
   uint32_t sent;     ///< number of the command whose answer is awaited
   uint64_t schemas;  ///< that had come when the board answered `describe`
   size_t refused;
-  bool has_key;
   uint8_t key[TF_KEY_BYTES];
+  cli_guard_t guard; ///< has the key, if there is one
 } cli_board_commands_t;
 
 /// Takes those of the command line, none or more, and the key.
 /// commands: in/out, empty.
 int cli_board_commands_open(cli_board_commands_t *commands,
                             const cli_args_t *args);
+
+/// The line is a new one, on which no answer is awaited: with a key, the board
+/// has to describe itself once more.
+int cli_board_commands_again(cli_board_commands_t *commands);
 
 /// Sends the next command, if there is one and no answer is awaited. Refuses to
 /// go on where an answer, or the schema that was asked for, has not come in

@@ -102,7 +102,10 @@ static void take_block(monitor_t *monitor, size_t length) {
   while (tf_decoder_block(&receiver->decoder, at, length, &taken, &frame)) {
     at += taken;
     length -= taken;
+    if (!cli_guard_takes(&monitor->commands.guard, &frame)) continue;
     const bool completes = cli_receiver_take(receiver, &frame, &row);
+    if (monitor->commands.guard.key != NULL && tf_is_vouched_for(frame.type))
+      frame.length = (uint8_t)(frame.length - TF_TAG_BYTES);
     cli_board_commands_answer(&monitor->commands, &frame, receiver,
                               &monitor->record);
     cli_session_frame(&monitor->record, &frame);
@@ -140,7 +143,7 @@ static int wait_for_device(monitor_t *monitor) {
                                                monitor->commands.count > 0))
     cli_sleep(WAIT);
   if (!cli_stop_asked()) (void)cli_message(CLI_DONE, "%s: back", source->name);
-  return CLI_DONE;
+  return cli_board_commands_again(&monitor->commands);
 }
 
 static int follow_stream(monitor_t *monitor) {
@@ -151,7 +154,7 @@ static int follow_stream(monitor_t *monitor) {
     size_t count = 0;
     CLI_TRY(cli_board_commands_send(commands, &monitor->receiver,
                                     &monitor->source));
-    if (commands->count > 0 && commands->next == commands->count &&
+    if (args->sends > 0 && commands->next == commands->count &&
         monitor->as == NULL && monitor->live == NULL)
       return CLI_DONE; // every command is answered, and nothing is shown
     const cli_source_found_t found =
@@ -188,6 +191,9 @@ static int open_both(monitor_t *monitor) {
                            ? "the device does not take this --baud"
                            : strerror(monitor->source.error));
   }
+  if (args->key != NULL && !monitor->source.is_device)
+    return cli_message(CLI_STOPPED, "--key: %s is no device, which could answer",
+                       monitor->source.name);
   if (monitor->as != NULL)
     CLI_TRY(cli_output_begin(&monitor->output, "--out", args->out, false));
   if (args->format == CLI_FORMAT_FRAMES) monitor->output.last = '\0';

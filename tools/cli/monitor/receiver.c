@@ -248,7 +248,8 @@ bool cli_receiver_take(cli_receiver_t *receiver, const tf_frame_t *frame,
     return false;
   }
   const unsigned length = length_of(receiver, frame->type);
-  if (length != 0 && length != frame->length) {
+  const unsigned tag = tf_is_vouched_for(frame->type) ? TF_TAG_BYTES : 0;
+  if (length != 0 && length != frame->length && length + tag != frame->length) {
     receiver->unknown++;
     return false;
   }
