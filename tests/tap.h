@@ -29,7 +29,7 @@ static struct {
   int run, failed, skipped, checks, bad, full;
 } tap;
 
-/* How many samples of n a test draws, and with FULL in the environment all. */
+/* How many samples of n a test draws; with FULL=yes in the environment all. */
 static inline int samples(int n) { return tap.full ? n : n / 4; }
 
 /* splitmix64; every test starts from the seed again, so order is free. */
@@ -115,7 +115,8 @@ static inline void tap_enter(tap_test_t *test) {
 static inline int tap_main(int argc, char **argv) {
   tap.program = argv[0];
   tap.seed = 20140911u;
-  tap.full = getenv("FULL") != NULL;
+  const char *full = getenv("FULL");
+  tap.full = full && *full;
   for (int i = 1; i + 1 < argc; i += 2) {
     if (!strcmp(argv[i], "--seed")) tap.seed = strtoull(argv[i + 1], NULL, 0);
     if (!strcmp(argv[i], "--only")) tap.only = argv[i + 1];

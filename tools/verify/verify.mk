@@ -14,7 +14,7 @@
 .PHONY: check bounds keep-bounds eva mutation fuzz fuzz-clang soak
 
 check: ## warnings, format, static analysis, sanitizers, promises
-	@BUILD='$(BUILD)/check' FULL='$(FULL)' exec tools/run check $(CHECKS)
+	@BUILD='$(BUILD)/check' exec tools/run check $(CHECKS)
 
 eva: ## all entries of Frama-C Eva (minutes)
 	@BUILD='$(BUILD)' tools/run eva $(ENTRIES)
