@@ -25,9 +25,9 @@
 #   OVERRUN=skip     or stop: what the loop does about a step that ends too late
 #   EVERY=           steps from record to record; by default 50 records a second
 #   ONLY='host uno'  the boards for `make test-boards`
-#   PROGRAM=firmware or trajectory, population, window, stack, deadman,
-#                    kit (tests/target), calls (tools/verify/cost);
-#                    wasm32: module
+#   PROGRAM=firmware or trajectory, window, stack, deadman, kit (tests/target),
+#                    calls (tools/verify/cost); wasm32: module
+#   OTHERS=          of a generic trajectory: a bit for each further scene
 
 BOARDS := $(filter-out template,$(patsubst port/%/board.mk,%,\
   $(wildcard port/*/board.mk)))
@@ -91,9 +91,6 @@ $(if $(DEADMAN),$(call must_be_whole,DEADMAN,0))
 # The scenes that a board has room for, where not for all.
 BOARD_SCENE := $(or $(firstword $(BOARD_SCENES)),chaos)
 SCENE ?= $(BOARD_SCENE)
-ifeq ($(PROGRAM)$(filter generic,$(SCENE)),population)
-$(error PROGRAM=population is of random machines: SCENE=generic)
-endif
 $(foreach one,SCENE START KEY,$(if $(word 2,$($(one))),$(error \
   $(one)='$($(one))' has a blank, and make takes it for two names)))
 
@@ -131,7 +128,6 @@ FIRMWARE := $(PLACE)/$(PROGRAM)$(NAMED).elf
 
 SOURCE_firmware := port/main.c port/firmware.c port/loop.c
 SOURCE_trajectory := tests/target/trajectory.c
-SOURCE_population := tests/target/population.c
 SOURCE_stack := tests/target/stack.c port/firmware.c port/loop.c
 SOURCE_deadman := tests/target/deadman.c port/loop.c
 SOURCE_window := tests/target/window.c
@@ -154,6 +150,9 @@ ifneq ($(FORMAT),frames)
 $(error UPLINK needs FORMAT=frames: a host learns the session from the schema)
 endif
 FIRMWARE_FLAGS += -DUPLINK
+endif
+ifneq ($(OTHERS),)
+FIRMWARE_FLAGS += -DOTHERS=$(OTHERS)u
 endif
 ifneq ($(DEADMAN),)
 FIRMWARE_FLAGS += -DDEADMAN=$(DEADMAN)u

@@ -4,6 +4,8 @@
 STM32F4_FLAGS := -DSTM32F4_USART=2 -DSTM32F4_HSE_MHZ=8u \
   -DSTM32F4_HSE_IS_CLOCK=1
 include port/arch/stm32f4.mk
+# Whose code of a step this board's is, compiled with the same options.
+BOARD_TWIN := stm32f405
 # An STM32F405 with the second of its USARTs: the addresses are the same.
 BOARD_RUN := qemu-system-arm -M netduinoplus2 -display none -monitor none \
   -semihosting-config enable=on,target=native -serial null -serial stdio

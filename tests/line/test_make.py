@@ -63,8 +63,6 @@ def test_what_is_no_number_or_no_choice_is_named():
         same((code, f"{name} is one of: {choice}; not 'other'" in said),
              (2, True))
     same(make("-n", "FORMAT=")[0], 2)
-    code, _, said = make("-n", "PROGRAM=population")
-    same((code, "of random machines: SCENE=generic" in said), (2, True))
 
 
 def test_a_line_that_does_not_carry_its_records_is_refused():

@@ -4,6 +4,7 @@ line sends: tools/run boards [BOARD...]. Tests of a board whose port is wrong
 taken. A board whose compiler or emulator is missing is skipped by name, or
 fails where the file REQUIRED lists it (.ci/required).
 
+What two boards compile to the same code (BOARD_TWIN) is tested on one of them.
 With FEW=yes a board has the loop of its last rate alone; where it tests other
 schemes it does so in one real type, and runs `string` in a generic firmware,
 which else none does. Environment: MAKE BUILD JOBS SCENES FEW SECONDS_OF_LOOP.
@@ -32,6 +33,7 @@ SHOWN = os.environ.get("SCENES") or \
     "driven"
 SECONDS = int(os.environ.get("SECONDS_OF_LOOP") or "3")
 FEW = bool(os.environ.get("FEW"))
+NAMES: list[str] = []  # of the boards under test
 READ_BACK = ROOT / BUILD / "boards/read-back"
 PAIR = re.compile(r"[a-z]+:-?[0-9]+(\.[0-9]+)?(e-?[0-9]+)?")
 
@@ -100,32 +102,45 @@ def test_wrong_sum(board: Board, real: str) -> None:
                  f"{port.REMEDY}"])
 
 
-def hashed(board: Board, real: str, program: str, want: str, *words: str,
+def hashed(board: Board, real: str, name: str, wants: list[str], *words: str,
            scene: str = "chaos") -> None:
-    """A program that sends a line with a hash and ends."""
-    ran = board.run(board.elf(real, program, *words, scene=scene))
-    same((ran.line(want.split()[0]), ran.code), (want, 0))
+    """The program that sends lines with hashes and ends."""
+    ran = board.run(board.elf(real, f"trajectory-{name}", *words, scene=scene))
+    same(([line for line in ran.out.splitlines() if line in wants or
+           re.match("trajectory |population ", line)], ran.code), (wants, 0))
 
 
-def test_trajectory(board: Board, real: str, scene: str, kind: str) -> None:
-    """Kind: the scene, compiled alone, or `generic`."""
+def trajectory(board: Board, real: str, scene: str) -> str:
+    """What it sends of a scene."""
     steps = board.fact("STEPS")
-    hashed(board, real, f"trajectory-{scene}", f"trajectory {scene} {real} "
-           f"{steps} {trajectory_hash(scene, real, steps)}", f"START={scene}",
-           f"STEPS={steps}", scene=kind)
+    return (f"trajectory {scene} {real} {steps} "
+            f"{trajectory_hash(scene, real, steps)}")
+
+
+def test_trajectory(board: Board, real: str, scene: str) -> None:
+    """A scene, compiled alone."""
+    hashed(board, real, scene, [trajectory(board, real, scene)],
+           f"STEPS={board.fact('STEPS')}", scene=scene)
 
 
 def test_scheme(board: Board, real: str, scheme: str) -> None:
     want = golden(f'"chaos", TF_RULE_PERSIST, {scheme.upper()}', real)
-    hashed(board, real, f"trajectory-{scheme}", f"trajectory chaos {real} "
-           f"100000 {want}", "STEPS=100000", f"SCHEME={scheme}")
+    hashed(board, real, scheme, [f"trajectory chaos {real} 100000 {want}"],
+           "STEPS=100000", f"SCHEME={scheme}")
 
 
-def test_population(board: Board, real: str, scheme: str, key: str) -> None:
-    """Steps of random machines."""
-    want = golden(f'"{key}"', real, "population")
-    hashed(board, real, f"population-{scheme}", f"population {real} {want}",
-           f"SCHEME={scheme}", scene="generic")
+def test_generic(board: Board, real: str, scheme: str, key: str,
+                 *scenes: str) -> None:
+    """Scenes one after the other, the first of them by START, and steps of
+    random machines, in one program that has all scenes."""
+    steps = golden(f'"{key}"', real, "population")
+    others = sum(1 << int(run(f"{BUILD}/{real}/constants", "--number",
+                              scene).out) for scene in scenes[1:])
+    start = [f"START={scenes[0]}", f"OTHERS={others}"] if scenes else []
+    hashed(board, real, scheme, [
+        *(trajectory(board, real, scene) for scene in scenes),
+        f"population {real} {steps}"], f"STEPS={board.fact('STEPS')}",
+        f"SCHEME={scheme}", *start, scene="generic")
 
 
 def test_loop(board: Board, real: str, rate: int, shift: str) -> str:
@@ -242,21 +257,21 @@ def test_too_large(board: Board, larger: str) -> None:
 
 
 def tests_of_real(board: Board, real: str) -> Iterator[tuple[Callable, list]]:
-    """What is tested of each real type."""
-    for scene in board.scene(SHOWN):
-        yield test_trajectory, [scene, scene]
-    if not board.fact("SMALL"):
-        few = ["string"] * bool(board.fact("SCHEMES"))
-        for scene in few if FEW else ["chaos", "string"]:
-            yield test_trajectory, [scene, "generic"]
-        yield test_population, ["moreau", "step on a board"]
+    """What is tested of each real type, but for the code of a twin."""
+    if board.fact("TWIN") not in NAMES:
+        for scene in board.scene(SHOWN):
+            yield test_trajectory, [scene]
+        if not board.fact("SMALL"):
+            few = ["string"] * bool(board.fact("SCHEMES"))
+            yield test_generic, ["moreau", "step on a board",
+                                 *(few if FEW else ["string", "chaos"])]
     for rate in board.fact(f"RATES_{real}").split()[-1 if FEW else 0:]:
         hertz, _, shift = rate.partition(":")
         yield test_loop, [int(hertz), shift]
     if real in board.fact("SCHEMES").split()[:1 if FEW else None]:
         yield test_scheme, ["located"]
         yield test_scheme, ["compensated"]
-        yield test_population, ["located", "locate on a board"]
+        yield test_generic, ["located", "locate on a board"]
     for what, test in (("LOOP", test_closed_loop),
                        ("CHECK_MODULE", test_module), ("PAINT", test_stack)):
         if board.fact(what):
@@ -306,8 +321,8 @@ def main() -> None:
                   for program in ("twofold", "hil", "constants")))
     if done.returncode:
         sys.exit(done.stdout)
-    boards = [Board(name) for name in
-              sys.argv[1:] or make("boards-list").stdout.split()]
+    NAMES.extend(sys.argv[1:] or make("boards-list").stdout.split())
+    boards = [Board(name) for name in NAMES]
     # Emulators in their own time and loops in that of this computer wait: twice
     # as many keep the processors busy.
     tally, jobs = Tally(), 2 * driven.processors()

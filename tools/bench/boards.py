@@ -105,12 +105,7 @@ class Firmware:
 
     def sizes(self) -> Sizes | str:
         """Flash, RAM and stack, or why it does not build."""
-        graph = self.board.has_graph()
-        for old in self.place.glob("firmware-sized.elf*"):
-            old.unlink()
-        # Not EXTRA, by which the host's programs would be compiled anew.
-        flags = [f"BOARD_OPT={self.board.fact('OPT')} {GRAPH}"] * graph
-        if why := self._make("firmware-sized", *flags):
+        if why := self._graphed("firmware-sized"):
             return why
         said = subprocess.run(
             [self.board.tool("size"), str(self.place / "firmware-sized.elf")],
@@ -119,17 +114,31 @@ class Firmware:
         if len(said) < 2:
             return Sizes(None, None, None, None)
         text, data, bss = (int(word) for word in said[1].split()[:3])
-        return Sizes(text + data, data + bss,
-                     *(self._stack() if graph else (None, None)))
+        return Sizes(text + data, data + bss, *self._stack("firmware-sized"))
 
-    def _stack(self) -> tuple[int, int]:
+    def _graphed(self, program: str, *more: str) -> str:
+        """Builds a program, with its call graph where that can be had."""
+        for old in self.place.glob(f"{program}.elf*"):
+            old.unlink()
+        # Not EXTRA, by which the host's programs would be compiled anew.
+        flags = [f"BOARD_OPT={self.board.fact('OPT')} {GRAPH}"]
+        return self._make(program, *flags * self.board.has_graph(), *more)
+
+    def stack(self) -> tuple[Optional[int], Optional[int]]:
+        """Worst of main and of an interrupt, in the program of painted()."""
+        return self._stack("stack", "firmware_main")
+
+    def _stack(self, program: str, main: str = "main"
+               ) -> tuple[Optional[int], Optional[int]]:
         """Worst of main and of an interrupt, by the call graph; a function of
         the C library or of soft float counts 32."""
-        graph = Graph(sorted(self.place.glob("firmware-sized*.ci")))
+        if not self.board.has_graph():
+            return None, None
+        graph = Graph(sorted(self.place.glob(f"{program}.elf*.ci")))
         worst = {name: most for name, most, _ in graph.depths}
         handlers = [most for name, most in worst.items()
                     if HANDLER.fullmatch(name)]
-        return worst["main"], max(handlers, default=0) + SAVED
+        return worst[main], max(handlers, default=0) + SAVED
 
     def painted(self, steps: int) -> Optional[int]:
         """How deep the stack got in the emulator (tests/target/stack.c),
@@ -140,7 +149,7 @@ class Firmware:
         if "qemu-system-avr" in self.board.fact("RUN"):
             # Its time is that of this machine.
             rate, steps, options = 100, 200, []
-        if self._make("stack", f"RATE={rate}", f"STEPS={steps}", "EVERY=10"):
+        if self._graphed("stack", f"RATE={rate}", f"STEPS={steps}", "EVERY=10"):
             return None
         said = self._emulate(self.place / "stack.elf", 60, *options)
         found = re.findall(r"^stack (\d+)", said, re.MULTILINE)

@@ -119,11 +119,13 @@ def stack_of(board: str, real: str, scene: str) -> Stack:
     """Worst of main, an interrupt's and painted; None for what cannot be
     had."""
     one = Firmware(Board(board), real, scene)
-    sizes = one.sizes()
     painted = one.painted(int(os.environ.get("STEPS") or 2000))
+    if painted is not None:
+        return *one.stack(), painted
+    sizes = one.sizes()
     if isinstance(sizes, str):
-        return None, None, painted
-    return sizes.stack, sizes.interrupt, painted
+        return None, None, None
+    return sizes.stack, sizes.interrupt, None
 
 
 # Problems of problem.c, by what differs from scene `chaos`.
