@@ -70,10 +70,10 @@ static bool end_of_parts(const free_motion_t *c, const tf_form_t *h,
   const multipliers_t limit = limit_multipliers(side, unit(sign_g));
   multipliers_t then = limit;
   if (!slips) then = stick_multipliers(stick_behind(h, part, sign_g), sign_g);
-  for (int i = 0; i < 2; i++) {
-    *end = end_by(c, of_step(part, then));
-    if (i == 1 || !slips) break;
+  *end = end_by(c, of_step(part, then));
+  if (slips) {
     then = mean_of(limit, slip_at(c, side, end_slip(c, end)));
+    *end = end_by(c, of_step(part, then));
   }
   return slips ? with_sign(side, end_slip(c, end).h) > 0 : within(then.x, 1);
 }
