@@ -10,9 +10,8 @@
 // A force of the hull may be larger by a third, for the curvature of a path
 // within its step.
 #define HULL_SHARE TF_R(0.75)
-// By how much the velocities may be off at the end of a rest, squared, as a
-// share of the sum of both ends, see misses_departure().
-#define DEPARTURE_SHARE TF_R(0x1p-6)
+// A motion turns by less than 1/sqrt(5) rad in the step in which a rest ends.
+#define DEPARTURES 5
 
 // What rounding makes of g where forces balance, step after step: that of the
 // state, which an incremental step does not have, and that of the terms of (2)
@@ -187,7 +186,9 @@ static bool may_be_held(const tf_contact_modes_t *s, unsigned mode) {
 
 // The motion passes by h = g = 0. It is held there if it would run to a rest
 // there. If a force of the law takes it there and it has no other way, it comes
-// there at the end of the step.
+// there at the end of the step. A rest that ends has chosen its mode, but no
+// force of the law leads there: it ends in that mode if that solves the
+// inclusion.
 static void pass_codim2(const free_motion_t *c, const inclusion_t *in,
                         const codim2_field_t *field,
                         const consistent_modes_t *modes,
@@ -199,8 +200,11 @@ static void pass_codim2(const free_motion_t *c, const inclusion_t *in,
   if (held && tf_leave_codim2(&k->contact, field, x->mode, true, x->tick,
                               x->seed, modes) != TF_PINNED)
     s.set &= (uint8_t)~TF_MODE_BIT(TF_PINNED);
-  const unsigned mode =
-      tf_contact_choose(&k->contact, &s, x->mode, x->tick, x->seed);
+  const bool rests = x->mode == TF_PINNED;
+  unsigned mode = out->outcome.mode;
+  if (!rests || !has(s.set, mode))
+    mode = tf_contact_choose(&k->contact, &s, rests ? TF_NO_MODE : x->mode,
+                             x->tick, x->seed);
   out->outcome.set = solutions->set;
   out->outcome.mode = mode;
   out->outcome.is_mean = false;
@@ -293,24 +297,6 @@ static void end_slip_near_codim2(const free_motion_t *c, const inclusion_t *in,
   if (coarse) to->outcome.status = TF_COARSE;
 }
 
-// A rest that ends, but not as it should: no force of the law leads there, the
-// step is too long for that. It ends in the mode that follows, if that solves
-// the inclusion; g is 0 at its start, so that the side of the faster stick
-// decides ties.
-static void end_rest(const free_motion_t *c, inclusion_t *in,
-                     const consistent_modes_t *modes, tf_contact_modes_t *s,
-                     step_end_t *to) {
-  const tf_state_t *x = c->state;
-  unsigned mode = to->outcome.mode;
-  in->g_now = unit(sign_in(modes->solutions.near_stick));
-  tf_enumerate(in, BOTH_SIGNS, s);
-  if (!has(s->set, mode))
-    mode = tf_contact_choose(&TF_STEP_MACHINE(c)->contact, s, TF_NO_MODE,
-                             x->tick, x->seed);
-  to->outcome = (outcome_t){.mode = mode, .set = s->set, .status = TF_COARSE};
-  if (mode != TF_NO_MODE) to->end = tf_mode_end(c, s, mode);
-}
-
 // A stick that loses its mode where g = 0 is within reach, or a motion that is
 // at h = g = 0. A rest that goes on needs no solution of the inclusion.
 static void end_at_codim2(const free_motion_t *c, inclusion_t *in,
@@ -333,10 +319,12 @@ static void end_at_codim2(const free_motion_t *c, inclusion_t *in,
   if (comes || may_be_held(s, mode))
     tf_codim2_modes(&TF_STEP_MACHINE(c)->contact, field, &modes);
   if (comes && continue_from_codim2(c, in, field, &modes, &arrival, to)) return;
-  if (mode == TF_PINNED)
-    end_rest(c, in, &modes, s, to);
-  else
-    pass_codim2(c, in, field, &modes, s, to);
+  if (mode == TF_PINNED) { // g is 0: the side of the faster stick is nearer
+    in->g_now = unit(sign_in(modes.solutions.near_stick));
+    tf_enumerate(in, BOTH_SIGNS, s);
+    to->outcome.status = TF_COARSE;
+  }
+  pass_codim2(c, in, field, &modes, s, to);
 }
 
 // Whether a rest that goes on by the mean of the forces ends within the step,
@@ -351,25 +339,12 @@ static bool misses_end_of_rest(const free_motion_t *c, unsigned mode) {
   return tf_rest_is_interrupted(&rest, k->dt);
 }
 
-// Whether a rest ends in a step that is too long for the motion: with the
-// accelerations at its start and end it would end elsewhere.
-static bool misses_departure(const free_motion_t *c, const step_end_t *to) {
-  const tf_machine_t *k = TF_STEP_MACHINE(c);
-  const tf_input_t *u = c->input;
-  const tf_real_t omega0 = u->omega0, before = omega0 - turn_of_step(k, u);
-  const end_state_t from = {c->state->r, 0, before}, at = to->end.at;
-  const tf_force_t force = to->end.force;
-  const tf_real_t z = at.w - omega0, p = slider_speed(k, at.v, z);
-  const rates_t first = rates_at(k, u, from.r, 0, 0, before);
-  const rates_t last = rates_at(k, u, at.r, p, z, omega0);
-  const tf_real_t spin =
-      spin_rate_under(from.r * k->cos_gamma, force, inertia_at(k, from.r)) +
-      spin_rate_under(at.r * k->cos_gamma, force, inertia_at(k, at.r));
-  const tf_real_t half = k->dt / 2;
-  const tf_real_t off_p =
-      p - half * (first.dp + last.dp + 2 * force.F * first.Fp);
-  const tf_real_t off_z = z - half * (first.dz + last.dz + spin);
-  return changes_much(k, from, at, off_p, off_z, DEPARTURE_SHARE);
+// Whether a step in which a rest ends is too long for the motion behind it: it
+// turns by much.
+static bool departs_fast(const tf_machine_t *k, end_state_t at) {
+  const tf_real_t R2 = gyration2_at(k, at.r);
+  const tf_real_t travel2 = at.v * at.v + R2 * (at.w * at.w);
+  return !(DEPARTURES * (k->dt * k->dt) * travel2 < R2);
 }
 
 TF_API void tf_codim2_end(free_motion_t *c, inclusion_t *in, step_end_t *to) {
@@ -392,7 +367,8 @@ TF_API void tf_codim2_end(free_motion_t *c, inclusion_t *in, step_end_t *to) {
       step_delassus(TF_STEP_MACHINE(c), in, sign_of(end_slip(c, &to->end).g));
   const bool rests = c->state->mode == TF_PINNED;
   if (misses_end_of_rest(c, to->outcome.mode) ||
-      (rests && to->outcome.mode != TF_PINNED && misses_departure(c, to)))
+      (rests && to->outcome.mode != TF_PINNED &&
+       departs_fast(TF_STEP_MACHINE(c), to->end.at)))
     to->outcome.status = TF_COARSE;
 }
 

@@ -274,9 +274,9 @@ static int is_symmetric(const tf_params_t *p, const tf_input_t *u,
          (p->law == TF_TYRE_COULOMB && end->slip.g == 0);
 }
 
-/* Next to the smallest number units do count. */
+/* Units do count where squares are next to the smallest number. */
 static int underflows(tf_real_t x) {
-  return x != 0 && fabs((double)x) < (double)TF_REAL_MIN * 1e9;
+  return x != 0 && fabs((double)x) < 1e5 * sqrt((double)TF_REAL_MIN);
 }
 
 /* A machine and its image: 0 and 1. */
@@ -320,17 +320,19 @@ static int agreeing_images(int map, int extreme, int most, long *ends) {
   for (int n = 0; n < most; n++) {
     if (n == 0 || one_in(30)) draw_inputs(&m.k[0], &m.u[0]);
     m.u[0].omega0 += m.u[0].alpha * m.k[0].dt;
+    if (fabs((double)m.x[0].r) + fabs((double)m.x[0].v) > 1e8) break;
     m.u[1] = mapped_input(map, m.u[0]);
     const tf_state_t from = m.x[0];
     const int agree = step_images(map, &m);
     const tf_status_t status = m.report[0].status;
-    /* In other units other ends violate the law least. */
-    if (status < TF_OK || (map >= MASS && (status == TF_DEGRADED ||
-                                           underflows(m.report[0].slip.g))))
-      break;
+    if (status < TF_OK || underflows(m.report[0].slip.g)) break;
+    /* A step that is not TF_OK may end in a tie, and in other units other ends
+     * violate the law least. */
     if (!agree)
-      return map < MASS && is_symmetric(&p, &m.u[0], &from, &m.report[0]) ? most
-                                                                          : n;
+      return status == TF_OK && !(map < MASS && is_symmetric(&p, &m.u[0], &from,
+                                                             &m.report[0]))
+                 ? n
+                 : most;
     *ends +=
         from.mode == TF_PINNED && m.x[0].mode != TF_PINNED && status == TF_OK;
   }
