@@ -93,7 +93,10 @@ static bool queue_other(loop_t *loop) {
 
 // Until the next tick: sends bytes, receives bytes, and idles if there are
 // none. However many bytes come in, sending goes on and the tick is not missed.
+// Called once in every tick.
 static void use_spare_time(loop_t *loop) {
+  port_feed();
+  if (!port_stack_holds()) port_fault("stack overflow", 0, 0);
   while (port_ticks() == loop->tick) {
     const int byte = port_get();
     if (byte >= 0) app_receive((uint8_t)byte, port_clock());

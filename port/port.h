@@ -6,8 +6,9 @@
 /// functions are called by name, without a table of pointers; no other file
 /// names a board.
 ///
-/// All of them are called from the main program, never from an interrupt. None
-/// waits except port_idle, which says until when, and port_boot.
+/// All of them are called from the main program, never from an interrupt, but
+/// for port_safe, port_room, port_put and port_halt, which port_fault calls from
+/// anywhere. None waits except port_idle, which says until when, and port_boot.
 #ifndef TWOFOLD_PORT_H
 #define TWOFOLD_PORT_H
 
@@ -67,5 +68,32 @@ void port_halt(int code);
 /// Returns: the number; 0 where none can be had: then the program does not
 ///   start.
 uint32_t port_boot(void);
+
+/// Optional, as the two below; port/hooks.c has one that does nothing. Keeps a
+/// watchdog from restarting the board, which port_tick_start starts. Called
+/// once in every tick behind step and outputs, and nowhere else, so that what
+/// hangs is ended. With BOARD_WATCHDOG in board.mk WATCHDOG is its time [ms], if
+/// there is to be one.
+void port_feed(void);
+
+/// Puts what the board drives into the state that is safe. Called by port_fault,
+/// so it relies on no variable and on nothing that may be broken.
+void port_safe(void);
+
+/// Whether the stack has kept to its room. Called once in every tick. The
+/// families of port/arch look at a word at its end, or have hardware that
+/// faults there and always return true, as port/hooks.c does.
+bool port_stack_holds(void);
+
+/// Ends a program in which something is broken, with exit code PORT_FAULT:
+/// port_safe, then "fault: WHY at AT cause CAUSE" over the line, for as long as
+/// that takes bytes. For handlers of faults, and for the loop. Written in
+/// port/hooks.c.
+/// at: where; cause: what the processor says of it; 0 where nothing is known.
+#if defined(__GNUC__)
+__attribute__((noreturn))
+#endif
+void port_fault(const char *why, uint32_t at, uint32_t cause);
+#define PORT_FAULT 99
 
 #endif

@@ -24,9 +24,12 @@
 #                    that it is to have, where that has a rate
 #   OVERRUN=skip     or stop: what the loop does about a step that ends too late
 #   EVERY=           steps from record to record; by default 50 records a second
+#   WATCHDOG=        [ms], by default none: its time, where a board has one
+#   CLOCK=           [Hz] of the processor: says how much of a tick the worst
+#                    known step takes, and refuses more than all of it
 #   ONLY='host uno'  the boards for `make test-boards`
-#   PROGRAM=firmware or trajectory, window, stack, deadman, kit (tests/target),
-#                    calls (tools/verify/cost); wasm32: module
+#   PROGRAM=firmware or trajectory, window, stack, deadman, fault, kit
+#                    (tests/target), calls (tools/verify/cost); wasm32: module
 #   OTHERS=          of a generic trajectory: a bit for each further scene
 
 BOARDS := $(filter-out template,$(patsubst port/%/board.mk,%,\
@@ -88,6 +91,9 @@ $(call must_be_whole,STEPS,0)
 EVERY ?= $(shell echo $$((($(RATE) + 49) / 50)))
 $(call must_be_whole,EVERY,1)
 $(if $(DEADMAN),$(call must_be_whole,DEADMAN,0))
+$(if $(WATCHDOG),$(call must_be_whole,WATCHDOG,2)$(if $(BOARD_WATCHDOG),,\
+  $(error $(BOARD) has no watchdog: BOARD_WATCHDOG, docs/PORTS.md)))
+$(if $(CLOCK),$(call must_be_whole,CLOCK,1))
 # The scenes that a board has room for, where not for all.
 BOARD_SCENE := $(or $(firstword $(BOARD_SCENES)),chaos)
 SCENE ?= $(BOARD_SCENE)
@@ -111,6 +117,7 @@ RATE_OF_firmware := $(RATE)
 RATE_OF_stack := $(RATE)
 RATE_OF_deadman := $(RATE)
 RATE_OF_kit := $(RATE)
+RATE_OF_fault := $(RATE)
 FIRMWARE_RATE := $(RATE_OF_$(PROGRAM))
 
 # In float a plain step of less than 1 ms may stand still (DESIGN.md, section
@@ -130,11 +137,12 @@ SOURCE_firmware := port/main.c port/firmware.c port/loop.c
 SOURCE_trajectory := tests/target/trajectory.c
 SOURCE_stack := tests/target/stack.c port/firmware.c port/loop.c
 SOURCE_deadman := tests/target/deadman.c port/loop.c
+SOURCE_fault := tests/target/fault.c port/loop.c
 SOURCE_window := tests/target/window.c
 SOURCE_kit := tests/target/kit.c
 SOURCE_calls := tools/verify/cost/board.c
-FIRMWARE_SOURCES := $(SOURCE_$(PROGRAM)) $(wildcard port/$(BOARD)/*.c) \
-  $(BOARD_SOURCES)
+FIRMWARE_SOURCES := $(SOURCE_$(PROGRAM)) port/hooks.c \
+  $(wildcard port/$(BOARD)/*.c) $(BOARD_SOURCES)
 FIRMWARE_FLAGS := -std=c99 $(BOARD_OPT) -ffp-contract=off -fno-math-errno \
   -ffunction-sections -fdata-sections -Iinclude -Iport -I$(PLACE) \
   $(filter-out $(BOARD_WITHOUT),$(WARN)) \
@@ -192,6 +200,12 @@ FIRMWARE_FLAGS += -DSCHEME_$(shell echo $(SCHEME) | tr a-z A-Z)
 endif
 ifeq ($(OVERRUN),stop)
 FIRMWARE_FLAGS += -DOVERRUN=LOOP_STOP
+endif
+ifneq ($(WATCHDOG),)
+FIRMWARE_FLAGS += -DWATCHDOG=$(WATCHDOG)u
+endif
+ifneq ($(FAULT),)
+FIRMWARE_FLAGS += -DFAULT=fault_$(FAULT)
 endif
 FIRMWARE_FLAGS += -DEVERY=$(EVERY)
 ifneq ($(BAUD),)

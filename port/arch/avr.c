@@ -17,6 +17,11 @@
 #define USART0_RX_vect USART_RX_vect
 #endif
 
+// Where avr-libc would put a heap, the stack ends.
+extern uint8_t __heap_start;
+#define STACK_END (*(volatile uint8_t *)&__heap_start)
+#define STACK_MARK 0x4Du
+
 static ring_t received;
 static volatile uint32_t ticks;
 static uint16_t period;
@@ -25,7 +30,10 @@ ISR(TIMER1_COMPA_vect) { ticks++; }
 
 ISR(USART0_RX_vect) { ring_put(&received, UDR0); }
 
+bool port_stack_holds(void) { return STACK_END == STACK_MARK; }
+
 void port_init(void) {
+  STACK_END = STACK_MARK;
   UBRR0 = F_CPU / 8u / BAUD - 1u;
   UCSR0A = 1u << U2X0;
   UCSR0C = 3u << UCSZ00;

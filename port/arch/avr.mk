@@ -19,3 +19,5 @@ BOARD_SHARED := yes
 # raise in other places than elsewhere.
 BOARD_WITHOUT := -Wnull-dereference -Wimplicit-fallthrough -Wsign-conversion \
   -Wconversion -Wfloat-conversion
+# What of tests/target/fault.c ends with a word.
+BOARD_FAULTS := stack

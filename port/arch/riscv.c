@@ -64,7 +64,9 @@ __attribute__((interrupt("machine"), aligned(4))) void riscv_trap(void) {
     riscv_interrupt(source);
     PLIC_CLAIM = source;
   } else {
-    riscv_halt(99);
+    uint32_t at;
+    __asm__ volatile("csrr %0, mepc" : "=r"(at));
+    port_fault("trap", at, cause);
   }
 }
 
@@ -87,6 +89,8 @@ void riscv_tick_start(uint32_t period) {
   timer_at(next);
   __asm__ volatile("csrs mie, %0" ::"r"(1u << 7));
 }
+
+bool port_stack_holds(void) { return stack_holds(); }
 
 uint32_t port_ticks(void) { return ticks; }
 

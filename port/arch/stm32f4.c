@@ -37,6 +37,14 @@
 #define USART_CR1 USART(0x0Cu)
 #define TX_EMPTY (1u << 7)
 #define RX_FULL (1u << 5)
+#define RX_OVERRUN (1u << 3)
+#ifdef WATCHDOG
+#define IWDG(offset) REGISTER(0x40003000u + (offset))
+#define IWDG_KR IWDG(0x0u)
+#define IWDG_PR IWDG(0x4u)
+#define IWDG_RLR IWDG(0x8u)
+#define DEBUG_FREEZE REGISTER(0xE0042008u)
+#endif
 
 #define PLL_HZ 168000000u
 #define HSI_HZ 16000000u
@@ -77,8 +85,13 @@ static uint32_t start_clock(void) {
   return PLL_HZ;
 }
 
+// An overrun keeps the interrupt pending until the data register is read, also
+// where that holds no byte.
 void cortex_m_interrupt(void) {
-  while (USART_SR & RX_FULL) ring_put(&received, (uint8_t)USART_DR);
+  for (uint32_t is; (is = USART_SR) & (RX_FULL | RX_OVERRUN);) {
+    const uint8_t byte = (uint8_t)USART_DR;
+    if (is & RX_FULL) ring_put(&received, byte);
+  }
 }
 
 // Pins to alternate function 7, and the clock of the USART.
@@ -103,7 +116,25 @@ void port_init(void) {
   cortex_m_enable(USART_IRQ);
 }
 
+#ifdef WATCHDOG
+// Of the internal 32 kHz, which may be 17 to 47 kHz, by 64: of 2 ms each, up to
+// 4096 of them.
+static void start_watchdog(void) {
+  DEBUG_FREEZE |= 1u << 12; // stands while a debugger halts the processor
+  IWDG_KR = 0x5555u;
+  IWDG_PR = 4u;
+  IWDG_RLR = WATCHDOG < 8192u ? WATCHDOG / 2u : 4095u;
+  IWDG_KR = 0xCCCCu;
+  port_feed();
+}
+
+void port_feed(void) { IWDG_KR = 0xAAAAu; }
+#endif
+
 bool port_tick_start(uint32_t rate) {
+#ifdef WATCHDOG
+  start_watchdog();
+#endif
   return cortex_m_tick_start(clock_hz / rate);
 }
 

@@ -17,3 +17,6 @@ BOARD_LOADS := -kernel
 BOARD_STEPS := 100000
 # Driven over its line by tools/board/hil.
 BOARD_LOOP := yes
+# What of tests/target/fault.c ends with a word.
+BOARD_FAULTS := stack bus
+BOARD_WATCHDOG := yes

@@ -22,3 +22,5 @@ BOARD_STARTS := yes
 BOARD_LATE := 500:6
 # The painted stack is compared with the call graph.
 BOARD_PAINT := yes
+# What of tests/target/fault.c ends with a word.
+BOARD_FAULTS := stack bus

@@ -15,6 +15,14 @@
 #define RX_FULL 2u
 #define RX_IRQ 0u
 
+#ifdef WATCHDOG
+#define DOG(offset) REGISTER(0x40008000u + (offset))
+#define DOG_LOAD DOG(0x00u)
+#define DOG_CONTROL DOG(0x08u)
+#define DOG_CLEAR DOG(0x0Cu)
+#define DOG_LOCK DOG(0xC00u)
+#endif
+
 static ring_t received;
 
 void cortex_m_interrupt(void) {
@@ -28,7 +36,22 @@ void port_init(void) {
   cortex_m_enable(RX_IRQ);
 }
 
+#ifdef WATCHDOG
+// It counts down twice: to an NMI, whose handler says where the program is, and
+// to a restart.
+static void start_watchdog(void) {
+  DOG_LOCK = 0x1ACCE551u;
+  DOG_LOAD = WATCHDOG * (CLOCK_HZ / 1000u);
+  DOG_CONTROL = 3u;
+}
+
+void port_feed(void) { DOG_CLEAR = 1u; }
+#endif
+
 bool port_tick_start(uint32_t rate) {
+#ifdef WATCHDOG
+  start_watchdog();
+#endif
   return cortex_m_tick_start(CLOCK_HZ / rate);
 }
 

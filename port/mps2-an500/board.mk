@@ -29,3 +29,6 @@ BOARD_FRAMES := 2
 BOARD_LOOP := yes
 # Real types in which the other schemes are tested.
 BOARD_SCHEMES := double
+# What of tests/target/fault.c ends with a word.
+BOARD_FAULTS := stack bus hang
+BOARD_WATCHDOG := yes

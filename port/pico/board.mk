@@ -20,3 +20,5 @@ BOARD_STEPS := 2000
 # In the emulator's time, of cycles at 125 MHz.
 BOARD_RATES_float := 100
 BOARD_RATES_double := 50
+# What of tests/target/fault.c ends with a word.
+BOARD_FAULTS := stack

@@ -17,3 +17,5 @@ BOARD_RATES_double := 1000:4 3000:4
 BOARD_LOADS := -kernel
 # Shift at which every step goes out as frames, at 1 kHz.
 BOARD_FRAMES := 2
+# What of tests/target/fault.c ends with a word.
+BOARD_FAULTS := stack bus

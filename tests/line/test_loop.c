@@ -21,6 +21,7 @@ static struct {
   bool flooded;                        /* a byte is always there */
   bool broken;
   uint32_t received, put, latched, stepped, records, beats, idled;
+  uint32_t fed;              /* the watchdog */
   uint32_t last_tick, twice; /* steps in the same tick */
   uint32_t record_step[64];
 } board;
@@ -34,6 +35,12 @@ uint32_t port_ticks(void) {
   return tick_now();
 }
 uint32_t port_clock(void) { return (uint32_t)board.clock; }
+void port_feed(void) { board.fed++; }
+bool port_stack_holds(void) { return true; }
+void port_fault(const char *why, uint32_t at, uint32_t cause) {
+  printf("# %s, %" PRIu32 ", %" PRIu32 "\n", why, at, cause);
+  exit(PORT_FAULT);
+}
 uint32_t port_clock_rate(void) { return 1000u * PERIOD; }
 unsigned port_room(void) { return !board.stalled; }
 void port_put(uint8_t byte) {
@@ -121,6 +128,7 @@ TEST(every_tick_has_one_step) {
   CHECK(counted.sum / counted.steps >= 300 &&
         counted.sum / counted.steps <= 310);
   CHECK(board.idled > 0);
+  CHECK(board.fed >= 5000 && board.fed < 5000 + 1100); /* once in each tick */
 }
 
 /* What late steps of 100 cost: each is finished, none is in the tick of another

@@ -235,6 +235,21 @@ def test_dead_man(board: Board, rate: str, shift: str) -> str:
     return said
 
 
+FAULTS = {"stack": "stack overflow at", "hang": "watchdog, or another NMI at",
+          "bus": r"(bus|hard|trap) at (?!0{8})"}
+
+
+def test_fault(board: Board, kind: str) -> str:
+    """What breaks in a step ends the program: safe, with its reason."""
+    ran = board.counted(board.elf(
+        "float", f"fault-{kind}", "RATE=100", f"FAULT={kind}",
+        *["WATCHDOG=100"] * (kind == "hang"), scene=board.fact("SCENE")), "")
+    code = int(ran.line("EXIT ")[5:] or ran.code or 0)  # of which AVR has a digit
+    check(code in (99, 9) and re.search(
+        rf"^safe\s+fault: {FAULTS[kind]}", ran.out, re.M), str(ran))
+    return ran.line("fault")
+
+
 def test_starts(board: Board, real: str) -> str:
     """With a key no session comes twice, and a recorded stop acts once; where
     the emulator lacks what the board needs for that, it does not start."""
@@ -291,6 +306,8 @@ def tests_of(board: Board) -> Iterator[tuple[Callable, list]]:
             yield test, [real, *words]
     if board.fact("BOOT"):
         yield test_starts, [reals[0]]
+    for kind in board.fact("FAULTS").split():
+        yield test_fault, [kind]
     if board.fact("LARGER"):
         yield test_too_large, [board.fact("LARGER")]
     if board.fact("LATE"):

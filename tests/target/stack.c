@@ -24,7 +24,7 @@ void port_halt(int code);
 // the C library's.
 #ifdef __AVR__
 extern uint8_t __bss_end;
-#define LOWEST (&__bss_end)
+#define LOWEST (&__bss_end + 1) // behind the mark of avr.c
 #define TOP ((uint8_t *)RAMEND + 1)
 #include <avr/io.h>
 #else

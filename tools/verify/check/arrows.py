@@ -57,6 +57,7 @@ tests/reference/     src/ include/ tests/data/
 tests/reference/judge/library tests/reference/ tools/motion
 port/app
 port/choice
+port/hooks           port/port
 port/port
 port/ring
 port/text
