@@ -69,7 +69,7 @@ deps: ## install compilers and emulators (apt-get, npm)
 	npm install -g $(sort $(shell sed -n 's/^BOARD_NPM := //p' \
 	  $(wildcard port/*/board.mk)))
 
-ifneq ($(filter firmware elf call-graph board-%,$(MAKECMDGOALS)),)
+ifneq ($(filter firmware elf call-graph tick-budget board-%,$(MAKECMDGOALS)),)
 ifeq ($(wildcard port/$(BOARD)/board.mk),)
 $(error No board is named $(BOARD); there are: $(BOARDS))
 endif
@@ -255,6 +255,14 @@ $(FIRMWARE).flags: $(BUILD)/$(REAL)/constants FORCE
 	echo "$(BOARD_CC) $(FIRMWARE_FLAGS) $(EXTRA) $(FIRMWARE_SOURCES)" \
 	  "$(BOARD_LINK) $(START) $(KEY)" >$$new; \
 	if cmp -s $$new $@; then rm $$new; else mv $$new $@; fi
+
+ifneq ($(CLOCK),)
+.PHONY: tick-budget
+$(FIRMWARE): | tick-budget
+tick-budget:
+	@tools/board/budget.py $(or $(BOARD_LIKE),$(BOARD)) $(REAL) '$(SCENE)' \
+	  $(SCHEME) $(RATE) $(CLOCK) '$(UPLINK)'
+endif
 
 firmware: $(FIRMWARE)
 	@echo '$(FIRMWARE)'

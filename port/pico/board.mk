@@ -17,6 +17,8 @@ BOARD_BAUDS := 115200
 BOARD_RUN := node port/pico/run.mjs
 BOARD_HERE := node port/pico/run.mjs --here
 BOARD_STEPS := 2000
+# Whose processor has the same instructions.
+BOARD_LIKE := microbit
 # In the emulator's time, of cycles at 125 MHz.
 BOARD_RATES_float := 100
 BOARD_RATES_double := 50

@@ -3,6 +3,7 @@
 numbers, records that a line does not carry, keys. A key is by one rule also
 that of `monitor` and of `hil`."""
 import os
+import re
 import subprocess
 from pathlib import Path
 
@@ -14,8 +15,9 @@ from tap import ROOT, TWOFOLD, check, main, same
 def make(*words):
     """Of a firmware for the host, by the variables of the make that tests."""
     given = os.environ.get("MAKEFLAGS", "").partition(" -- ")[2]
+    goal = [] if words[0] == "tick-budget" else ["elf"]
     done = subprocess.run(
-        ["make", "elf", "BOARD=host", "REAL=double", f"BUILD={BUILD}", *words],
+        ["make", *goal, "BOARD=host", "REAL=double", f"BUILD={BUILD}", *words],
         cwd=ROOT, env={**os.environ, "MAKEFLAGS": f" -- {given}"},
         capture_output=True, text=True, check=False)
     return done.returncode, done.stdout, done.stderr
@@ -83,6 +85,25 @@ def test_a_line_that_does_not_carry_its_records_is_refused():
             same((len(asks), done.returncode), (1, 3 * (steps < every)))
         same(sends in done.stderr and done.stderr.endswith(
             f" carries 11520; EVERY={every} would do\n"), True)
+
+
+def test_a_tick_too_short_for_the_worst_step_is_refused():
+    """By the board's table, or that of a board with its processor."""
+    for board, words, code, of in (
+            ("stm32f405", "RATE=1000 CLOCK=168000000", 0, "chaos, moreau"),
+            ("stm32f405", "RATE=1000 CLOCK=168000000 UPLINK=yes FORMAT=frames",
+             0, "any parameters, moreau"),
+            ("stm32f405", "RATE=9000 CLOCK=168000000", 2,
+             "any parameters, compensated"),
+            ("pico", "RATE=1000 CLOCK=125000000", 2, "chaos, moreau")):
+        got, _, said = make("tick-budget", f"BOARD={board}", "REAL=float",
+                            *words.split())
+        share = re.search(rf"worst known step \(of {of}\) takes \d+ instructions"
+                          r": (\d+)% of a tick of \d000 Hz at \d+ MHz", said)
+        check(share, said)
+        same((got, int(share[1]) > 100), (code, code > 0))
+    same("BOARD_LIKE" in make("tick-budget", "CLOCK=1000000")[2], True)
+    same("has no watchdog" in make("-n", "WATCHDOG=100")[2], True)
 
 
 KEYS = ((KEY, ""), (KEY + "\n", ""), (KEY.upper() + "\r\n", ""),
