@@ -48,6 +48,11 @@ void port_put(uint8_t byte);
 /// those that come when its buffer is full.
 int port_get(void);
 
+/// How many bytes were lost before port_get, modulo 2^32: its buffer was full,
+/// they came broken, or an interrupt was late. ring.h has one, which boards with
+/// a ring share; others have none, and 0 is sent.
+uint32_t port_unread(void);
+
 /// Waits for the next interrupt at most, and not at all if port_ticks() is no
 /// longer `seen`: a tick between the caller's check and the wait is not missed.
 /// May return early.

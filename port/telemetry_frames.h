@@ -13,6 +13,11 @@ static uint8_t telemetry_description; // its next part
 static uint32_t telemetry_run;
 static uint32_t telemetry_chain;
 
+#ifdef UPLINK
+// Of a board without a ring.
+__attribute__((weak)) uint32_t port_unread(void) { return 0; }
+#endif
+
 // Counts a frame in the chain that the next heartbeat reports. Returns: its
 // size.
 static unsigned telemetry_done(uint8_t *frame, size_t size) {
@@ -64,6 +69,7 @@ static unsigned telemetry_heartbeat(const loop_counts_t *c, uint8_t *to) {
     beat.exec_mean = nanoseconds(loop_mean(c));
   }
 #ifdef UPLINK
+  beat.unread = port_unread();
   const tf_decoder_t *decoder = &sim.link.decoder;
   beat.bad = decoder->bad + decoder->too_long + decoder->bad_version;
   beat.lost = sim.link.lost;

@@ -14,6 +14,7 @@ static unsigned telemetry_record(uint8_t *to) {
       tf_text_row((char *)to, &SIM_STATE, &SIM_REPORT) - 1; // its newline
   text_pair(&text, " mode:", SIM_REPORT.mode);
   text_pair(&text, " choices:", SIM_REPORT.choices);
+  text_pair(&text, " set:", SIM_REPORT.set);
   text_string(&text, "\r\n");
   return (unsigned)(text.end - to);
 }

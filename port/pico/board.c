@@ -42,6 +42,7 @@
 #define UART_CR UART(0x30u)
 #define UART_IMSC UART(0x38u)
 #define RX_EMPTY (1u << 4)
+#define RX_WRONG (0xFu << 8) // of the byte, or of one before it
 #define TX_FULL (1u << 5)
 #define UART0_IRQ 20u
 
@@ -80,7 +81,11 @@ static uint32_t start_clock(void) {
 // Its FIFO interrupts when it is filled to a half, and when it has waited for
 // 32 bits with less.
 void cortex_m_interrupt(void) {
-  while (!(UART_FR & RX_EMPTY)) ring_put(&received, (uint8_t)UART_DR);
+  while (!(UART_FR & RX_EMPTY)) {
+    const uint32_t word = UART_DR;
+    if ((word & RX_WRONG) != 0) ring_lose();
+    ring_put(&received, (uint8_t)word);
+  }
 }
 
 void port_init(void) {

@@ -20,9 +20,10 @@ import decode
 from tap import ROOT, check, main, output, same
 
 NAMES = "t,r,v,omega,h,g,F,M,mode,choices".split(",")
-PLOTTED = "r,v,omega,h,g,mode,choices".split(",")
-UNITS = dict(zip(NAMES[1:], ["m", "m/s", "rad/s", "m/s", "m/s", "N", "N m", "",
-                             ""]))
+PLOTTED = "r,v,omega,h,g,mode,choices,set".split(",")
+SHOWN = NAMES[1:] + ["set"]  # of the modes that were possible, not in CSV
+UNITS = dict(zip(SHOWN, ["m", "m/s", "rad/s", "m/s", "m/s", "N", "N m", "", "",
+                         ""]))
 MODES = ["slip+", "slip-", "stick+", "stick-", "pinned"]
 
 
@@ -41,6 +42,10 @@ def motion(form):
         *numbers, mode, choices = line.split(",")
         rows.append(dict(zip(NAMES, [*map(float, numbers), mode,
                                      int(choices)])))
+    for row, report in zip(rows, [frame[3] for frame in decode.frames(stream)
+                                  if frame[0] == 4], strict=True):
+        row["set"] = report[49]
+        same(row["set"].bit_count(), row["choices"])
     shown = output(RUN[0], "monitor", "-", "--format", form,
                    input=stream).decode()
     check(output(*RUN, "--format", form).decode() == shown, "`run` has another")
@@ -82,7 +87,7 @@ def test_teleplot_has_every_column_over_time():
         series.setdefault(name, []).append(
             (float(stamp), value if flags == "t" else float(value)))
     same(series, {name: [(row["t"] * 1000, row[name]) for row in rows]
-                  for name in NAMES[1:]})
+                  for name in SHOWN})
 
 
 def test_json_has_every_column_over_time():
@@ -93,8 +98,8 @@ def test_json_has_every_column_over_time():
     for row, line in zip(rows, lines, strict=True):
         message = json.loads(line, parse_constant=refuse)
         same(message["timestamp"], row["t"])
-        same([message[name] for name in NAMES[1:]],
-             [shown_as_number(row, name) for name in NAMES[1:]])
+        same([message[name] for name in SHOWN],
+             [shown_as_number(row, name) for name in SHOWN])
 
 
 def test_csv_of_a_board():

@@ -147,14 +147,15 @@ static void print_summary(const hil_board_t *board, const hil_verdict_t *v) {
   if (board->has_heartbeat)
     printf("; the board: %" PRIu32 " overruns, %" PRIu32
            " ticks without a step, %" PRIu32 " dropped, %" PRIu32
-           " broken or lost, %" PRIu32 " ignored; steps %" PRIu32
+           " broken, %" PRIu32 " lost, %" PRIu32 " ignored; steps %" PRIu32
            " refused, %" PRIu32 " degraded, %" PRIu32 " coarse, %" PRIu32
            " stalled, %" PRIu32 " fell back",
            board->heartbeat.overruns, board->heartbeat.skipped,
            board->heartbeat.dropped, board->heartbeat.bad,
-           board->heartbeat.ignored, board->heartbeat.refused,
-           board->heartbeat.degraded, board->heartbeat.coarse,
-           board->heartbeat.stalled, board->heartbeat.fell_back);
+           board->heartbeat.lost, board->heartbeat.ignored,
+           board->heartbeat.refused, board->heartbeat.degraded,
+           board->heartbeat.coarse, board->heartbeat.stalled,
+           board->heartbeat.fell_back);
   printf(
       "\ncontrol   omega off its set point by %.3g rad/s (rms); "
       "end: r = %.9g m, omega = %.9g rad/s, %s\n",

@@ -197,6 +197,16 @@ static const struct {
 };
 
 // Raw mode: no echo, no line editing, no translation of bytes.
+// Bytes from before anybody listened are half a story, and a line that was full
+// sends them first: what comes within a moment is dropped.
+#define STALE 100 // [ms]
+
+static void discard_stale(int descriptor) {
+  (void)tcflush(descriptor, TCIFLUSH);
+  cli_sleep(STALE);
+  (void)tcflush(descriptor, TCIFLUSH);
+}
+
 static bool make_raw(int descriptor, uint64_t baud) {
   struct termios line;
   if (tcgetattr(descriptor, &line) != 0) return false;
@@ -237,6 +247,7 @@ bool cli_source_open(cli_source_t *source, const char *path, uint64_t baud,
     source->error = errno;
     cli_source_close(source);
   }
+  if (source->is_device) discard_stale(source->descriptor);
   return source->error == 0;
 }
 

@@ -192,7 +192,8 @@ static int open_both(monitor_t *monitor) {
                            : strerror(monitor->source.error));
   }
   if (args->key != NULL && !monitor->source.is_device)
-    return cli_message(CLI_STOPPED, "--key: %s is no device, which could answer",
+    return cli_message(CLI_STOPPED,
+                       "--key: %s is no device, which could answer",
                        monitor->source.name);
   if (monitor->as != NULL)
     CLI_TRY(cli_output_begin(&monitor->output, "--out", args->out, false));
@@ -208,8 +209,11 @@ static int open_both(monitor_t *monitor) {
 static const char *fault_of(const monitor_t *monitor) {
   static char where[160];
   const cli_receiver_t *receiver = &monitor->receiver;
-  if (cli_receiver_missing(receiver) > 0)
+  if (cli_receiver_missing(receiver) > receiver->dropped)
     return "frames were lost or broken, as is counted";
+  if (receiver->dropped > 0)
+    return "the board dropped records, as it counts: its line or its ticks "
+           "leave no room for them (EVERY)";
   if (receiver->decoder.restarts > 0 && !monitor->args->follow) {
     return "the sender was started again, or frames came twice: these are rows "
            "of more than one run";
@@ -265,6 +269,15 @@ static void print_board(const tf_heartbeat_t *beat) {
             beat->exec_min, beat->exec_max, beat->exec_mean);
   }
   cli_say("\n");
+  if (beat->bad + beat->lost + beat->ignored + beat->unread > 0) {
+    cli_say("commands   %" PRIu32 " broken, %" PRIu32 " lost, %" PRIu32
+            " ignored; %" PRIu32 " bytes lost before they were read\n",
+            beat->bad, beat->lost, beat->ignored, beat->unread);
+  }
+  if (beat->superseded + beat->late > 0) {
+    cli_say("setpoints  %" PRIu32 " superseded, %" PRIu32 " late\n",
+            beat->superseded, beat->late);
+  }
   if (beat->expired > 0) {
     cli_say("inputs     expired %" PRIu32
             " times: nobody renewed them, the machine coasted\n",
@@ -348,6 +361,12 @@ static void put_board(const cli_receiver_t *receiver) {
   cli_put_count("overruns", beat->overruns);
   cli_put_count("skipped", beat->skipped);
   cli_put_count("dropped", beat->dropped);
+  cli_put_count("broken", beat->bad);
+  cli_put_count("lost", beat->lost);
+  cli_put_count("ignored", beat->ignored);
+  cli_put_count("unread", beat->unread);
+  cli_put_count("superseded", beat->superseded);
+  cli_put_count("late", beat->late);
   cli_put_count("expired", beat->expired);
   cli_put_count("exec_min_ns", beat->exec_min);
   cli_put_count("exec_mean_ns", beat->exec_mean);

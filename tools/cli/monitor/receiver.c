@@ -146,7 +146,8 @@ static bool take_report(cli_receiver_t *receiver, const tf_frame_t *frame,
                         cli_csv_t *row) {
   const uint8_t *at = reals_at(receiver, frame->payload, receiver->report, 6);
   const bool belongs = receiver->has_state && receiver->tick == frame->tick;
-  if (!belongs || at[0] >= TF_MODES || at[2] > TF_MODES) {
+  if (!belongs || at[0] >= TF_MODES || at[1] >> TF_MODES != 0 ||
+      at[2] > TF_MODES) {
     receiver->incomplete++;
     receiver->has_state = false;
     return false;
@@ -162,7 +163,8 @@ static bool take_report(cli_receiver_t *receiver, const tf_frame_t *frame,
        receiver->report[1], receiver->report[2], receiver->report[3]},
       receiver->is_float,
       receiver->mode,
-      receiver->choices};
+      receiver->choices,
+      at[1]};
   note_row(receiver, row);
   return true;
 }

@@ -39,8 +39,8 @@ static size_t plotter(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
     add(&text, row, i);
     cli_add(&text, " ");
   }
-  cli_add_form(&text, "mode:%" PRIu64 " choices:%" PRIu64 "\n",
-               (uint64_t)row->mode, (uint64_t)row->choices);
+  cli_add_form(&text, "mode:%" PRIu64 " choices:%" PRIu64 " set:%" PRIu64 "\n",
+               (uint64_t)row->mode, (uint64_t)row->choices, (uint64_t)row->set);
   return text.used;
 }
 
@@ -58,6 +58,7 @@ static size_t teleplot(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
   }
   cli_add_form(&text, "mode:%s:%s|t\nchoices:%s:%" PRIu64 "|g\n", room,
                tf_mode_name(row->mode), room, (uint64_t)row->choices);
+  cli_add_form(&text, "set:%s:%" PRIu64 "|g\n", room, (uint64_t)row->set);
   return text.used;
 }
 
@@ -71,8 +72,10 @@ static size_t json(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
     else
       cli_add(&text, "null"); // JSON has no other word for it
   }
-  cli_add_form(&text, ",\"mode\":%" PRIu64 ",\"choices\":%" PRIu64 "}\n",
-               (uint64_t)row->mode, (uint64_t)row->choices);
+  cli_add_form(&text,
+               ",\"mode\":%" PRIu64 ",\"choices\":%" PRIu64 ",\"set\":%" PRIu64
+               "}\n",
+               (uint64_t)row->mode, (uint64_t)row->choices, (uint64_t)row->set);
   return text.used;
 }
 
@@ -89,5 +92,6 @@ cli_csv_t cli_row(tf_real_t t, const tf_state_t *state,
   return (cli_csv_t){{CLI_CSV_NUMBERS(NUMBER, NUMBER)},
                      sizeof(tf_real_t) == sizeof(float),
                      report->mode,
-                     report->choices};
+                     report->choices,
+                     report->set};
 }

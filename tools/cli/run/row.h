@@ -40,7 +40,7 @@ extern const cli_quantity_t cli_csv_columns[CLI_CSV_COLUMNS];
 typedef struct {
   double column[CLI_CSV_COLUMNS];
   bool is_float; ///< the numbers are floats
-  unsigned mode, choices;
+  unsigned mode, choices, set;
 } cli_csv_t;
 
 /// The form of a row. The modes are numbers where the tool draws numbers only.
