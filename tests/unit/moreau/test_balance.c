@@ -301,7 +301,7 @@ typedef struct {
   real r, v, w;
 } wide_end_t;
 
-/* What one step has been given: the paper's numbers, inputs, start and force. */
+/* What one step has been given: the machine, inputs, start and force. */
 typedef struct {
   ref_machine_t q;
   real th, dt, force, torque, r, v, w, F, M;
