@@ -81,7 +81,7 @@ TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
 ///   above. F and M lead from the start to that end by (6). But on a stiff
 ///   spring, 2^13 theta dt (theta dt k2 + c2) >= m, a slip that goes on, or a
 ///   motion without friction, may take them by (18), which balances energy; (6)
-///   ends elsewhere then, by 1e-6 to 0.1 of the velocities. TF_OK bounds no
+///   ends elsewhere then, by up to the velocities themselves. TF_OK bounds no
 ///   truncation error (tf_step_estimated does);
 ///   docs/SCHEMES.md has how often a step is wrong all the same. Where alpha is
 ///   0 and omega0 is not that of the step before, the turntable jumps.
