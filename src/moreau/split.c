@@ -70,9 +70,8 @@ static bool end_of_parts(const free_motion_t *c, const tf_form_t *h,
   const multipliers_t limit = limit_multipliers(side, unit(sign_g));
   multipliers_t then = limit;
   if (!slips) then = stick_multipliers(stick_behind(h, part, sign_g), sign_g);
-  *end = end_by(c, of_step(part, then));
-  if (slips) {
-    then = mean_of(limit, slip_at(c, side, end_slip(c, end)));
+  for (int i = 0; i < 2 && (i == 0 || slips); i++) {
+    if (i > 0) then = mean_of(limit, slip_at(c, side, end_slip(c, end)));
     *end = end_by(c, of_step(part, then));
   }
   return slips ? with_sign(side, end_slip(c, end).h) > 0 : within(then.x, 1);
