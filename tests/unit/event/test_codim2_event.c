@@ -75,3 +75,39 @@ TEST(rounding_of_g_does_not_choose) {
   CHECK_ABOVE(steps, samples(5000));
   CHECK_BELOW(apart * 25, steps);
 }
+
+/* A slip that comes to h = g = 0 along a limit direction, where |F| > mu would
+ * hold it. The hull of the forces has that F. The other laws of rest lack it,
+ * and no other mode takes its place: the fixed step finishes what the segments
+ * cannot, by a force within the law. */
+TEST(slip_without_a_future_at_codim2_is_coarse) {
+  if (!IS_DOUBLE) SKIP("a machine whose numbers are of double");
+  tf_params_t p = tf_scenes[0]->params;
+  p.m = TF_R(10.179499638804538), p.d = 0;
+  p.beta = TF_R(7.7993186931236425e-09), p.k2 = TF_R(0.20612287603159693);
+  p.c1 = p.c2 = 0;
+  p.r0 = TF_R(-0.47937901998058297), p.omega0 = TF_R(-1.5980084216737249);
+  p.mu = TF_R(0.096369353564759355), p.kappa = TF_R(0.049321033367547625);
+  p.gamma = TF_R(1.5707963267948966), p.dt = TF_R(1.8474401779479359e-05);
+  p.rule = TF_RULE_SLIP_MINUS;
+  for (int rest = 0; rest < TF_REST_LAWS; rest++) {
+    p.rest = (tf_rest_law_t)rest;
+    sim_t s = sim_of(&p);
+    s.x.r = TF_R(-0.00010049990361183348);
+    s.x.v = TF_R(-1.4876972658283903e-21);
+    s.x.w = TF_R(-1.839759301626579);
+    s.x.mode = TF_SLIP_PLUS;
+    const tf_status_t status = sim_step(&s, LOCATED);
+    const real F = fabsl(wide(s.report.force.F)) / wide(p.mu);
+    const real M = fabsl(wide(s.report.force.M)) / wide(p.mu * p.kappa);
+    CHECK(s.x.tick == 1);
+    if (rest == TF_REST_HULL) {
+      CHECK(status == TF_OK && s.x.mode == TF_PINNED);
+      CHECK(s.x.v == 0 && s.x.w == s.u.omega0);
+      CHECK_ABOVE(F, 1.05L);
+    } else {
+      CHECK(status == TF_COARSE && tf_mode_is_slip(s.x.mode));
+      CHECK(F <= 1 && M <= 1);
+    }
+  }
+}
