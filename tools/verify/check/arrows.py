@@ -59,7 +59,7 @@ port/app
 port/choice
 port/hooks           port/port
 port/port
-port/ring
+port/ring            port/port
 port/text
 port/core            src/ include/
 port/loop            port/app port/port
