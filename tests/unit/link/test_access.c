@@ -284,6 +284,7 @@ TEST(answers_are_made_for_this_host) {
   CHECK(!memcmp(frame.payload, body, plain.length));
   CHECK(tf_frame_is_vouched(&frame, key, drawn));
   CHECK(!tf_has_tag(&frame, key)); /* it is no command */
+  CHECK(tf_is_vouched_for(frame.type) && !tf_is_vouched_for(TF_DOWN_STATE));
   for (unsigned bit = 0; bit < 64; bit++)
     CHECK(!tf_frame_is_vouched(&frame, key, drawn ^ (uint64_t)1 << bit));
   uint8_t *at = (uint8_t *)(uintptr_t)(frame.payload - TF_FRAME_HEADER);

@@ -245,20 +245,41 @@ CALL(decoder_block) {
   return most;
 }
 
+static const uint8_t zero_key[TF_KEY_BYTES] = {0};
+
 CALL(command_seal) {
-  uint8_t wire[WIRE], key[TF_KEY_BYTES] = {0};
+  uint8_t wire[WIRE];
   uint32_t most = 0, number = 1;
   for (unsigned kind = 0; kind < FILLS; kind++) {
     fill(wire + TF_COMMAND_AT, s->units, kind);
     keep_most(&most, COUNT(tf_command_seal(wire, TF_UP_INPUT, s->units, 1,
-                                           &number, 0, key)));
+                                           &number, 0, zero_key)));
   }
   return most;
 }
 
+CALL(frame_vouch) {
+  uint32_t most = 0;
+  line_t line;
+  for (unsigned kind = 0; kind < FILLS; kind++) {
+    make_line(&line, s->units, kind, false);
+    keep_most(&most, COUNT(tf_frame_vouch(line.wire, line.size, zero_key, 0)));
+  }
+  return most;
+}
+CALL(frame_is_vouched) {
+  line_t line;
+  size_t taken;
+  make_line(&line, s->units, 0, false);
+  line.size = tf_frame_vouch(line.wire, line.size, zero_key, 0);
+  (void)tf_decoder_block(&line.decoder, line.wire, line.size, &taken,
+                         &line.frame);
+  return COUNT(tf_frame_is_vouched(&line.frame, zero_key, 0));
+}
+
 // Commands: each parameter, each type up to one that is none with its data, and
 // each with data that are too long.
-#define TYPES (TF_UP_EVERY + 2 - TF_UP_INPUT)
+#define TYPES (TF_UP_SETPOINT + 2 - TF_UP_INPUT)
 #define COMMANDS (TF_PARAMETERS + 2 * TYPES)
 
 // Returns: the length of the data.
@@ -279,6 +300,7 @@ static size_t command_of(const subject_t *s, unsigned n, uint8_t *type,
   if (n >= TF_PARAMETERS + TYPES) return TF_COMMAND_DATA;
   switch (*type) {
     case TF_UP_INPUT:
+    case TF_UP_SETPOINT:
       for (unsigned i = 0; i < 5; i++)
         at =
             tf_wire_put_real(at, (const tf_real_t[]){u->omega0, u->r0, u->force,
@@ -391,6 +413,8 @@ static const call_t calls[] = {
     ENTRY(decoder_push),
     ENTRY(decoder_block),
     ENTRY(command_seal),
+    ENTRY(frame_vouch),
+    ENTRY(frame_is_vouched),
     ENTRY(link_receive),
     ENTRY(link_receive_tagged),
     ENTRY(link_boundary),
