@@ -218,12 +218,13 @@ static void pass_codim2(const free_motion_t *c, const inclusion_t *in,
   }
 }
 
-// Whether a slip ends next to where its course does.
-static bool agrees(const codim2_course_t *course, unsigned mode,
-                   tf_slip_t end) {
+// Whether a slip ends next to where its course does, by a share of its slip.
+static bool agrees(const codim2_course_t *course, unsigned mode, tf_slip_t end,
+                   tf_real_t share) {
   const tf_slip_t to = course->slip;
   const tf_real_t off = magnitude(end.h - to.h) + magnitude(end.g - to.g);
-  return course->mode == mode && off <= (magnitude(to.h) + magnitude(to.g)) / 2;
+  return course->mode == mode &&
+         off <= share * (magnitude(to.h) + magnitude(to.g));
 }
 
 // A slip ends where its course does: which mode follows is decided by the
@@ -266,8 +267,22 @@ static codim2_course_t course_of_slip(const free_motion_t *c,
                           sign_in(mode));
 }
 
+// Whether another future follows where a course comes to h = g = 0 in stick
+// instead of slip, or in slip instead of stick.
+static bool arrives_otherwise(const free_motion_t *c,
+                              const codim2_field_t *field,
+                              const consistent_modes_t *modes, unsigned from,
+                              unsigned next) {
+  const tf_state_t *x = c->state;
+  const unsigned other = is_slip(from) ? TF_STICK_PLUS : TF_SLIP_PLUS;
+  return tf_leave_codim2(&TF_STEP_MACHINE(c)->contact, field, other, true,
+                         x->tick, x->seed, modes) != next;
+}
+
 // A slip that has h = g = 0 within reach. It is TF_COARSE where no force of the
-// law's convex hull leads along its course: the step is too long for that.
+// law's convex hull leads along its course: the step is too long for that. So it
+// is where its end is a quarter off that of its course, or where a course that
+// has changed its mode decides what follows h = g = 0.
 static void end_slip_near_codim2(const free_motion_t *c, const inclusion_t *in,
                                  const codim2_field_t *field,
                                  const tf_contact_modes_t *s, step_end_t *to) {
@@ -282,14 +297,23 @@ static void end_slip_near_codim2(const free_motion_t *c, const inclusion_t *in,
   }
   if (comes || may_be_held(s, c->state->mode))
     tf_codim2_modes(&k->contact, field, &modes);
-  if (comes && continue_from_codim2(c, in, field, &modes, &course, to)) return;
+  if (comes && continue_from_codim2(c, in, field, &modes, &course, to)) {
+    if (course.from != c->state->mode &&
+        arrives_otherwise(c, field, &modes, course.from, to->outcome.mode))
+      to->outcome.status = TF_COARSE;
+    return;
+  }
   pass_codim2(c, in, field, &modes, s, to);
   const unsigned mode = to->outcome.mode;
+  const tf_slip_t end = end_slip(c, &to->end);
   const bool follows =
-      mode != TF_NO_MODE && agrees(&course, mode, end_slip(c, &to->end));
+      mode != TF_NO_MODE && agrees(&course, mode, end, TF_R(0.5));
   // On a limit direction that leads to h = g = 0 (9) makes a slip alternate
   // between both sides; of a slip that ends in stick it lacks some force.
-  if (follows && is_slip(mode) && !course.leads_in) return;
+  if (follows && is_slip(mode) && !course.leads_in) {
+    if (!agrees(&course, mode, end, TF_R(0.25))) to->outcome.status = TF_COARSE;
+    return;
+  }
   bool coarse = comes ? size_of(modes.solutions.set) > 1 : !follows;
   if (course.mode < TF_PINNED && follow_course(c, in, &course, s->set, to))
     coarse = may_miss(c->start.slip, course.slip, course.mode != c->state->mode,

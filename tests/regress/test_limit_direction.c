@@ -52,3 +52,24 @@ TEST(a_stick_too_short_to_locate_is_told) {
     CHECK(!IS_DOUBLE || (rests && coarse == 0));
   }
 }
+
+/* A slip of a strong friction that crosses h = 0 at once and comes to h = g = 0
+ * in another mode: as a slip it rests there, as a stick it leaves. One step said
+ * OK and rested. */
+TEST(a_slip_that_changes_its_mode_before_it_rests_is_coarse) {
+  static const double machine[MACHINE] = {
+      0.58160943304187795,    -0.34613037640057165, 0.15409174879271767,
+      17.823370038120061,     0.43999552575648515,  0.33423498459060819,
+      -0.0089075588271165795, -0.19355613820413264, 294.3363021653978,
+      80.91839336830229,      1.6816018771946535};
+  tf_params_t p = params_from(machine);
+  p.dt = TF_R(0.045139678149174578);
+  sim_t s = sim_of(&p);
+  s.u.force = TF_R(2.8347072917434337);
+  s.u.alpha = TF_R(0.73702565613945126);
+  s.x.r = TF_R(0.027078657464076894);
+  s.x.v = TF_R(0.0043332683141609103);
+  s.x.w = TF_R(-0.16224668083442412);
+  CHECK(sim_begin(&s) == TF_OK && s.x.mode == TF_SLIP_MINUS);
+  CHECK(sim_step(&s, MOREAU) == TF_COARSE);
+}
