@@ -126,12 +126,12 @@ TF_API tf_status_t tf_contact_prepare(tf_contact_t *contact, tf_tyre_law_t law,
 /// h, g: in. now, mode: in, before the step, or TF_NO_MODE. modes: out.
 /// reaches_codim2: out, or NULL: h = g = 0 is within reach (tf_contact_leave).
 /// Returns: TF_OK; TF_BAD_STATE: not finite, or no mode (both untouched).
-/// Trust: all of them; may be empty. h and g can vanish together at up to four
-///   points: pinned is in the set where one of these is in the law of rest. Two
-///   curves h = 0 and g = 0 that touch are where rounding has them: pinned is
-///   certain where a change of their coefficients by 64 epsilon leaves it.
-/// Cost of pinned: less than Newton's method for forms that are almost linear,
-///   60 times as much for others, at most 4000 times where the curves touch.
+/// Trust: all of them; may be empty. Pinned is one of up to four points where h
+///   and g vanish together. It is certain unless a change of coefficients by
+///   64 epsilon moves that point out of the law of rest, or lets it vanish; or
+///   the curves h = 0 and g = 0 touch: 1 of 10,000 such pairs hides a point.
+/// Cost: 0.3 us (x86-64) where the forms are almost linear, else 5 us, and at
+///   most 1.5 ms, where the curves touch or are one.
 #define tf_contact_modes TF_LINK(tf_contact_modes)
 TF_API tf_status_t tf_contact_modes(const tf_contact_t *contact,
                                     const tf_form_t *h, const tf_form_t *g,

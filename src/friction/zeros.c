@@ -7,13 +7,15 @@
 
 // The first box has every law of rest within.
 #define REACH TF_R(1.5)
-// Boxes are halved as often as this. Next to a double zero, where curves touch,
-// rounding hides that a form is not 0; within DOUBLE_REACH it is one zero.
+// Boxes are halved as often as this.
+#define LEVELS 60
+// Next to a double zero, where curves touch, rounding hides that a form is not
+// 0: within LEAST always, within DOUBLE_REACH where they touch closely.
 #ifdef TF_REAL_FLOAT
-#define LEVELS 32
+#define LEAST TF_R(2e-5)
 #define DOUBLE_REACH TF_R(0.02)
 #else
-#define LEVELS 60
+#define LEAST TF_R(1e-9)
 #define DOUBLE_REACH TF_R(5e-5)
 #endif
 // Almost linear forms take one box, others 60, touching curves some hundred.
@@ -183,8 +185,7 @@ static void add_double(const box_t *in, zeros_t *to) {
     m = (multipliers_t){m.x - way * f.cx, m.y - way * f.cy};
   }
   if (!is_zero_in(in, m, to)) return;
-  const tf_real_t least = REACH / (tf_real_t)(UINT32_C(1) << LEVELS / 2);
-  const box_t last = box_about(to, m, (multipliers_t){least, least});
+  const box_t last = box_about(to, m, (multipliers_t){LEAST, LEAST});
   if (verdict_on(&last) <= ONE_AT_MOST) return;
   bool is_elsewhere = true;
   for (unsigned i = 0; i < to->count; i++) {
