@@ -37,9 +37,9 @@ README.md              700
 docs/README.md         200
 docs/TUTORIAL.md      1450
 docs/USE.md           2500
-docs/PORTS.md         2500
-docs/PROTOCOL.md      3500
-DESIGN.md             7380
+docs/PORTS.md         2850
+docs/PROTOCOL.md      3900
+DESIGN.md             7460
 docs/SCHEMES.md       2000
 docs/BENCH.md         2000
 docs/VERIFICATION.md  1800
