@@ -6,7 +6,7 @@
 #ifndef TWOFOLD_PORT_RING_H
 #define TWOFOLD_PORT_RING_H
 
-#include "port.h"
+#include <stdint.h>
 
 /// Room for RING_SIZE - 1 bytes; a power of two, at most 256. With an uplink it
 /// has room for three of the longest commands, or five inputs in float.
@@ -23,6 +23,7 @@ typedef struct {
 
 static volatile uint32_t ring_lost;
 
+uint32_t port_unread(void); // of port.h
 uint32_t port_unread(void) { return ring_lost; }
 
 /// For the interrupt: the hardware has lost bytes, or says that one is broken.

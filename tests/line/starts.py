@@ -14,12 +14,13 @@ import tempfile
 from pathlib import Path
 
 from boards import STATE, STOP, Board, Line, framed
+from decode import siphash
 from tap import check, same
 
 KEY = bytes(0x1f * i % 256 for i in range(16))
 DIGITS = KEY.hex()
 STARTS = 60
-WORD, FOREIGN = 2**64 - 1, -21
+FOREIGN = -21
 
 
 def keyed(port="pty"):
@@ -30,36 +31,6 @@ def keyed(port="pty"):
         Path(name).chmod(0o600)
     os.environ["TWOFOLD_BOOT"] = "count"
     return Board("double", "keyed", port)
-
-
-def rotated(word, by):
-    return (word << by | word >> 64 - by) & WORD
-
-
-def siphash(key, message):
-    """SipHash-2-4, as its authors write it."""
-    k0, k1 = struct.unpack("<QQ", key)
-    v = [k0 ^ 0x736f6d6570736575, k1 ^ 0x646f72616e646f6d,
-         k0 ^ 0x6c7967656e657261, k1 ^ 0x7465646279746573]
-
-    def rounds(count):
-        for _ in range(count):
-            for a, b, c, d, left, right in ((0, 1, 2, 3, 13, 16),
-                                            (2, 1, 0, 3, 17, 21)):
-                v[a] = v[a] + v[b] & WORD
-                v[c] = v[c] + v[d] & WORD
-                v[b] = rotated(v[b], left) ^ v[a]
-                v[d] = rotated(v[d], right) ^ v[c]
-                v[a] = rotated(v[a], 32)
-
-    whole = message + bytes(7 - len(message) % 8) + bytes([len(message) % 256])
-    for word, in struct.iter_unpack("<Q", whole):
-        v[3] ^= word
-        rounds(2)
-        v[0] ^= word
-    v[2] ^= 0xff
-    rounds(4)
-    return v[0] ^ v[1] ^ v[2] ^ v[3]
 
 
 def tagged(kind, number, tick, payload):

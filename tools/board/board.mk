@@ -13,6 +13,9 @@ define board_rules
 $(BUILD)/$(1)/hil: $$(call objects_of_$(1),$(HIL_PARTS)) \
     $(BUILD)/$(1)/libtwofold.a
 	$$(link)
+$(BUILD)/$(1)/loop: $$(call objects_of_$(1),tools/board/loop/loop.c) \
+    $(BUILD)/$(1)/libtwofold.a
+	$$(link)
 $(BUILD)/$(1)/constants: $$(call objects_of_$(1),\
     $(wildcard tools/board/constants/*.c) $(SCENE_READER) \
       tools/cli/host/host.c) \
@@ -22,7 +25,7 @@ endef
 $(foreach r,$(REALS),$(eval $(call board_rules,$(r))))
 
 .PHONY: hil
-all: $(VARIANTS:%=$(BUILD)/%/hil)
+all: $(VARIANTS:%=$(BUILD)/%/hil) $(VARIANTS:%=$(BUILD)/%/loop)
 
 # The script's own makes share the jobs of this one (+).
 hil: ## a controller drives BOARD=stm32f405 over its line

@@ -112,6 +112,8 @@ def main():
         shutil.copy(ROOT / "LICENSE", package / "LICENSE")
         if template == "python":
             shutil.copy(ROOT / "tools/motion.h", package)
+            shutil.copy(ROOT / "tools/board/protocol/decode.py",
+                        package / "twofold")
         if template in ("cmake", "python"):
             archive(package, folder / template
                     / f"twofold-{version()}.tar.gz")
