@@ -15,14 +15,21 @@
 #include <stddef.h>
 #include <stdint.h>
 
-// 16: half precision has its own operations, float and double are as with 0.
+// 16: half precision has its own operations, float and double are as with 0. 1:
+// float is computed as double, which is as with 0 where nothing is float.
 #if defined(__FLT_EVAL_METHOD__)
-#if __FLT_EVAL_METHOD__ != 0 && __FLT_EVAL_METHOD__ != 16
+#define TF_EVALUATION __FLT_EVAL_METHOD__
+#elif defined(FLT_EVAL_METHOD)
+#define TF_EVALUATION FLT_EVAL_METHOD
+#else
+#define TF_EVALUATION 0
+#endif
+#if TF_EVALUATION == 1 && defined(TF_REAL_FLOAT)
+#error "float needs FLT_EVAL_METHOD 0 (gcc on s390x: -fexcess-precision=fast)"
+#elif TF_EVALUATION != 0 && TF_EVALUATION != 1 && TF_EVALUATION != 16
 #error "twofold needs FLT_EVAL_METHOD 0 (on x86: -msse2 -mfpmath=sse)"
 #endif
-#elif defined(FLT_EVAL_METHOD) && FLT_EVAL_METHOD != 0
-#error "twofold needs FLT_EVAL_METHOD 0"
-#endif
+#undef TF_EVALUATION
 #if defined(__FAST_MATH__) || defined(_M_FP_FAST)
 #error "twofold must not be compiled with -Ofast, -ffast-math or /fp:fast"
 #endif

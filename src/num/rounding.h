@@ -21,6 +21,16 @@
 #pragma fp_contract(off)
 #else
 #pragma STDC FP_CONTRACT OFF
+// For a compiler without them, as tcc; the first is asked of 0 alone.
+#define __builtin_signbit(zero) (1 / (zero) < 0)
+#define __builtin_sqrt sqrt
+#define __builtin_sqrtf sqrtf
+#define __builtin_fabs fabs
+#define __builtin_fabsf fabsf
+double sqrt(double x);
+float sqrtf(float x);
+double fabs(double x);
+float fabsf(float x);
 #endif
 
 #endif

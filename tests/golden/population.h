@@ -48,23 +48,26 @@ static inline tf_real_t of_drawn_sign(draw_t *d, tf_real_t x) {
   return one_of(d, 2) ? -x : x;
 }
 
-/* FNV-1a. */
-static inline void mix(draw_t *d, const void *data, unsigned size) {
-  const unsigned char *byte = data;
-  for (unsigned i = 0; i < size; i++)
-    d->hash = (d->hash ^ byte[i]) * 0x100000001B3u;
+/* FNV-1a, over a value: the lowest byte first, wherever memory has it. */
+static inline void mix(draw_t *d, uint64_t value, unsigned bytes) {
+  for (; bytes > 0; bytes--, value >>= 8)
+    d->hash = (d->hash ^ (value & 0xFFu)) * 0x100000001B3u;
 }
 
 /* -0 counts as 0. */
 static inline void mix_real(draw_t *d, tf_real_t x) {
-  const tf_real_t bits = x + 0;
-  mix(d, &bits, sizeof bits);
+  const union {
+    tf_real_t real;
+#ifdef TF_REAL_FLOAT
+    uint32_t bits;
+#else
+    uint64_t bits;
+#endif
+  } number = {x + 0};
+  mix(d, number.bits, sizeof number);
 }
 
-static inline void mix_small(draw_t *d, unsigned x) {
-  const unsigned char byte = (unsigned char)x;
-  mix(d, &byte, 1);
-}
+static inline void mix_small(draw_t *d, unsigned x) { mix(d, x & 0xFFu, 1); }
 
 /* Machines about the size of the paper's. */
 static inline tf_params_t usual_params(draw_t *d) {

@@ -1,6 +1,7 @@
 """The sections of the boards: sizes, with their check."""
 import itertools
 import os
+import re
 from typing import Iterable, Optional
 
 import numpy as np
@@ -38,8 +39,9 @@ def here(names: Iterable[str]) -> Iterable[Board]:
 def all_firmware(names: list[str]) -> Iterable[Firmware]:
     """Of each board whose compiler is here: what it has room for."""
     for board in here(names or boards()):
-        if not board.tool("") and board.name != "host":
-            continue  # no file of sections to ask
+        if not board.tool("") and board.name != "host" or \
+                re.match("qemu-(?!system)", board.fact("RUN")):
+            continue  # no file of sections to ask, or no board
         room = board.fact("SCENES").split() or SCENES
         for real in board.fact("REALS").split() or REALS:
             for scene in SCENES:
