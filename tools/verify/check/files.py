@@ -39,7 +39,7 @@ docs/TUTORIAL.md      1450
 docs/USE.md           2500
 docs/PORTS.md         2850
 docs/PROTOCOL.md      3900
-DESIGN.md             7460
+DESIGN.md             7510
 docs/SCHEMES.md       2000
 docs/BENCH.md         2000
 docs/VERIFICATION.md  1800
