@@ -57,7 +57,8 @@ TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
 
 /// Advances the state by dt: Moreau-Jean theta method, linearly implicit in
 /// spring, dampers and gyroscopic terms, (1)-(12); the friction law holds at
-/// the end of the step. Order 2 in smooth phases for theta = 1/2, else 1.
+/// the end of the step. Order 2 for theta = 1/2, also where a slip is lost, and
+/// 1 else.
 /// machine, input: in. state: in/out, from tf_begin. report: out.
 /// Returns:
 ///   TF_OK        the step is taken
@@ -71,7 +72,8 @@ TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
 ///       than a third, or its force turns and that changes them by 3 %
 ///     - a slip that several modes may follow passes by h = g = 0, or no force
 ///       leads along its course there
-///     - a rest ends for less than the step
+///     - a rest ends for less than the step, or the motion behind it turns by
+///       0.45 rad or more
 ///     - the wheel crosses the axis by more than 2 beta
 ///   TF_STALLED   taken, but rounding loses the change of r, as it would in 32
 ///                more steps: use tf_step_compensated or a longer dt
