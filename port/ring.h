@@ -6,7 +6,7 @@
 #ifndef TWOFOLD_PORT_RING_H
 #define TWOFOLD_PORT_RING_H
 
-#include <stdint.h>
+#include "port.h"
 
 /// Room for RING_SIZE - 1 bytes; a power of two, at most 256. With an uplink it
 /// has room for three of the longest commands, or five inputs in float.
@@ -23,10 +23,9 @@ typedef struct {
 
 static volatile uint32_t ring_lost;
 
-uint32_t port_unread(void); // of port.h
 uint32_t port_unread(void) { return ring_lost; }
 
-/// For the interrupt: the hardware has lost bytes, or says that one is broken.
+/// For the interrupt: the hardware has lost a byte, or says that one is broken.
 static inline void ring_lose(void) { ring_lost = ring_lost + 1u; }
 
 static inline void ring_put(ring_t *ring, uint8_t byte) {

@@ -38,6 +38,7 @@
 #define TX_EMPTY (1u << 7)
 #define RX_FULL (1u << 5)
 #define RX_OVERRUN (1u << 3)
+#define RX_WRONG (RX_OVERRUN | 1u << 2 | 1u << 1) // or noise, or no stop bit
 #ifdef WATCHDOG
 #define IWDG(offset) REGISTER(0x40003000u + (offset))
 #define IWDG_KR IWDG(0x0u)
@@ -90,6 +91,7 @@ static uint32_t start_clock(void) {
 void cortex_m_interrupt(void) {
   for (uint32_t is; (is = USART_SR) & (RX_FULL | RX_OVERRUN);) {
     const uint8_t byte = (uint8_t)USART_DR;
+    if (is & RX_WRONG) ring_lose();
     if (is & RX_FULL) ring_put(&received, byte);
   }
 }

@@ -15,6 +15,7 @@
 #define UART_RXDRDY UART(0x108u)
 #define UART_TXDRDY UART(0x11Cu)
 #define UART_INTENSET UART(0x304u)
+#define UART_ERRORS UART(0x480u) // overrun, parity, framing, break
 #define UART_ENABLE UART(0x500u)
 #define UART_PSELTXD UART(0x50Cu)
 #define UART_PSELRXD UART(0x514u)
@@ -63,6 +64,10 @@ void cortex_m_interrupt(void) {
   }
   if (UART_RXDRDY) {
     UART_RXDRDY = 0;
+    if (UART_ERRORS != 0) {
+      UART_ERRORS = 0xFu;
+      ring_lose();
+    }
     ring_put(&received, (uint8_t)UART_RXD);
   }
 }

@@ -13,6 +13,7 @@
 #define UART_BAUDDIV UART(0x10u)
 #define TX_FULL 1u
 #define RX_FULL 2u
+#define RX_OVERRUN 8u
 #define RX_IRQ 0u
 
 #ifdef WATCHDOG
@@ -27,6 +28,10 @@ static ring_t received;
 
 void cortex_m_interrupt(void) {
   UART_INTCLEAR = 2u;
+  if (UART_STATE & RX_OVERRUN) {
+    UART_STATE = RX_OVERRUN;
+    ring_lose();
+  }
   while (UART_STATE & RX_FULL) ring_put(&received, (uint8_t)UART_DATA);
 }
 
