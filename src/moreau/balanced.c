@@ -94,18 +94,23 @@ static balanced_end_t end_about(const given_t *x, middle_t c,
   const tf_machine_t *k = x->machine;
   const tf_state_t *from = x->state;
   const held_t b = hold(x, c);
-  const change_t by = response_to(k, &b.linear, (tf_force_t){x->most, 0});
-  const tf_real_t share = stopping_share(x, &b, c.r, by);
-  const tf_real_t F = share * x->most;
-  const change_t to = {b.linear.free.p + share * by.p,
-                       b.linear.free.z + share * by.z};
-  balanced_end_t end = {.force = {F, x->M}};
+  balanced_end_t end = {.force = {0, x->M}};
+  change_t to = b.linear.free;
+  if (has_friction(k)) {
+    const change_t by = response_to(k, &b.linear, (tf_force_t){x->most, 0});
+    const tf_real_t share = stopping_share(x, &b, c.r, by);
+    end.force.F = share * x->most;
+    to = (change_t){to.p + share * by.p, to.z + share * by.z};
+  }
   end.at.r =
       from->r + k->dt * (b.v + k->theta * slider_velocity(k, to.p, to.z));
   end.at.w = (b.u + c.R * to.z) / gyration_at(k, end.at.r);
   end.at.v = slider_velocity(k, b.P + to.p, end.at.w);
+  *excess = 0;
+  if (!has_friction(k)) return end;
   const tf_real_t wt = b.w + k->theta * to.z;
-  const tf_real_t arm = F * speed_at_theta(k, x->input) * k->cos_gamma;
+  const tf_real_t arm =
+      end.force.F * speed_at_theta(k, x->input) * k->cos_gamma;
   *excess = smaller(x->M * (wt - from->w), x->M * (wt - end.at.w)) +
             smaller(arm * (c.r - from->r), arm * (c.r - end.at.r));
   return end;
@@ -133,7 +138,8 @@ TF_API balanced_end_t tf_balanced_end(const tf_machine_t *k,
   balanced_end_t end = end_with(&x, &excess);
   const end_state_t from = {state->r, state->v, state->w};
   const tf_real_t energy = mean_energy(k, input, from, end.at);
-  if (k->dt * excess > TF_CREATED_SHARE * energy) { // an impulse of the moment
+  if (has_friction(k) && // an impulse of the moment
+      k->dt * excess > TF_CREATED_SHARE * energy) {
     x.M = 0;
     end = end_with(&x, &excess);
   }
@@ -165,10 +171,12 @@ TF_API void tf_checked_end(const tf_machine_t *k, const tf_state_t *state,
   const unsigned mode = to->outcome.mode;
   const tf_force_t force = to->end.force;
   const balance_t b = balance_of(k, is_midpoint(k), input, from, at, force.F);
-  if (is_balanced(&b) && !ends_slip(state->mode, mode)) return;
+  const bool ends = tf_tyre_is_set_valued(k->contact.tyre.law) &&
+                    ends_slip(state->mode, mode);
+  if (is_balanced(&b) && !ends) return;
   const tf_real_t energy = mean_energy(k, input, from, at);
   const bool coarse = is_too_coarse(k, &b, energy, from, at) ||
-                      (ends_slip(state->mode, mode) && is_impulse(k, from, at));
+                      (ends && is_impulse(k, from, at));
   const bool creates = creates_energy(&b, energy);
   const bool slips_on = force.F == 0 || (is_slip(mode) && mode == state->mode);
   if (creates || (!coarse && grows(k, &b, energy, slips_on))) {

@@ -232,6 +232,11 @@ TF_INLINE tf_force_t friction_to_rest(const tf_machine_t *k,
   return (tf_force_t){F, load.t - F * l->arm};
 }
 
+// What friction does is left out of a program for one scene without.
+TF_INLINE bool has_friction(const tf_machine_t *k) {
+  return k->contact.tyre.law != TF_TYRE_NONE;
+}
+
 // With sin(gamma) = 0 friction has no component along r and the wheel cannot be
 // pinned: F is larger then than any mu.
 TF_INLINE bool can_be_pinned(const tf_machine_t *k) {

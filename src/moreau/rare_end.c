@@ -47,11 +47,13 @@ static tf_force_t single_valued_force(const free_motion_t *c) {
 static void single_valued_end(const free_motion_t *c, step_end_t *to) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
   const tf_force_t force = single_valued_force(c);
-  const change_t change = response_to(k, &c->linear, force);
-  const tf_slip_t at = slip_at_theta_under(c, change);
+  const change_t change =
+      has_friction(k) ? response_to(k, &c->linear, force) : (change_t){0, 0};
   to->end = end_under(c, force, change);
   const unsigned mode = slip_of_sign(end_slip(c, &to->end).h, c->state->mode);
   to->outcome = (outcome_t){.mode = mode, .set = TF_MODE_BIT(mode)};
+  if (!has_friction(k)) return;
+  const tf_slip_t at = slip_at_theta_under(c, change);
   to->outcome.residual = magnitude(force.F - single_valued_law(k, at).F);
 }
 
@@ -152,7 +154,7 @@ TF_API tf_status_t tf_rare_end(end_kind_t kind, const tf_machine_t *k,
                                const start_t *start, step_end_t *to) {
   if (kind != END_TO_CHECK || loses_slip(state->mode, to->outcome.mode)) {
     free_motion_t c = free_motion(k, state, input, *start);
-    know_start_slip(&c);
+    if (has_friction(k)) know_start_slip(&c);
     if (!c.linear.definite) return TF_STEP_TOO_LONG;
     if (!tf_tyre_is_set_valued(k->contact.tyre.law))
       single_valued_end(&c, to);

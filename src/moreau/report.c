@@ -99,7 +99,7 @@ static stall_motion_t motion_at_end(const tf_machine_t *k, const tf_input_t *u,
   const rates_t rates = rates_at(k, u, x->r, p, z, u->omega0);
   const end_rates_t terms = terms_of_rates(k, u, x, terms_of_v, force);
   const stall_force_t by =
-      is_stick(x->mode)
+      tf_tyre_is_set_valued(k->contact.tyre.law) && is_stick(x->mode)
           ? force_in_stick(k, &rates, terms, x->r, sign_in(x->mode))
           : force_in_slip(k, force, slip_from_pq(k, p, x->r * z), v_off);
   const tf_real_t J = inertia_at(k, x->r), arm = x->r * k->cos_gamma;
@@ -117,7 +117,8 @@ static stall_motion_t motion_at_end(const tf_machine_t *k, const tf_input_t *u,
 static bool stalls(const tf_machine_t *k, const tf_input_t *u,
                    const tf_state_t *x, tf_force_t force) {
   const stall_motion_t a = motion_at_end(k, u, x, force);
-  const bool sticks = is_stick(x->mode);
+  const bool sticks =
+      tf_tyre_is_set_valued(k->contact.tyre.law) && is_stick(x->mode);
   // A stick whose disc does not turn is held at its h = 0.
   if (sticks && !within(a.z_rate, a.z_rate_off) &&
       x->w + k->dt * a.z_rate == x->w)
