@@ -20,6 +20,8 @@ DEFAULT void port_feed(void) {}
 
 DEFAULT void port_safe(void) {}
 
+DEFAULT uint32_t port_unread(void) { return 0; }
+
 DEFAULT bool port_stack_holds(void) { return true; }
 
 // Not from a buffer: what is in memory may be what is broken.

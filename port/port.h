@@ -49,8 +49,8 @@ void port_put(uint8_t byte);
 int port_get(void);
 
 /// How many bytes were lost before port_get, modulo 2^32: its buffer was full,
-/// they came broken, or an interrupt was late. ring.h has one, which boards with
-/// a ring share; others have none, and 0 is sent.
+/// they came broken, or an interrupt was late. Boards with a ring have the one of
+/// ring.h; port/hooks.c has one that returns 0.
 uint32_t port_unread(void);
 
 /// Waits for the next interrupt at most, and not at all if port_ticks() is no

@@ -13,11 +13,6 @@ static uint8_t telemetry_description; // its next part
 static uint32_t telemetry_run;
 static uint32_t telemetry_chain;
 
-#ifdef UPLINK
-// Of a board without a ring.
-__attribute__((weak)) uint32_t port_unread(void) { return 0; }
-#endif
-
 // Counts a frame in the chain that the next heartbeat reports. Returns: its
 // size.
 static unsigned telemetry_done(uint8_t *frame, size_t size) {

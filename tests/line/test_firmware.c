@@ -25,6 +25,7 @@
 
 const uint8_t chosen_scene = 0;
 static uint32_t clock_now, clock_rate;
+uint32_t port_unread(void) { return 0; }
 uint32_t port_clock_rate(void) { return clock_rate; }
 static uint32_t ticks_now;
 uint32_t port_ticks(void) { return ticks_now; }
