@@ -69,6 +69,7 @@ TF_INLINE free_motion_t free_motion(const tf_machine_t *k,
       .start = start,
       .linear = linearise(k, state, input, (change_t){start.p, start.z})};
   c.end = free_end(k, &c.linear);
+  if (!has_friction(k)) return c;
   c.slip = start.incremental
                ? slip_by_increment(k, state, &c.start, turn_of_step(k, input),
                                    c.linear.free)
