@@ -7,8 +7,9 @@
 /// names a board.
 ///
 /// All of them are called from the main program, never from an interrupt, but
-/// for port_safe, port_room, port_put and port_halt, which port_fault calls from
-/// anywhere. None waits except port_idle, which says until when, and port_boot.
+/// for port_safe, port_room, port_put and port_halt, which port_fault calls
+/// from anywhere. None waits except port_idle, which says until when, and
+/// port_boot.
 #ifndef TWOFOLD_PORT_H
 #define TWOFOLD_PORT_H
 
@@ -49,8 +50,8 @@ void port_put(uint8_t byte);
 int port_get(void);
 
 /// How many bytes were lost before port_get, modulo 2^32: its buffer was full,
-/// they came broken, or an interrupt was late. Boards with a ring have the one of
-/// ring.h; port/hooks.c has one that returns 0.
+/// they came broken, or an interrupt was late. Boards with a ring have the one
+/// of ring.h; port/hooks.c has one that returns 0.
 uint32_t port_unread(void);
 
 /// Waits for the next interrupt at most, and not at all if port_ticks() is no
@@ -77,12 +78,12 @@ uint32_t port_boot(void);
 /// Optional, as the two below; port/hooks.c has one that does nothing. Keeps a
 /// watchdog from restarting the board, which port_tick_start starts. Called
 /// once in every tick behind step and outputs, and nowhere else, so that what
-/// hangs is ended. With BOARD_WATCHDOG in board.mk WATCHDOG is its time [ms], if
-/// there is to be one.
+/// hangs is ended. With BOARD_WATCHDOG in board.mk WATCHDOG is its time [ms],
+/// if there is to be one.
 void port_feed(void);
 
-/// Puts what the board drives into the state that is safe. Called by port_fault,
-/// so it relies on no variable and on nothing that may be broken.
+/// Puts what the board drives into the state that is safe. Called by
+/// port_fault, so it relies on no variable and on nothing that may be broken.
 void port_safe(void);
 
 /// Whether the stack has kept to its room. Called once in every tick. The

@@ -60,8 +60,8 @@ typedef enum {
 } tf_answer_code_t;
 
 /// Completes a command around its data: a frame with session, data and tag.
-/// TF_UP_DESCRIBE has session 0 and no tag: by it a host learns the session. Its
-/// data may be a nonce of TF_NONCE_BYTES.
+/// TF_UP_DESCRIBE has session 0 and no tag: by it a host learns the session.
+/// Its data may be a nonce of TF_NONCE_BYTES.
 /// wire: in/out, TF_FRAME_SIZE(TF_SESSION_BYTES + length + TF_TAG_BYTES) bytes;
 ///   in, the data at wire + TF_COMMAND_AT; out, the bytes for the line.
 /// type: in. length: in, of the data, 0 to TF_COMMAND_MOST: a host may command
@@ -84,9 +84,10 @@ static inline bool tf_is_vouched_for(uint8_t type) {
 }
 
 /// Appends the tag to a frame of the board: the SipHash-2-4 of its body and of
-/// the nonce of the host, 0 before the first. So it answers this host, and is no
-/// recording.
-/// wire: in/out, the frame, with room for TF_TAG_BYTES more. size: in, its bytes.
+/// the nonce of the host, 0 before the first. So it answers this host, and is
+/// no recording.
+/// wire: in/out, the frame, with room for TF_TAG_BYTES more. size: in, its
+/// bytes.
 /// key: in, TF_KEY_BYTES.
 /// Returns: bytes of the frame.
 #define tf_frame_vouch TF_LINK(tf_frame_vouch)

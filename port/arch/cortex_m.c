@@ -1,5 +1,5 @@
-// Startup of a Cortex-M: vector table, memory, FPU, stack guard; and faults. See
-// cortex_m.h.
+// Startup of a Cortex-M: vector table, memory, FPU, stack guard; and faults.
+// See cortex_m.h.
 #include "cortex_m.h"
 
 #include "../port.h"

@@ -1,7 +1,8 @@
-// Addition of doubles in software, rounded as IEEE 754 requires, for Arm without
-// an FPU for them: that of libgcc does not always do so (docs/PORTS.md), but on
-// Cortex-M0. The linker replaces it by these functions (--wrap); their arguments
-// are the bits of doubles, in the registers of the run-time ABI.
+// Addition of doubles in software, rounded as IEEE 754 requires, for Arm
+// without an FPU for them: that of libgcc does not always do so
+// (docs/PORTS.md), but on Cortex-M0. The linker replaces it by these functions
+// (--wrap); their arguments are the bits of doubles, in the registers of the
+// run-time ABI.
 #include <stdint.h>
 
 #define SIGN ((uint64_t)1 << 63)

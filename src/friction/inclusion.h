@@ -334,10 +334,10 @@ TF_API void tf_enumerate(const inclusion_t *in, unsigned signs,
 TF_API multipliers_t tf_multipliers_to(const tf_form_t *h, const tf_form_t *g,
                                        tf_slip_t to, multipliers_t guess);
 
-// All points of |x|, |y| <= 3/2 at which two forms are 0, once each. Returns how
-// many. Curves that touch count as one zero if a change of the coefficients by
-// 64 epsilon makes it one. Of forms that are 0 along a whole curve some points
-// are returned.
+// All points of |x|, |y| <= 3/2 at which two forms are 0, once each. Returns
+// how many. Curves that touch count as one zero if a change of the coefficients
+// by 64 epsilon makes it one. Of forms that are 0 along a whole curve some
+// points are returned.
 #define TF_MOST_ZEROS 4
 #define tf_common_zeros TF_LINK(tf_common_zeros)
 TF_API unsigned tf_common_zeros(const tf_form_t *h, const tf_form_t *g,

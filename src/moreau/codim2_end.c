@@ -280,9 +280,9 @@ static bool arrives_otherwise(const free_motion_t *c,
 }
 
 // A slip that has h = g = 0 within reach. It is TF_COARSE where no force of the
-// law's convex hull leads along its course: the step is too long for that. So it
-// is where its end is a quarter off that of its course, or where a course that
-// has changed its mode decides what follows h = g = 0.
+// law's convex hull leads along its course: the step is too long for that. So
+// it is where its end is a quarter off that of its course, or where a course
+// that has changed its mode decides what follows h = g = 0.
 static void end_slip_near_codim2(const free_motion_t *c, const inclusion_t *in,
                                  const codim2_field_t *field,
                                  const tf_contact_modes_t *s, step_end_t *to) {

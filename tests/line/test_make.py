@@ -98,8 +98,9 @@ def test_a_tick_too_short_for_the_worst_step_is_refused():
             ("pico", "RATE=1000 CLOCK=125000000", 2, "chaos, moreau")):
         got, _, said = make("tick-budget", f"BOARD={board}", "REAL=float",
                             *words.split())
-        share = re.search(rf"worst known step \(of {of}\) takes \d+ instructions"
-                          r": (\d+)% of a tick of \d000 Hz at \d+ MHz", said)
+        share = re.search(rf"worst known step \(of {of}\) takes \d+ "
+                          r"instructions: (\d+)% of a tick of \d000 Hz at "
+                          r"\d+ MHz", said)
         check(share, said)
         same((got, int(share[1]) > 100), (code, code > 0))
     same("BOARD_LIKE" in make("tick-budget", "CLOCK=1000000")[2], True)

@@ -54,8 +54,8 @@ TEST(a_stick_too_short_to_locate_is_told) {
 }
 
 /* A slip of a strong friction that crosses h = 0 at once and comes to h = g = 0
- * in another mode: as a slip it rests there, as a stick it leaves. One step said
- * OK and rested. */
+ * in another mode: as a slip it rests there, as a stick it leaves. One step
+ * said OK and rested. */
 TEST(a_slip_that_changes_its_mode_before_it_rests_is_coarse) {
   static const double machine[MACHINE] = {
       0.58160943304187795,    -0.34613037640057165, 0.15409174879271767,

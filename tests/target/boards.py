@@ -244,7 +244,8 @@ def test_fault(board: Board, kind: str) -> str:
     ran = board.counted(board.elf(
         "float", f"fault-{kind}", "RATE=100", f"FAULT={kind}",
         *["WATCHDOG=100"] * (kind == "hang"), scene=board.fact("SCENE")), "")
-    code = int(ran.line("EXIT ")[5:] or ran.code or 0)  # of which AVR has a digit
+    # AVR has one digit of the code.
+    code = int(ran.line("EXIT ")[5:] or ran.code or 0)
     check(code in (99, 9) and re.search(
         rf"^safe\s+fault: {FAULTS[kind]}", ran.out, re.M), str(ran))
     return ran.line("fault")

@@ -6,8 +6,8 @@
 by its instructions, one a cycle, which only a Cortex-M7 does better. A locked
 firmware runs the trajectory of its scene, whose longest step is in
 docs/bench/sizes.csv. With other parameters, those of a file or of commands, the
-worst is that of docs/bench/worst.csv, found on mps2-an500 and here multiplied by
-what `chaos` takes more. Ends with code 1 where that is more than the tick.
+worst is that of docs/bench/worst.csv, found on mps2-an500 and here multiplied
+by what `chaos` takes more. Ends with code 1 where that is more than the tick.
 """
 from __future__ import annotations
 

@@ -1,5 +1,6 @@
 /* The receive interrupt and the watchdog of STM32F4, on registers that are
- * variables: what they do to each other is that of the manual (RM0090, 30.6). */
+ * variables: what they do to each other is that of the manual (RM0090,
+ * 30.6). */
 #include <stdbool.h>
 
 #include "tap.h"

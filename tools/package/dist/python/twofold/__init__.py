@@ -13,7 +13,8 @@ rule. Results have the bits of the command line `twofold`.
     twofold.sweep("chaos", {"kappa": [0.25, 0.3]}, t_end=2.0)["end_r"]
     machine.two_folds(), machine.regions(r, omega)
 
-`twofold.serial` drives a board. All numbers are in SI units. `parameters()` lists names, units and ranges.
+`twofold.serial` drives a board. All numbers are in SI units. `parameters()`
+lists names, units and ranges.
 """
 from ._core import parameters, scenes
 from ._ensemble import Ensemble, sweep

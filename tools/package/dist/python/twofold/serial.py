@@ -29,8 +29,8 @@ SCHEMA, LAYOUT, STATE, REPORT, HEARTBEAT, ANSWER, EXPIRED = 1, 2, 3, 4, 6, 8, 9
 TAGGED = SCHEMA, HEARTBEAT, ANSWER, EXPIRED
 PARAMETER, START, STOP, RESET = 0x42, 0x44, 0x45, 0x46
 DESCRIBE, DEADMAN, EVERY, SETPOINT = 0x4A, 0x4B, 0x4C, 0x4D
-PARAMETERS = ("m d beta k2 c1 c2 r0 omega0 mu kappa gamma epsilon k delta sigma "
-              "rho a theta dt rate tolerance segments").split()
+PARAMETERS = ("m d beta k2 c1 c2 r0 omega0 mu kappa gamma epsilon k delta "
+              "sigma rho a theta dt rate tolerance segments").split()
 REASONS = {-1: "out of range", -2: "not finite or out of range",
            -16: "the board does not know it", -17: "its length is wrong",
            -19: "dated too far ahead", -20: "another host commands the board",
@@ -125,7 +125,8 @@ class Board:
             (name, "u8" if name == "tick" else np.result_type(type(value)))
             for name, value in zip(rows[0]._fields, rows[0])]))
 
-    def setpoint(self, omega0, r0=0.0, force=0.0, torque=0.0, alpha=0.0, tick=0):
+    def setpoint(self, omega0, r0=0.0, force=0.0, torque=0.0, alpha=0.0,
+                 tick=0):
         """Inputs from a tick on; 0: from the next step on. Without an answer:
         the newest wins, and `heartbeat` counts those superseded and late."""
         self._send(SETPOINT, struct.pack("<5" + self._real, omega0, r0, force,
@@ -212,8 +213,8 @@ class Board:
         right = payload[-8:] == struct.pack("<Q", siphash(
             self._key, body + payload[:-8] + self._nonce))
         if self._trusts and not right:
-            raise BoardError("a frame without the tag of the key: somebody else "
-                             "sends, or the board was started anew")
+            raise BoardError("a frame without the tag of the key: somebody "
+                             "else sends, or the board was started anew")
         self._trusts |= right
         return right
 
