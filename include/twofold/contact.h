@@ -108,7 +108,9 @@ typedef struct {
   tf_real_t x[2];         ///< of stick+, where y = x, and stick-, y = -x
   tf_real_t tau[2];       ///< y/x of slip+, slip- at h -> 0, or as they leave
   tf_real_t departure[2]; ///< how fast slip+ and slip- leave h = 0: h at the
-                          ///< end of a step [m/s]; only the larger counts
+                          ///< end of a step [m/s]; of tf_contact_leave how the
+                          ///< slip grows there, as its fields. Only which is
+                          ///< larger matters
 } tf_contact_modes_t;
 
 /// Derives the constants of a contact.

@@ -14,7 +14,8 @@ typedef struct {
   uint8_t set;        ///< every consistent mode, bits TF_MODE_BIT(mode); of a
                       ///< step that comes to h = g = 0, those of that point;
                       ///< of a slip that passes it within reach, also the
-                      ///< mode in which its course ends
+                      ///< mode in which its course ends; of a slip that is
+                      ///< lost at h = 0, the one that follows there
   uint8_t choices;    ///< how many modes that is
   tf_force_t force;   ///< F [N], M [N m], mean over the step; of
                       ///< tf_step_located at its end
@@ -23,6 +24,7 @@ typedef struct {
                       ///< tf_step -dh+/dx / (mu dt), with its implicit terms
   tf_real_t residual; ///< distance of force from the law at the end of the step
                       ///< [N], by the natural map, in slip without the angle;
+                      ///< of a mean over a change of mode from its hull;
                       ///< of a single-valued law |F - law| at the theta point
   tf_status_t status; ///< as returned
 } tf_report_t;
@@ -57,8 +59,8 @@ TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
 
 /// Advances the state by dt: Moreau-Jean theta method, linearly implicit in
 /// spring, dampers and gyroscopic terms, (1)-(12); the friction law holds at
-/// the end of the step. Order 2 for theta = 1/2, also where a slip is lost, and
-/// 1 else.
+/// the end of the step. Order 2 for theta = 1/2, also where a slip is lost away
+/// from h = g = 0, and 1 else.
 /// machine, input: in. state: in/out, from tf_begin. report: out.
 /// Returns:
 ///   TF_OK        the step is taken
@@ -68,10 +70,12 @@ TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
 ///       than 2^-4 (a stiff spring in slip: 2^-20); it then balances energy
 ///     - the state turns by more than a right angle, or theta > 1/2 damps a
 ///       quarter of the energy
-///     - an impulse of friction ends a slip and changes the velocities by more
-///       than a third, or its force turns and that changes them by 3 %
+///     - an impulse of friction reverses a slip and changes the velocities by
+///       more than a third; ends one at h = 0 and g = 0 and changes them by 2 %;
+///       or its force turns and that changes them by 3 %
 ///     - a slip that several modes may follow passes by h = g = 0, or no force
-///       leads along its course there
+///       leads along its course there, or its end is a quarter off that of its
+///       course, or its course has changed its mode and that decides the end
 ///     - a rest ends for less than the step, or the motion behind it turns by
 ///       0.45 rad or more
 ///     - the wheel crosses the axis by more than 2 beta

@@ -337,7 +337,8 @@ TF_API multipliers_t tf_multipliers_to(const tf_form_t *h, const tf_form_t *g,
 // All points of |x|, |y| <= 3/2 at which two forms are 0, once each. Returns
 // how many. Curves that touch count as one zero if a change of the coefficients
 // by 64 epsilon makes it one. Of forms that are 0 along a whole curve some
-// points are returned.
+// points are returned, none where both are 0 everywhere. A form whose largest
+// coefficient is below TF_REAL_MIN / epsilon counts as 0.
 #define TF_MOST_ZEROS 4
 #define tf_common_zeros TF_LINK(tf_common_zeros)
 TF_API unsigned tf_common_zeros(const tf_form_t *h, const tf_form_t *g,

@@ -30,9 +30,9 @@
 // What an impulse changes, squared, as a share of the sum of both ends.
 #define TF_IMPULSE_SHARE TF_R(0x1p-4)
 
-// What a slip that ends within its step may change without its course being
-// followed, squared, likewise.
-#define TF_COURSE_SHARE TF_R(0x1p-12)
+// What a slip that ends within a step that is not split may change, squared,
+// likewise.
+#define TF_ENDING_SHARE TF_R(0x1p-12)
 
 // What the turn of a force within a step may change, squared, likewise.
 #define TF_TURN_SHARE TF_R(0x1p-11)

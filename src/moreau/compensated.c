@@ -246,7 +246,7 @@ TF_INLINE state_pair_t pairs_at_end(const compensated_step_t *step,
   if (outcome.is_balanced) return balanced_end_in_pairs(at, step->low);
   if (outcome.mode == TF_PINNED)
     return end_at_rest_in_pairs(k, &from, step->input->omega0);
-  // A mean over a passage of h = g = 0 has a moment of its own.
+  // A mean over a change of mode has a moment of its own.
   const unsigned law = outcome.is_mean ? TF_MODES : outcome.mode;
   const linear_t l = linearise(k, step->state, step->input,
                                velocities(k, step->state, step->input->omega0));

@@ -113,15 +113,13 @@ static bool ends_by_impulse(const tf_machine_t *k, const tf_state_t *from,
   return k->contact.stick_kappa > 0 &&
          ends_slip(from->mode, to->outcome.mode) &&
          changes_much(k, (end_state_t){from->r, from->v, from->w}, at,
-                      ground_speed(k, at.v - from->v, dw), dw, TF_COURSE_SHARE);
+                      ground_speed(k, at.v - from->v, dw), dw, TF_ENDING_SHARE);
 }
 
 // A slip whose force turns within the step, or that ends in it. One that the
 // limit at h -> 0 holds on its side, where the force of its angle does not,
-// ends where its course does, if that is in its mode; one that ends in stick or
-// rest and by that changes much, if that is in a mode that solves the
-// inclusion. It is not TF_OK where it should and does not, and where its turn
-// counts.
+// ends where its course does, if that is in its mode. It is not TF_OK where it
+// ends in stick or rest and by that changes much, and where its turn counts.
 static void end_of_slip(end_kind_t kind, free_motion_t *c, inclusion_t *in,
                         step_end_t *to) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);

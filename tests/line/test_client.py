@@ -113,7 +113,7 @@ def test_only_the_key_is_answered():
         for key, said in (bytes(16), "with the tag of the key"), \
                 (None, "wants its key"):
             try:
-                with Board(firmware.name, key=key, timeout=0.2) as board:
+                with Board(firmware.name, key=key, timeout=5) as board:
                     board.stop()
                 check(False, "it is taken")
             except BoardError as error:

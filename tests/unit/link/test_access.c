@@ -287,7 +287,9 @@ TEST(answers_are_made_for_this_host) {
   CHECK(tf_is_vouched_for(frame.type) && !tf_is_vouched_for(TF_DOWN_STATE));
   for (unsigned bit = 0; bit < 64; bit++)
     CHECK(!tf_frame_is_vouched(&frame, key, drawn ^ (uint64_t)1 << bit));
-  uint8_t *at = (uint8_t *)(uintptr_t)(frame.payload - TF_FRAME_HEADER);
+  uint8_t at[TF_FRAME_HEADER + TF_FRAME_PAYLOAD];
+  memcpy(at, frame.payload - TF_FRAME_HEADER, TF_FRAME_HEADER + frame.length);
+  frame.payload = at + TF_FRAME_HEADER;
   for (unsigned bit = 0; bit < 8u * (TF_FRAME_HEADER + frame.length); bit++) {
     at[bit / 8] ^= (uint8_t)(1u << bit % 8);
     CHECK(!tf_frame_is_vouched(&frame, key, drawn));

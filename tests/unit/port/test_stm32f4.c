@@ -58,7 +58,7 @@ TEST(overrun_without_a_byte_ends_its_interrupt) {
     chip.data = 'a';
     cortex_m_interrupt();
     CHECK(chip.status == TX_EMPTY && port_unread() == (uint32_t)i);
-    CHECK(port_get() == (flags[i] & RX_FULL ? 'a' : -1) && port_get() == -1);
+    CHECK(port_get() == ((flags[i] & RX_FULL) ? 'a' : -1) && port_get() == -1);
   }
 }
 

@@ -41,7 +41,7 @@ docs/PORTS.md         2870
 docs/PROTOCOL.md      3900
 DESIGN.md             7510
 docs/SCHEMES.md       2000
-docs/BENCH.md         2000
+docs/BENCH.md         2020
 docs/VERIFICATION.md  1800
 docs/PAPER.md         3500
 docs/FINDINGS.md      2500
