@@ -21,7 +21,7 @@ SIZES = {name: (*map(int, numbers), 10**6)[:3] for name, *numbers in map(
     str.split, """
 room              most   goal  files
 src              10840   9700     57
-include           1840   1650     16
+include           1845   1650     16
 tools/cli        12020  10000
 tools/board       1540   1200
 tools/package     5800   5200

@@ -45,8 +45,8 @@ range_any         range    precision=1 slevel=200 min-loop-unroll=21 cases
 step_finite       finite   precision=1 slevel=200 auto-loop-unroll=21 cases
 """.strip().splitlines())}
 # Of src/, what the functions of a file call.
-STEP = ("step mode_end rare_end report codim2_end machine rest_motion balanced "
-        "codim2 contact quadrant select tyre kernel")
+STEP = ("step mode_end rare_end split report codim2_end machine rest_motion "
+        "balanced codim2 contact quadrant select tyre kernel")
 SOURCES = {"line": "frame", "range": "kernel", "steps": STEP, "finite": STEP,
            "prepare": "machine contact select kernel compensated"}
 # Functions that say by their value whether they wrote a result: what is known
