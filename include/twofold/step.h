@@ -71,8 +71,8 @@ TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
 ///     - the state turns by more than a right angle, or theta > 1/2 damps a
 ///       quarter of the energy
 ///     - an impulse of friction reverses a slip and changes the velocities by
-///       more than a third; or it ends one at h = g = 0 and changes them by 2 %;
-///       or its force turns and that changes them by 3 %
+///       more than a third; or it ends one at h = g = 0 and changes them by
+///       2 %; or its force turns and that changes them by 3 %
 ///     - a slip that several modes may follow passes by h = g = 0, or no force
 ///       leads along its course there, or its end is a quarter off that of its
 ///       course, or its course has changed its mode and that decides the end
