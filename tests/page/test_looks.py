@@ -85,7 +85,7 @@ def test_futures_cover_nothing():
             most = max(most, len(bottoms) - 2)
             check(max(bottoms) <= top and row <= clock, f"{tick}: {options}")
         check(len(tops) == 1, f"the strips move: {tops}")
-        check(most >= 3, f"{most} futures at most")
+        check(most >= 2, f"{most} futures at most")
 
 
 REGIONS = ["sliding", "escaping", "up", "down"]
