@@ -143,7 +143,7 @@ typedef struct {
   uint32_t noise;   ///< makes the session
   uint64_t nonce;   ///< of the host that last had one, for tf_frame_vouch
   uint32_t next;    ///< least number of a command that is still taken
-  uint32_t seen;    ///< least number that has not come
+  uint32_t seen;    ///< the smallest number not received yet
   uint32_t lost;    ///< numbers that were passed over, modulo 2^32
   uint32_t ignored; ///< commands without an answer: no room, or cleared
   uint32_t superseded, late; ///< as in a heartbeat

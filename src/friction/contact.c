@@ -98,16 +98,11 @@ TF_API void tf_enumerate(const inclusion_t *in, unsigned signs,
 // One step of Newton's method on (8).
 static void step_to(const tf_form_t *h, const tf_form_t *g, tf_slip_t to,
                     multipliers_t *m) {
-  const tf_real_t x = m->x, y = m->y;
-  const tf_real_t hx = h->cx + 2 * h->cxx * x + h->cxy * y;
-  const tf_real_t hy = h->cy + h->cxy * x + 2 * h->cyy * y;
-  const tf_real_t gx = g->cx + 2 * g->cxx * x + g->cxy * y;
-  const tf_real_t gy = g->cy + g->cxy * x + 2 * g->cyy * y;
-  const tf_real_t missed_h = form_value(h, x, y) - to.h;
-  const tf_real_t missed_g = form_value(g, x, y) - to.g;
-  const tf_real_t det = hx * gy - hy * gx;
-  m->x = x + (hy * missed_g - gy * missed_h) / det;
-  m->y = y + (gx * missed_h - hx * missed_g) / det;
+  const tf_form_t at_h = form_about(h, *m), at_g = form_about(g, *m);
+  const tf_real_t missed_h = at_h.c0 - to.h, missed_g = at_g.c0 - to.g;
+  const tf_real_t det = at_h.cx * at_g.cy - at_h.cy * at_g.cx;
+  m->x = m->x + (at_h.cy * missed_g - at_g.cy * missed_h) / det;
+  m->y = m->y + (at_g.cx * missed_h - at_h.cx * missed_g) / det;
 }
 
 TF_API multipliers_t tf_multipliers_to(const tf_form_t *h, const tf_form_t *g,

@@ -41,6 +41,17 @@ TF_INLINE tf_real_t form_value(const tf_form_t *f, tf_real_t x, tf_real_t y) {
          y * (f->cy + x * f->cxy + y * f->cyy);
 }
 
+// The form by the way from a point: its value and slopes there.
+TF_INLINE tf_form_t form_about(const tf_form_t *f, multipliers_t at) {
+  const tf_real_t x = at.x, y = at.y;
+  return (tf_form_t){form_value(f, x, y),
+                     f->cx + 2 * f->cxx * x + f->cxy * y,
+                     f->cy + f->cxy * x + 2 * f->cyy * y,
+                     f->cxx,
+                     f->cxy,
+                     f->cyy};
+}
+
 // The largest sum of its terms for x and y of these sizes.
 TF_INLINE tf_real_t form_size(const tf_form_t *f, tf_real_t x, tf_real_t y) {
   return magnitude(f->c0) + x * (magnitude(f->cx) + x * magnitude(f->cxx)) +

@@ -54,16 +54,6 @@ static tf_form_t in_own_unit(const tf_form_t *f) {
   return sum_of_forms(TF_REAL_EPSILON * inverse_or_0(last_bit), f, 0, f);
 }
 
-static tf_form_t form_about(const tf_form_t *f, multipliers_t at) {
-  const tf_real_t x = at.x, y = at.y;
-  return (tf_form_t){form_value(f, x, y),
-                     f->cx + 2 * f->cxx * x + f->cxy * y,
-                     f->cy + f->cxy * x + 2 * f->cyy * y,
-                     f->cxx,
-                     f->cxy,
-                     f->cyy};
-}
-
 static tf_real_t form_rounding(const tf_form_t *f, tf_real_t x, tf_real_t y) {
   return 16 * TF_REAL_EPSILON * form_size(f, x, y);
 }

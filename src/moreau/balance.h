@@ -167,13 +167,20 @@ TF_INLINE bool is_impulse(const tf_machine_t *k, end_state_t from,
                       TF_IMPULSE_SHARE);
 }
 
-// Whether dt times a rate of the motion is 1 rad or more: of spring and damper
-// (a is theta^2 dt^2 k2 where they are stiff), of the disc, or of the angle
-// under which the slider moves past the axis.
+// Whether the motion turns by 1/sqrt(n) rad or more in a step: the disc, or the
+// slider past the axis.
+TF_INLINE bool turns_by_much(const tf_machine_t *k, end_state_t at,
+                             tf_real_t n) {
+  const tf_real_t R2 = gyration2_at(k, at.r);
+  const tf_real_t travel2 = at.v * at.v + R2 * (at.w * at.w);
+  return !(n * (k->dt * k->dt) * travel2 < R2);
+}
+
+// Whether dt times a rate of the motion is 1 rad or more: of its turn, or of
+// spring and damper (a is theta^2 dt^2 k2 where they are stiff).
 TF_INLINE bool is_fast(const tf_machine_t *k, end_state_t at) {
   const tf_real_t R2 = gyration2_at(k, at.r), d2 = k->d * k->d;
-  const tf_real_t travel2 = at.v * at.v + R2 * (at.w * at.w);
-  return 4 * k->a * (R2 + d2) >= k->m * R2 || !(k->dt * k->dt * travel2 < R2);
+  return 4 * k->a * (R2 + d2) >= k->m * R2 || turns_by_much(k, at, 1);
 }
 
 // Whether a step takes the wheel across the axis by more than 2 beta: it skips

@@ -363,14 +363,6 @@ static bool misses_end_of_rest(const free_motion_t *c, unsigned mode) {
   return tf_rest_is_interrupted(&rest, k->dt);
 }
 
-// Whether a step in which a rest ends is too long for the motion behind it: it
-// turns by much.
-static bool departs_fast(const tf_machine_t *k, end_state_t at) {
-  const tf_real_t R2 = gyration2_at(k, at.r);
-  const tf_real_t travel2 = at.v * at.v + R2 * (at.w * at.w);
-  return !(DEPARTURES * (k->dt * k->dt) * travel2 < R2);
-}
-
 TF_API void tf_codim2_end(free_motion_t *c, inclusion_t *in, step_end_t *to) {
   tf_contact_modes_t s = {0};
   add_pinned_point(c, in);
@@ -392,7 +384,7 @@ TF_API void tf_codim2_end(free_motion_t *c, inclusion_t *in, step_end_t *to) {
   const bool rests = c->state->mode == TF_PINNED;
   if (misses_end_of_rest(c, to->outcome.mode) ||
       (rests && to->outcome.mode != TF_PINNED &&
-       departs_fast(TF_STEP_MACHINE(c), to->end.at)))
+       turns_by_much(TF_STEP_MACHINE(c), to->end.at, DEPARTURES)))
     to->outcome.status = TF_COARSE;
 }
 

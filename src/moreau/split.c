@@ -51,11 +51,9 @@ static tf_real_t stick_behind(const tf_form_t *h, const part_t *part,
                               sign_t sign_g) {
   tf_real_t x = 0;
   for (int i = 0; i < 4; i++) {
-    const multipliers_t m = of_step(part, stick_multipliers(x, sign_g));
-    const tf_real_t by_x = h->cx + 2 * h->cxx * m.x + h->cxy * m.y;
-    const tf_real_t by_y = h->cy + h->cxy * m.x + 2 * h->cyy * m.y;
-    x -= form_value(h, m.x, m.y) /
-         ((1 - part->share) * (by_x + with_sign(sign_g, by_y)));
+    const tf_form_t at =
+        form_about(h, of_step(part, stick_multipliers(x, sign_g)));
+    x -= at.c0 / ((1 - part->share) * (at.cx + with_sign(sign_g, at.cy)));
   }
   return x;
 }

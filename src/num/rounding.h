@@ -21,7 +21,8 @@
 #pragma fp_contract(off)
 #else
 #pragma STDC FP_CONTRACT OFF
-// For a compiler without them, as tcc; the first is asked of 0 alone.
+// For a compiler without built-ins, such as tcc. The core calls the first with
+// 0 alone.
 #define __builtin_signbit(zero) (1 / (zero) < 0)
 #define __builtin_sqrt sqrt
 #define __builtin_sqrtf sqrtf

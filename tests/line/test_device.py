@@ -171,8 +171,8 @@ def test_what_came_before_a_device_was_heard_is_no_loss():
 
 
 def test_a_line_that_nobody_read_is_no_damage():
-    """It is full of what came before, and the board dropped the rest. On a busy
-    computer it drops more (6), which is told as such."""
+    """Old bytes fill the line, and the board has dropped the rest. On a busy
+    computer it drops more: code 6, with a sentence of its own."""
     with Board("double") as board:
         for _ in range(3):
             board.stop_a_while()

@@ -73,7 +73,7 @@ TEST(rounding_of_g_does_not_choose) {
     apart += s.x.mode != at.x.mode;
   }
   CHECK_ABOVE(steps, samples(5000));
-  CHECK_BELOW(apart * 25, steps);
+  CHECK_BELOW(apart * 38, steps);
 }
 
 /* A slip that comes to h = g = 0 along a limit direction, where |F| > mu would

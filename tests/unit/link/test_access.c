@@ -252,8 +252,8 @@ TEST(tag_is_siphash_of_the_body) {
   CHECK(number == 7);
 }
 
-/* The tag of what a board sends is of its body and of the nonce of its host: no
- * bit of these, or of the key, may be another one. */
+/* The tag of a frame from the board covers its body and the nonce of the host.
+ * It fails if one bit of these or of the key differs. */
 TEST(answers_are_made_for_this_host) {
   board_t board;
   uint8_t key[TF_KEY_BYTES], nonce[TF_NONCE_BYTES];

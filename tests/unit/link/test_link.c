@@ -267,7 +267,7 @@ static void send_setpoint(board_t *board, uint64_t at, tf_real_t force) {
   send_inputs(board, TF_UP_SETPOINT, at, &input);
 }
 
-/* What holds in the step from a tick on, and what is told of it. */
+/* The force in the step from a tick on, and what the heartbeat counts. */
 #define CHECK_FORCE(board, at, wanted)                  \
   do {                                                  \
     CHECK((board)->simulation.state.tick == (at));      \
