@@ -1,7 +1,7 @@
 /// @file
 /// Telemetry as CSV, for tools that plot numbers separated by commas: the
 /// columns of `twofold run`, time to a microsecond, the others in up to six
-/// digits; the mode is its number (docs/PROTOCOL.md), because such tools draw
+/// digits; mode and set are numbers (docs/PROTOCOL.md), because such tools draw
 /// numbers only. The header is sent
 /// at the start and every ten seconds, for readers who connect late; nothing
 /// else is sent, because a row of another length is another table to them.
@@ -43,6 +43,7 @@ static unsigned telemetry_record(uint8_t *to) {
   telemetry_number(&text, SIM_REPORT.force.M);
   text_whole(&text, SIM_REPORT.mode, 1);
   text_pair(&text, ",", SIM_REPORT.choices);
+  text_pair(&text, ",", SIM_REPORT.set);
   text_string(&text, "\r\n");
   return (unsigned)(text.end - to);
 }
@@ -61,7 +62,7 @@ static unsigned telemetry_heartbeat(const loop_counts_t *c, uint8_t *to) {
 static unsigned telemetry_other(uint8_t *to) {
   text_t text = {to};
   if (telemetry_header_is_due)
-    text_string(&text, "t,r,v,omega,h,g,F,M,mode,choices\r\n");
+    text_string(&text, "t,r,v,omega,h,g,F,M,mode,choices,set\r\n");
   telemetry_header_is_due = false;
   return (unsigned)(text.end - to);
 }

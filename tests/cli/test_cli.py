@@ -9,7 +9,7 @@ from outputs import (column, ended, fails_to_write, says, says_each, started,
                      table)
 from tap import TWOFOLD, call, check, main, same
 
-HEADER = "t,r,v,omega,h,g,F,M,mode,choices"
+HEADER = "t,r,v,omega,h,g,F,M,mode,choices,set"
 REAL = call("--version")[0].split()[-1]
 SHORT = ["--t-end", "1e-3", "--dt", "1e-4"]
 
@@ -32,7 +32,8 @@ def test_rows():
     out = chaos(*SHORT)[0]
     lines = out.splitlines()
     same((lines[0], len(lines)), (HEADER, 12))
-    check(all(re.fullmatch(r"([^,]+,){9}\d", line) for line in lines[1:]), out)
+    check(all(re.fullmatch(r"([^,]+,){9}1,slip.", line)
+              for line in lines[1:]), out)
     found = rows(*SHORT)
     same(column(found, "t", "r", "omega", "mode")[0],
          ("0", "0.18", "-1.037", "slip+"))
@@ -163,7 +164,7 @@ def test_notes():
 
 
 def test_output_that_fails():
-    fails_to_write(10, "run", "chaos", "--t-end", "1e9")
+    fails_to_write(11, "run", "chaos", "--t-end", "1e9")
     with subprocess.Popen([TWOFOLD, "run", "chaos", "--t-end", "1e9"],
                           stdout=subprocess.PIPE,
                           stderr=subprocess.PIPE) as child:

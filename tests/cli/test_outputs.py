@@ -88,7 +88,7 @@ def test_one_writer_a_file():
          "--exits", "y", "--returns", "x")
     check(not list(Path().glob("y*")), "what was not begun leaves a file")
     ended(child, signal.SIGTERM)
-    check_whole("x.part", 10)
+    check_whole("x.part", 11)
     child = started("x", *ENDLESS, "--out", "x")
     Path("x.part").rename("moved")
     ended(child, signal.SIGTERM)

@@ -76,15 +76,18 @@ def test_start_with_several_modes():
             ("1e-3", "0", 1, 0, None), ("1e-3", "0.001", 1, 0, None)):
         words = f"run {here} --set h={h} --t-end {t_end}"
         got = told(f"{words} --save at --out rows")
+        start = rows_of("rows")[0]
+        set_ = start["set"] if choices > 1 else ""
         same([got[key] for key in ("choices_at_start", "ambiguous",
-                                   "ambiguous_since")],
-             [choices, steps, since])
-        same(rows_of("rows")[0]["choices"], str(choices))
+                                   "ambiguous_since", "ambiguous_set")],
+             [choices, steps, since, set_])
+        same((start["choices"], len(start["set"].split("|"))),
+             (str(choices), choices))
         text = re.search("^ambiguous  several modes (.*)$",
                          call(*words.split())[1], re.M)[1]
         same(text, ("at the start and " if choices > 1 else "")
              + f"in {steps} steps" + " (100 %)" * (steps > 0)
-             + ", first at t = 0 s" * (since == 0))
+             + f", first at t = 0 s: {set_}" * (since == 0))
         told(f"sweep {here} --over h={h}:{h}:1 --t-end {t_end} "
              "--outcome ambiguous --out rows")
         same(rows_of("rows")[0]["ambiguous"], "" if since is None else "0")

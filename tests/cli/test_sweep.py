@@ -11,7 +11,7 @@ from tap import TWOFOLD, call, check, main, same
 
 ENDS = ["end_r", "end_v", "end_omega", "end_h", "end_g"]
 ALL = ["modes", "final", "changes", "rest", "arrivals", "arrival", "recurrence",
-       "ambiguous", "ambiguous_share", "stick_share", "energy",
+       "ambiguous", "set", "ambiguous_share", "stick_share", "energy",
        "energy_change", "r_low", "r_high", *ENDS]
 GRID = ["chaos", "--over", "kappa=0.2:0.4:5", "--over", "gamma=0.3:1.2:5",
         "--dt", "1e-3"]
@@ -46,12 +46,14 @@ def test_rows_are_those_of_run():
         ends, steps, said = ends_of_run(*words, *settings)
         arrivals = re.search(r"two-fold reached (\d+)", said)
         modes = column(steps, "mode")
-        first = [step["t"] for step in steps if int(step["choices"]) > 1]
+        first, set_ = next((column([step], "t", "set")[0] for step in steps
+                            if int(step["choices"]) > 1),
+                           ("", steps[-1]["set"]))
         r = sorted(column(steps, "r"), key=float)
         same([row[name] for name in ENDS], ends)
-        same([row["t"], row["final"], row["ambiguous"], row["r_low"],
-              row["r_high"], row["arrivals"]],
-             [steps[-1]["t"], modes[-1], (first or [""])[0], r[0], r[-1],
+        same([row["t"], row["final"], row["ambiguous"], row["set"],
+              row["r_low"], row["r_high"], row["arrivals"]],
+             [steps[-1]["t"], modes[-1], first, set_, r[0], r[-1],
               arrivals[1] if arrivals else "0"])
         same(set(row["modes"].split("|")), set(modes))
         same(int(row["changes"]),

@@ -19,7 +19,7 @@ from decode import breaks, frames, runs
 from outputs import says_each
 from tap import ROOT, TWOFOLD, call, check, main, output, same, until
 
-HEADER = "t,r,v,omega,h,g,F,M,mode,choices\n"
+HEADER = "t,r,v,omega,h,g,F,M,mode,choices,set\n"
 
 
 def monitor(stream, *words, code=0):
@@ -135,7 +135,8 @@ def test_a_board_in_float():
     """Whatever this program is."""
     stream = examples("schema", "layout", "state", "report", "heartbeat")
     decodes(stream, HEADER + "0.099999994,0.18,-0.5,-1.037,0,-0.25,0.75,-0.2,"
-            "stick-,2\n", "demo, scene chaos, float, dt = 0.0001 s",
+            "stick-,2,stick-|pinned\n",
+            "demo, scene chaos, float, dt = 0.0001 s",
             "1000 steps, 2 overruns, 93 ticks without a step, 3 frames dropped",
             "a step takes 5200 to 9100 ns", code=5)
     same(monitor(stream, code=5)[0], "")
@@ -152,7 +153,7 @@ def test_what_is_not_a_number_is_a_row():
         framed(REPORT, 2, 1000, bytes(report)), "--format", "csv", code=6)
     says(said, "values     1 rows with one that is not finite, first at step "
          "1000")
-    says(got, ",nan,.*stick-,2\n$")
+    says(got, ",nan,.*stick-,2,stick-.pinned\n$")
     other = sealed(stuffed(struct.pack("<BBBIQ", 3, HEARTBEAT, 0, 0, 1000)))
     says(monitor(b"\0" + other + b"\0", code=4)[1], "stream: its protocol is "
          "version 3, here it is 5: build what sends it")

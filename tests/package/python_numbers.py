@@ -23,7 +23,9 @@ def said(real, *words):
 
 def agree(real, name, got, want):
     """A number of a table and the text of the command line."""
-    if name in _table.MEMBERS and isinstance(got, np.integer):
+    if name == "set":
+        got = _table._cell(name, got)
+    elif name in _table.MEMBERS and isinstance(got, np.integer):
         got = str(_table.MEMBERS[name](got))
     elif not isinstance(got, str):
         want = math.nan if want == "" else want

@@ -37,6 +37,7 @@ def test_board_on_a_line():
     check(got["counters"][1:] == [0, 0, 76, 0, 0, 1, 0, 0], got["counters"])
     modes = tab.value("twofold.core.modes")
     want = [line.split(",") for line in command(*MOTION).splitlines()[1:]]
-    check(got["rows"] == [[float(x) for x in row[:8]]
-                          + [modes.index(row[8]), int(row[9])]
-                          for row in want], "other rows")
+    check(got["rows"] == [[float(x) for x in row[:8]] + [
+        modes.index(row[8]), int(row[9]),
+        sum(1 << modes.index(name) for name in row[10].split("|"))]
+        for row in want], "other rows")

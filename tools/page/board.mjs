@@ -5,14 +5,14 @@
 import { AT, COLUMNS, firstOf } from './core.mjs';
 import { instantiate } from './libc.mjs';
 
-const COLUMNS_OF_LINE = 10;
+const COLUMNS_OF_LINE = 11;
 const AT_ONCE = 4096; // bytes, the rows of which the decoder has room for
 const MAX_RECORDS = 1 << 14;
 const ASK_EVERY = 1000; // [ms] until the schema has come
 
 export class Line {
   // module: the compiled core. take(row): of each row, t r v omega h g F M
-  // mode choices; those that the board did not send are 0.
+  // mode choices set; those that the board did not send are 0.
   constructor(module, take) {
     this.c = instantiate(module);
     this.c.line_open();
@@ -99,12 +99,10 @@ export class Record {
       .map(([tick]) => tick);
   }
 
-  // The board says how many modes are possible, not which.
   take(values) {
     const { now } = this, before = this.count ? now[AT.mode] : values[8];
-    [AT.t, AT.r, AT.v, AT.omega, AT.h, AT.g, AT.F, AT.M, AT.mode, AT.choices]
-      .forEach((at, i) => { now[at] = values[i]; });
-    now[AT.set] = 1 << now[AT.mode];
+    [AT.t, AT.r, AT.v, AT.omega, AT.h, AT.g, AT.F, AT.M, AT.mode, AT.choices,
+      AT.set].forEach((at, i) => { now[at] = values[i]; });
     const seconds = this.count ? now[AT.t] - this.row(this.count - 1)[AT.t] : 0;
     now[AT.phi] += now[AT.omega] * seconds;
     now[AT.table] += now[AT.omega0] * seconds;

@@ -33,13 +33,14 @@ export function exact(x) {
   return `${x < 0 ? '-' : ''}0x${Math.abs(x / 2 ** -1074).toString(16)}p-1074`;
 }
 
-export const HEADER = 't,r,v,omega,h,g,F,M,mode,choices\n';
+export const HEADER = 't,r,v,omega,h,g,F,M,mode,choices,set\n';
 
-// row: t r v omega h g F M mode choices.
+// row: t r v omega h g F M mode choices set.
 export function line(row, modes) {
   let text = '';
   for (let i = 0; i < 8; i++) text += `${decimal(row[i])},`;
-  return `${text}${modes[row[8]]},${row[9]}\n`;
+  const set = modes.filter((_, mode) => row[10] >> mode & 1).join('|');
+  return `${text}${modes[row[8]]},${row[9]},${set}\n`;
 }
 
 // A number for people, in so many significant digits, with a true minus.

@@ -6,7 +6,7 @@
 #include "module.h"
 
 #define LINE_ROWS 256
-#define LINE_COLUMNS 10 // those of the CSV, the mode as its number
+#define LINE_COLUMNS 11 // those of the CSV, mode and set as numbers
 static uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
 static tf_decoder_t decoder;
 static cli_receiver_t receiver;
@@ -33,6 +33,7 @@ uint32_t EXPORT(line_take)(uint32_t length) {
     memcpy(rows[count], row.column, sizeof row.column);
     rows[count][8] = row.mode;
     rows[count][9] = row.choices;
+    rows[count][10] = row.set;
     count++;
   }
   return count;

@@ -23,12 +23,14 @@ const rows = readFileSync(0, 'utf8').trim().split('\n').slice(1);
 let status = twofold.twofold_begin(names.indexOf(scene), 0, 0, 0);
 let differ = 0;
 for (const row of rows) {
-  const [t, r, v, w, , h, g, F, M, , , mode, , choices] =
+  const [t, r, v, w, , h, g, F, M, , , mode, set, choices] =
     new Float64Array(memory(), twofold.twofold_state(), 14);
   const want = row.split(',');
   const got = [t, r, v, w, h, g, F, M];
   const same = got.every((x, i) => Object.is(x + 0, round(Number(want[i])) + 0));
-  if (!same || modes[mode] !== want[8] || choices !== Number(want[9])) differ++;
+  const words = modes.filter((_, i) => set >> i & 1).join('|');
+  if (!same || modes[mode] !== want[8] || choices !== Number(want[9]) ||
+    words !== want[10]) differ++;
   status = twofold.twofold_step(1);
 }
 const refused = [twofold.twofold_begin(names.length, 0, 0, 0),

@@ -337,20 +337,17 @@ static void draw_lanes(const cli_live_t *live, int row) {
 static int compose(cli_live_t *live, const char *title) {
   const cli_csv_t *at = &live->last;
   const char *said = strrchr(live->said, '\n');
-  char possible[48] = ""; // by their names, of which there are five
-  for (unsigned mode = 0; mode < TF_MODES; mode++)
-    if ((at->set & TF_MODE_BIT(mode)) != 0 && at->choices > 1) {
-      strcat(possible, possible[0] == '\0' ? " of " : " ");
-      strcat(possible, tf_mode_name((uint8_t)mode));
-    }
+  const bool several = at->choices > 1;
+  char set[CLI_SET_ROOM];
   memset(cells, 0, sizeof cells);
   put_text(0, 0, "%s", title);
   put_text(1, 0,
-           "t = %.4f s  %-6s%s  r=%.3g omega=%.3g h=%.3g g=%.3g "
+           "t = %.4f s  %-6s%s%s  r=%.3g omega=%.3g h=%.3g g=%.3g "
            "v=%.3g",
-           at->column[CLI_CSV_t], tf_mode_name(at->mode), possible,
-           at->column[CLI_CSV_r], at->column[CLI_CSV_omega],
-           at->column[CLI_CSV_h], at->column[CLI_CSV_g], at->column[CLI_CSV_v]);
+           at->column[CLI_CSV_t], tf_mode_name(at->mode), several ? " of " : "",
+           several ? cli_write_set(set, at->set) : "", at->column[CLI_CSV_r],
+           at->column[CLI_CSV_omega], at->column[CLI_CSV_h],
+           at->column[CLI_CSV_g], at->column[CLI_CSV_v]);
   if (live->newest == 0) {
     put_text(2, 0, "(nothing yet)");
     return HEAD;

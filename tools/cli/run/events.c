@@ -76,7 +76,8 @@ void cli_events_begin(cli_events_t *events, uint64_t limit,
   const double choices = start != NULL ? start->choices : (double)NAN;
   *events = (cli_events_t){.limit = limit,
                            .choices_at_start = choices,
-                           .ambiguous_since = choices > 1 ? 0 : (double)NAN};
+                           .ambiguous_since = choices > 1 ? 0 : (double)NAN,
+                           .set = choices > 1 ? start->set : 0};
 }
 
 void cli_events_observe(cli_events_t *events, const tf_report_t *before,
@@ -86,6 +87,7 @@ void cli_events_observe(cli_events_t *events, const tf_report_t *before,
   if (after->choices > 1) {
     events->ambiguous++;
     events->ambiguous_since = fmin(events->ambiguous_since, t); // NAN loses
+    if (events->set == 0) events->set = after->set;
   }
   if (kinds == 0) return;
   const bool winds = events->away && kinds == 1u << CLI_SLIP_TO_SLIP;

@@ -42,6 +42,7 @@ typedef struct {
   double choices_at_start; ///< consistent modes there, NAN: not seen
   uint64_t ambiguous;      ///< steps with several of them
   double ambiguous_since;  ///< [s], the start, too; NAN: at no time so far
+  unsigned set;            ///< which they were then, 0: at no time so far
 } cli_events_t;
 
 /// Begins. start: in, the report of the start, NULL where the motion goes on

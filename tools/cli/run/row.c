@@ -21,14 +21,26 @@ static void add(cli_buffer_t *text, const cli_csv_t *row, size_t i) {
   cli_add_number(text, row->column[i], row->is_float);
 }
 
+const char *cli_write_set(char out[CLI_SET_ROOM], unsigned set) {
+  cli_buffer_t text = {out, 0, CLI_SET_ROOM, false};
+  out[0] = '\0';
+  for (unsigned mode = 0; mode < TF_MODES; mode++) {
+    if ((set & TF_MODE_BIT(mode)) == 0) continue;
+    cli_add(&text, text.used > 0 ? "|" : "");
+    cli_add(&text, tf_mode_name(mode));
+  }
+  return out;
+}
+
 static size_t csv(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
   cli_buffer_t text = {out, 0, CLI_ROW_ROOM, false};
   for (size_t i = 0; i < CLI_CSV_COLUMNS; i++) {
     add(&text, row, i);
     cli_add(&text, ",");
   }
-  cli_add_form(&text, "%s,%" PRIu64 "\n", tf_mode_name(row->mode),
-               (uint64_t)row->choices);
+  char set[CLI_SET_ROOM];
+  cli_add_form(&text, "%s,%" PRIu64 ",%s\n", tf_mode_name(row->mode),
+               (uint64_t)row->choices, cli_write_set(set, row->set));
   return text.used;
 }
 

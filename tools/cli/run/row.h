@@ -32,7 +32,7 @@ typedef enum {
 
 /// The header without its newline, the units, and how many numbers.
 #define CLI_CSV_HEADER \
-  CLI_CSV_NUMBERS(CLI_CSV_NAME, CLI_CSV_NAME) "mode,choices"
+  CLI_CSV_NUMBERS(CLI_CSV_NAME, CLI_CSV_NAME) "mode,choices,set"
 #define CLI_CSV_UNITS CLI_CSV_NUMBERS(CLI_CSV_UNIT, CLI_CSV_NEXT_UNIT)
 enum { CLI_CSV_NUMBERS(CLI_CSV_INDEX, CLI_CSV_INDEX) CLI_CSV_COLUMNS };
 extern const cli_quantity_t cli_csv_columns[CLI_CSV_COLUMNS];
@@ -52,6 +52,11 @@ typedef struct {
 
 /// By cli_format_t; frames are no text, and have none.
 extern const cli_stream_t cli_streams[CLI_FORMATS];
+
+/// Writes a set of modes, bits TF_MODE_BIT: their names in a fixed order, with
+/// `|` between them. Returns: out.
+#define CLI_SET_ROOM 40
+const char *cli_write_set(char out[CLI_SET_ROOM], unsigned set);
 
 /// The row of a state.
 cli_csv_t cli_row(tf_real_t t, const tf_state_t *state,

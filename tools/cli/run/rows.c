@@ -36,8 +36,11 @@ static void glance_at(cli_run_t *run, const cli_csv_t *row) {
     used += (size_t)snprintf(line + used, GLANCE_ROOM - used, "%11.4g",
                              row->column[i]);
   }
-  (void)snprintf(line + used, GLANCE_ROOM - used, " %-6s %u\n",
-                 tf_mode_name(row->mode), row->choices);
+  char set[CLI_SET_ROOM];
+  (void)snprintf(line + used, GLANCE_ROOM - used,
+                 row->choices > 1 ? " %-6s %u %s\n" : " %-6s %u\n",
+                 tf_mode_name(row->mode), row->choices,
+                 cli_write_set(set, row->set));
   if (glance.rows <= GLANCE) put_text(run, line);
 }
 

@@ -207,8 +207,11 @@ static void print_ambiguity(const cli_run_t *run) {
           events->ambiguous);
   if (events->ambiguous > 0)
     cli_say(" (%.3g %%)", 100 * (double)events->ambiguous / steps);
-  if (!isnan(events->ambiguous_since))
-    cli_say(", first at t = %g s", events->ambiguous_since);
+  if (events->set != 0) {
+    char set[CLI_SET_ROOM];
+    cli_say(", first at t = %g s: %s", events->ambiguous_since,
+            cli_write_set(set, events->set));
+  }
   cli_say("\n");
 }
 
@@ -357,8 +360,10 @@ static void put_table(const char *key, const cli_inputs_t *table) {
 
 static void put_quality(const cli_run_t *run) {
   const tf_tally_t *tally = &run->tally;
+  char set[CLI_SET_ROOM];
   cli_put_count("ambiguous", run->events.ambiguous);
   cli_put_double("ambiguous_since", run->events.ambiguous_since);
+  cli_put_word("ambiguous_set", cli_write_set(set, run->events.set));
   cli_put_double("choices_at_start", run->events.choices_at_start);
   cli_tally_put(tally);
   cli_put_double("reserved_since", cli_tally_reserved(tally) > 0

@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include "../run/events.h"
+#include "../run/row.h"
 #include "../text/summary.h"
 
 #define BATCH 4096 // steps between two checks for a signal
@@ -30,6 +31,7 @@ const cli_measure_info_t cli_measures[CLI_MEASURES] = {
     {"arrival", "s", "time of the first of them", false},
     {"recurrence", "s", "mean time from one to the next", false},
     {"ambiguous", "s", "first instant with several futures", false},
+    {"set", "", "the modes possible then; without several, at the end", false},
     {"ambiguous_share", "1", "share of steps with several futures", false},
     {"stick_share", "1", "share of steps without slip", false},
     {"energy", "J", "mechanical energy at the end", false},
@@ -112,16 +114,6 @@ static void see(point_t *point, uint64_t i, const tf_input_t *input,
   point->report = *report;
 }
 
-static void add_modes(unsigned modes, cli_buffer_t *text) {
-  const char *separator = "";
-  for (unsigned mode = 0; mode < TF_MODES; mode++) {
-    if ((modes & TF_MODE_BIT(mode)) != 0) {
-      cli_add_form(text, "%s%s", separator, tf_mode_name(mode));
-      separator = "|";
-    }
-  }
-}
-
 // In the order of cli_measures: modes are sets, NaN is what there is not. A
 // share is one of all steps; there is none without a step.
 static void add_outcomes(const point_t *point, cli_buffer_t *text) {
@@ -141,6 +133,7 @@ static void add_outcomes(const point_t *point, cli_buffer_t *text) {
           ? (point->last_arrival - point->first_arrival) / (arrivals - 1)
           : none,
       point->events.ambiguous_since,
+      point->events.set != 0 ? point->events.set : point->report.set,
       (double)point->events.ambiguous / steps,
       (double)point->stuck / steps,
       energy,
@@ -155,9 +148,10 @@ static void add_outcomes(const point_t *point, cli_buffer_t *text) {
   for (size_t i = 0; i < args->measures; i++) {
     const cli_measure_info_t *info = &cli_measures[args->measure[i]];
     const double value = values[args->measure[i]];
+    char set[CLI_SET_ROOM];
     cli_add(text, ",");
     if (info->unit[0] == '\0')
-      add_modes((unsigned)value, text);
+      cli_add(text, cli_write_set(set, (unsigned)value));
     else if (info->counts)
       cli_add_count(text, (uint64_t)value);
     else if (isfinite(value))

@@ -9,7 +9,7 @@ typedef struct {
   const char *name, *unit, *what;
   bool counts;
 } cli_measure_info_t;
-#define CLI_MEASURES 19
+#define CLI_MEASURES 20
 extern const cli_measure_info_t cli_measures[CLI_MEASURES];
 
 /// How a point ended.
