@@ -37,7 +37,7 @@ CORE := $(wildcard src/*/*.c)
 CLI := $(wildcard tools/*.c tools/cli/*.c tools/cli/*/*.c)
 # Of it, what reads a scene by its name or from a file.
 SCENE_READER := $(wildcard tools/cli/setup/scene*.c tools/cli/text/*.c) \
-  tools/cli/setup/names.c
+  tools/cli/setup/names.c tools/decimal.c
 SUPPORT := $(wildcard tests/support/*.c tests/reference/*.c)
 TEST_ROOMS := tests/unit/* tests/cli tests/line tests/law tests/golden \
   tests/regress
@@ -161,6 +161,7 @@ $(call programs,$(TESTS),$(1)): %: %.o $(BUILD)/$(1)/libsupport.a \
     $(BUILD)/$(1)/libtwofold.a
 	$$(link)
 # A test of the command line is linked with what it tests.
+$(BUILD)/$(1)/tests/cli/test_decimal: $(BUILD)/$(1)/tools/decimal.o
 $(BUILD)/$(1)/tests/cli/test_canard $(BUILD)/$(1)/tests/cli/test_waits: \
   $(patsubst %,$(BUILD)/$(1)/tools/cli/diverge/%.o,canard motion random)
 endef

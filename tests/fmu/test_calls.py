@@ -1,6 +1,8 @@
 """Wrong calls: each is refused, by a message that names what is wrong, and
 leaves the instance as it was."""
 import ctypes
+import random
+import re
 from ctypes import byref, c_bool, c_double, c_int, c_size_t, c_uint32, c_void_p
 
 from importer import DISCARD, ERROR, MODES, Fmu, Refused, refused
@@ -14,9 +16,9 @@ def raw(wheel, verb, kind, reference, value=0.0, type_c=c_double):
 
 def test_bad_values(fmu):
     wheel = fmu.instance()
-    refused(DISCARD, "kappa = -1|[1e-9, 1000000] m", wheel.set, "kappa", -1)
-    refused(DISCARD, "mu = NaN", wheel.set, "mu", float("nan"))
-    refused(DISCARD, "m = infinity", wheel.set, "m", float("inf"))
+    refused(DISCARD, "kappa = -1|[1e-09, 1000000] m", wheel.set, "kappa", -1)
+    refused(DISCARD, "mu = nan", wheel.set, "mu", float("nan"))
+    refused(DISCARD, "m = inf", wheel.set, "m", float("inf"))
     refused(DISCARD, "law = 6|[0, 5]", wheel.set, "law", 6)
     refused(DISCARD, "take = slip+|before the motion", wheel.set, "take", 0)
     refused(ERROR, "choices is an output", wheel.set, "choices", 1)
@@ -259,11 +261,22 @@ def test_limits(fmu):
         refused(ERROR, "not a state of this FMU", wheel.deserialize, bad)
 
 
+def test_numbers_in_messages(fmu):
+    """A message has the number that was given, with all its digits."""
+    draw, wheel = random.Random(1), fmu.instance()
+    values = [1e300, 1e23, 5e-324, 1 / 3] + [
+        10 ** draw.uniform(-300, 300) for _ in range(200)]
+    for value in values:
+        refused(DISCARD, "kappa = -", wheel.set, "kappa", -value)
+        told = re.search("kappa = (.*) must lie", wheel.last_text())[1]
+        check(float(told) == -value and len(told) < 25, f"{value}: {told}")
+
+
 def test_logging(fmu):
     """Refusals are told without logging, events only with it; of categories
     that are switched off only errors come."""
     wheel = fmu.instance(logging=False).begin()
-    refused(DISCARD, "force = 1e20", wheel.set, "force", 1e20)
+    refused(DISCARD, "force = 1e+20", wheel.set, "force", 1e20)
     wheel.step(0.0, 0.3)
     check(wheel.get("events") > 0 and len(wheel.log) == 1, "an event is told")
     names = (ctypes.c_char_p * 1)(b"logEvents")

@@ -7,7 +7,7 @@
 
 HIL_PARTS := $(wildcard tools/board/hil/*.c) $(addprefix tools/cli/,\
   host/host.c host/output.c text/message.c \
-  text/number.c)
+  text/number.c) tools/decimal.c
 
 define board_rules
 $(BUILD)/$(1)/hil: $$(call objects_of_$(1),$(HIL_PARTS)) \

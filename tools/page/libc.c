@@ -1,4 +1,4 @@
-// The functions of C on text, byte by byte, and one on the parts of a number.
+// The functions of C on text, byte by byte.
 // libc.mjs has those that read and print numbers.
 #include "libc.h"
 
@@ -65,22 +65,4 @@ size_t strcspn(const char *text, const char *bytes) {
 char *strpbrk(const char *text, const char *bytes) {
   const char *at = text + strcspn(text, bytes);
   return *at != '\0' ? writable(at) : NULL;
-}
-
-double frexp(double value, int *exponent) {
-  const uint64_t mask = (uint64_t)2047 << 52;
-  uint64_t bits = 0;
-  memcpy(&bits, &value, sizeof bits);
-  const int power = (int)((bits & mask) >> 52);
-  *exponent = 0;
-  if (!(value < 0 || value > 0) || power == 2047) return value;
-  if (power == 0) {
-    const double fraction = frexp(value * 0x1p64, exponent);
-    *exponent -= 64;
-    return fraction;
-  }
-  *exponent = power - 1022;
-  bits = (bits & ~mask) | (uint64_t)1022 << 52;
-  memcpy(&value, &bits, sizeof value);
-  return value;
 }

@@ -21,7 +21,6 @@ static inline int isspace(int byte) {
   return byte == ' ' || (byte >= '\t' && byte <= '\r');
 }
 
-double frexp(double value, int *exponent);
 void *memset(void *to, int value, size_t size);
 void *memcpy(void *restrict to, const void *restrict from, size_t size);
 void *memchr(const void *text, int byte, size_t size);

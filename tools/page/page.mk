@@ -15,11 +15,12 @@ PAGE_LINK := -nostdlib -Wl,--no-entry -Wl,--gc-sections -Wl,--strip-all \
   -Wl,--export=errno -Wl,-z,stack-size=65536
 PAGE_CORE := $(wildcard src/*/*.c) tools/cli/monitor/receiver.c \
   $(addprefix tools/cli/setup/,scene_file.c names.c) \
-  $(addprefix tools/cli/text/,buffer.c number.c) \
+  $(addprefix tools/cli/text/,buffer.c number.c) tools/decimal.c \
   port/arch/memory.c $(wildcard tools/page/*.c)
 PAGE_C := $(PAGE_CORE) $(wildcard tools/page/*.h \
   tools/cli/monitor/receiver.h tools/cli/setup/*.h tools/cli/text/*.h \
-  src/*/*.h include/*.h include/twofold/*.h) tools/motion.h tools/page/page.mk
+  src/*/*.h include/*.h include/twofold/*.h) $(addprefix tools/,motion.h \
+  decimal.h page/page.mk)
 PAGE_SOURCES := $(PAGE_C) tools/page/pack.py \
   $(wildcard tools/page/*.mjs tools/page/*.html tools/page/*.css)
 

@@ -269,8 +269,8 @@ static void write_range(char *out, size_t room, const tf_frame_t *frame,
   if (frame->length != ANSWER_BYTES + 3 * R || index >= TF_PARAMETERS) return;
   char number[3][CLI_REAL_ROOM]; // in effect, smallest, largest
   for (size_t i = 0; i < 3; i++) {
-    (void)cli_write_number(number[i], cli_receiver_real(receiver, at + i * R),
-                           receiver->is_float);
+    (void)decimal_write(number[i], cli_receiver_real(receiver, at + i * R),
+                        receiver->is_float);
   }
   (void)snprintf(out, room, "; %s = %s, in [%s, %s]",
                  tf_parameter_ranges[index].name, number[0], number[1],

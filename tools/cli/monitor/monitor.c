@@ -58,7 +58,7 @@ static void write_title(const monitor_t *monitor, char title[TITLE_ROOM]) {
 static size_t provenance_of(const cli_receiver_t *receiver,
                             char out[PROVENANCE_ROOM]) {
   char dt[CLI_REAL_ROOM];
-  (void)cli_write_number(dt, receiver->dt, receiver->is_float);
+  (void)decimal_write(dt, receiver->dt, receiver->is_float);
   return (size_t)snprintf(
       out, PROVENANCE_ROOM,
       "# twofold %s, commit %s, rows of a stream, numbers are %s\n"

@@ -1,6 +1,5 @@
 // Text in buffers, in lines, and the names that are closest to a mistyped one.
 
-#include <inttypes.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -50,8 +49,7 @@ void cli_add_real(cli_buffer_t *buffer, tf_real_t value) {
 
 void cli_add_number(cli_buffer_t *buffer, double value, bool is_float) {
   char digits[CLI_REAL_ROOM];
-  (void)cli_write_number(digits, value, is_float);
-  cli_add(buffer, digits);
+  add_bytes(buffer, digits, decimal_write(digits, value, is_float));
 }
 
 void cli_add_hash(cli_buffer_t *buffer, uint32_t value) {
@@ -60,9 +58,10 @@ void cli_add_hash(cli_buffer_t *buffer, uint32_t value) {
 }
 
 void cli_add_count(cli_buffer_t *buffer, uint64_t value) {
-  char digits[CLI_REAL_ROOM];
-  (void)snprintf(digits, sizeof digits, "%" PRIu64, value);
-  cli_add(buffer, digits);
+  char digits[20], *at = digits + sizeof digits;
+  do *--at = (char)('0' + value % 10);
+  while ((value /= 10) > 0);
+  add_bytes(buffer, at, (size_t)(digits + sizeof digits - at));
 }
 
 void *cli_grow(void *list, size_t used, size_t *room, size_t size) {

@@ -4,14 +4,6 @@
 // are numbers: they are refused later by the range of the value, whose message
 // says what is allowed. The text is read directly into tf_real_t, because a
 // decimal rounded to double and then to float may end at a different float.
-//
-// Out: the fewest digits that read back to the same bits. Any decimal of
-// FLT_DIG or DBL_DIG digits survives conversion to binary and back, so the
-// search starts there, and 9 or 17 digits always suffice. Subnormal numbers
-// have less precision and the search starts at one digit. At a power of two the
-// gap below is half the gap above, so the nearest decimal may fail to read back
-// where its upper neighbour does: both are tried. The program never leaves the
-// C locale, so the decimal point is always a point.
 
 #include <ctype.h>
 #include <errno.h>
@@ -25,22 +17,14 @@
 #include "../../../src/link/parts.h"
 #include "text.h"
 
-// Significant digits that always suffice.
-#define FLOAT_DIGITS 9
-#define DOUBLE_DIGITS 17
-
-// The number that a decimal reads back to, as a float or a double.
-static double number_of(const char *text, char **end, bool is_float) {
-  return is_float ? (double)strtof(text, end) : strtod(text, end);
-}
-
 bool cli_read_real(const char *text, tf_real_t *value, const char **why) {
   char *end = NULL;
   *why = "is not a number";
   if (isspace((unsigned char)text[0])) return false;
   errno = 0;
-  const tf_real_t read =
-      (tf_real_t)number_of(text, &end, sizeof read == sizeof(float));
+  const tf_real_t read = sizeof read == sizeof(float)
+                             ? (tf_real_t)strtof(text, &end)
+                             : (tf_real_t)strtod(text, &end);
   if (end == text || *end != '\0') return false;
   if (errno == ERANGE && read > -TF_REAL_MIN && read < TF_REAL_MIN) {
     *why = "is too small for the number type of this build";
@@ -65,38 +49,8 @@ bool cli_read_whole(const char *text, uint64_t low, uint64_t high,
   return true;
 }
 
-// Writes the decimal with the given number of digits that is next above (in
-// magnitude) the nearest one. Returns: whether value is a power of two and the
-// decimal reads back to it.
-static bool write_above(char out[CLI_REAL_ROOM], int digits, double value,
-                        bool is_float) {
-  int exponent = 0;
-  const double fraction = frexp(value, &exponent);
-  if (fabs(fraction) > 0.5) return false;
-  (void)snprintf(out, CLI_REAL_ROOM, "%.*e", digits - 1, value);
-  char *e = strchr(out, 'e');
-  if (e == NULL || e == out || e[-1] < '0' || e[-1] > '8') return false;
-  e[-1]++;
-  return number_of(out, NULL, is_float) == value;
-}
-
-size_t cli_write_number(char out[CLI_REAL_ROOM], double value, bool is_float) {
-  const double normal = is_float ? (double)FLT_MIN : DBL_MIN;
-  const bool subnormal = value > -normal && value < normal;
-  const int safe = is_float ? FLT_DIG : DBL_DIG;
-  const int enough = is_float ? FLOAT_DIGITS : DOUBLE_DIGITS;
-  for (int digits = subnormal ? 1 : safe; digits <= enough; digits++) {
-    (void)snprintf(out, CLI_REAL_ROOM, "%.*g", digits, value);
-    if (number_of(out, NULL, is_float) == value ||
-        (digits < enough && write_above(out, digits, value, is_float)))
-      break;
-  }
-  return strlen(out);
-}
-
 size_t cli_write_real(char out[CLI_REAL_ROOM], tf_real_t value) {
-  return cli_write_number(out, (double)value,
-                          sizeof(tf_real_t) == sizeof(float));
+  return decimal_write(out, (double)value, sizeof(tf_real_t) == sizeof(float));
 }
 
 // Evenly spaced values. Each is computed from its number alone, so that a part

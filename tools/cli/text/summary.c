@@ -27,7 +27,7 @@ void cli_put_begin(const char *command) {
 
 void cli_put_number(const char *key, double value, bool is_float) {
   char text[CLI_REAL_ROOM] = "null";
-  if (isfinite(value)) (void)cli_write_number(text, value, is_float);
+  if (isfinite(value)) (void)decimal_write(text, value, is_float);
   cli_say("\"%s\": %s", key, text);
 }
 

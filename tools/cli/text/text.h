@@ -6,8 +6,7 @@
 /// was written; a header says where it is something else, or more than that.
 #pragma once
 
-#include <stddef.h>
-
+#include "../../decimal.h"
 #include "twofold/real.h"
 
 enum {
@@ -94,16 +93,10 @@ bool cli_read_whole(const char *text, uint64_t low, uint64_t high,
                     uint64_t *value);
 
 /// Room for any tf_real_t in decimal, with its terminating zero.
-#define CLI_REAL_ROOM 40
+#define CLI_REAL_ROOM DECIMAL_ROOM
 
-/// Writes the shortest decimal that reads back to the same bits.
-/// out: out, zero-terminated. value: in, finite.
-/// Returns: the length without the zero.
+/// Writes it as decimal_write does.
 size_t cli_write_real(char out[CLI_REAL_ROOM], tf_real_t value);
-
-/// The same for a float (is_float) or a double, whichever type this program was
-/// built for.
-size_t cli_write_number(char out[CLI_REAL_ROOM], double value, bool is_float);
 
 /// Reads a number that stands in the value `whole` of an option; both: in, for
 /// the message.

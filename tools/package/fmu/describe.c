@@ -11,7 +11,7 @@
 
 static void print_number(const char *name, double value) {
   char text[CLI_REAL_ROOM];
-  (void)cli_write_number(text, value, false);
+  (void)decimal_write(text, value, false);
   printf(", \"%s\": \"%s\"", name, text);
 }
 

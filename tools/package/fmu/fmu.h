@@ -154,8 +154,7 @@ typedef struct {
 #endif
 
 /// Appends a text. format: in; in it %s is the next text, of which NULL appends
-/// nothing, %u the next unsigned and %g the next double, in as many digits as
-/// tell it from others, at most 17.
+/// nothing, %u the next unsigned and %g the next double, as decimal_write.
 FMU_FORMAT(2)
 void fmu_say(fmu_message_t *message, const char *format, ...);
 void fmu_say_all(fmu_message_t *message, const char *format, va_list arguments);

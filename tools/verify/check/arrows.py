@@ -34,7 +34,7 @@ src/link/            src/scene/
 src/ensemble/        src/moreau/
 include/twofold      src/ include/twofold/real
 tools/               include/ src/
-tools/cli/text/      tools/motion src/ include/
+tools/cli/text/      tools/motion tools/decimal src/ include/
 tools/cli/host/      tools/cli/text/
 tools/cli/live/      tools/cli/host/ tools/cli/run/row
 tools/cli/setup/     tools/cli/host/
