@@ -59,9 +59,10 @@ static void observe(cli_run_t *run, const tf_report_t *before) {
   const double t = cli_run_time(run, run->done);
   cli_events_observe(&run->events, before, after, &run->system.state, t);
   tf_tally_count(&run->tally, run->done, after->status);
-  if (!tf_mode_is_slip(after->mode))
-    run->largest_h = fmax(run->largest_h, fabs((double)after->slip.h));
-  run->largest_residual = fmax(run->largest_residual, (double)after->residual);
+  const double h = fabs((double)after->slip.h);
+  const double residual = (double)after->residual;
+  if (!tf_mode_is_slip(after->mode) && h > run->largest_h) run->largest_h = h;
+  if (residual > run->largest_residual) run->largest_residual = residual;
   show(run);
 }
 

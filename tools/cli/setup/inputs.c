@@ -401,20 +401,19 @@ tf_status_t cli_step(cli_drive_t *drive, motion_scheme_t scheme,
 // many ticks away has the same draw.
 #define PART_OF_TICK UINT64_C(0x6A09E667F3BCC909)
 
-tf_status_t cli_drive_take(cli_drive_t *drive, const cli_setup_t *setup,
-                           motion_t *motion, tf_input_t *input) {
+static tf_status_t take_parts(cli_drive_t *drive, const cli_setup_t *setup,
+                              cli_span_t rest, motion_t *motion,
+                              tf_input_t *input) {
   const motion_scheme_t scheme = setup->scheme;
   const tf_state_t before = motion->state;
   tf_report_t *report = &motion->report;
-  cli_span_t rest = cli_span_of(before.tick, setup->machine.dt);
   tf_report_t met = {.status = TF_OK};
   for (uint64_t part = 0, last = 0; !last && met.status >= 0; part++) {
     cli_span_t span = rest;
-    span.to = scheme == MOTION_LOCATED ? next_row(drive, &rest) : rest.to;
+    span.to = next_row(drive, &rest);
     last = !(span.to < rest.to);
     span.dt = last ? rest.dt : span.to - span.from;
     *input = cli_drive_over(drive, &setup->machine, &span);
-    if (last && part == 0) return cli_step(drive, scheme, motion, input);
     tf_params_t params = setup->params;
     params.dt = span.dt;
     (void)motion_prepare(motion, scheme, &params, NULL);
@@ -435,6 +434,19 @@ tf_status_t cli_drive_take(cli_drive_t *drive, const cli_setup_t *setup,
   else
     motion->state.tick = before.tick + 1;
   return met.status;
+}
+
+tf_status_t cli_drive_take(cli_drive_t *drive, const cli_setup_t *setup,
+                           motion_t *motion, tf_input_t *input) {
+  if (drive->profile.count + drive->table.count == 0) {
+    *input = setup->input;
+  } else {
+    const cli_span_t span = cli_span_of(motion->state.tick, setup->machine.dt);
+    if (setup->scheme == MOTION_LOCATED && next_row(drive, &span) < span.to)
+      return take_parts(drive, setup, span, motion, input);
+    *input = cli_drive_over(drive, &setup->machine, &span);
+  }
+  return cli_step(drive, setup->scheme, motion, input);
 }
 
 void cli_drive_free(cli_drive_t *drive) {
