@@ -15,6 +15,7 @@
 
 #include "twofold/compensated.h" // tf_step_compensated: float, small steps
 #include "twofold/contact.h"     // tf_contact_modes: your own mechanism
+#include "twofold/contacts.h"    // tf_contacts_modes: with several contacts
 #include "twofold/ensemble.h"    // tf_ensemble_step: many states at once
 #include "twofold/frame.h"       // tf_frame_seal, tf_decoder_block
 #include "twofold/link.h"        // tf_link_receive: commands to a board

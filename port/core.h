@@ -57,6 +57,8 @@
 
 #include "../src/friction/codim2.c"
 #include "../src/friction/contact.c"
+#include "../src/friction/contacts.c"
+#include "../src/friction/joint.c"
 #include "../src/friction/quadrant.c"
 #include "../src/friction/select.c"
 #include "../src/friction/tyre.c"

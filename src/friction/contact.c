@@ -186,6 +186,14 @@ static multipliers_t multipliers_of(const tf_contact_modes_t *modes,
                        : stick_multipliers(modes->x[s], s);
 }
 
+TF_API multipliers_t tf_mode_multipliers(const tf_contact_t *contact,
+                                         const tf_form_t *h, const tf_form_t *g,
+                                         const tf_contact_modes_t *modes,
+                                         unsigned mode) {
+  const inclusion_t in = inclusion_under(contact, h, g, 0);
+  return mode == TF_PINNED ? pin_of(&in) : multipliers_of(modes, mode);
+}
+
 TF_API tf_status_t tf_contact_force(const tf_contact_t *contact,
                                     const tf_form_t *h, const tf_form_t *g,
                                     const tf_contact_modes_t *modes,
@@ -198,8 +206,7 @@ TF_API tf_status_t tf_contact_force(const tf_contact_t *contact,
     return TF_BAD_STATE;
   const unsigned slip = none ? slip_of_sign(at.h, TF_SLIP_PLUS) : mode;
   if (!is_slip(slip)) {
-    const multipliers_t m =
-        slip == TF_PINNED ? pin_of(&in) : multipliers_of(modes, mode);
+    const multipliers_t m = tf_mode_multipliers(contact, h, g, modes, mode);
     if (slip == TF_PINNED && !rests_under(in.rest, m.x, m.y))
       return TF_BAD_STATE;
     *force = force_under(contact, m);

@@ -385,6 +385,14 @@ TF_INLINE multipliers_t limit_multipliers(sign_t side, tf_real_t tau) {
   return (multipliers_t){unit(side), with_sign(side, tau)};
 }
 
+// Those under which a step ends in a mode: in slip at h -> 0, pinned in the
+// point that tf_contact_force takes.
+#define tf_mode_multipliers TF_LINK(tf_mode_multipliers)
+TF_API multipliers_t tf_mode_multipliers(const tf_contact_t *contact,
+                                         const tf_form_t *h, const tf_form_t *g,
+                                         const tf_contact_modes_t *modes,
+                                         unsigned mode);
+
 // The force under multipliers.
 TF_INLINE tf_force_t force_under(const tf_contact_t *contact, multipliers_t m) {
   return (tf_force_t){m.x * contact->tyre.mu, m.y * contact->kappa_mu};

@@ -1,0 +1,173 @@
+// Several contacts: their joint modes, the choice among them, the forces.
+#include "joint.h"
+
+// Returns whether all numbers are finite.
+static bool set_up(mechanism_t *k, unsigned n, const tf_contact_t *contacts,
+                   const tf_real_t *forms, const tf_slip_t *now) {
+  tf_real_t size = 0;
+  *k = (mechanism_t){.count = 2 * n,
+                     .terms = TF_TERMS(n),
+                     .contacts = contacts,
+                     .forms = forms};
+  for (unsigned f = 0; f < 2 * n * k->terms; f++) size += magnitude(forms[f]);
+  for (unsigned i = 0; i < n; i++) {
+    size += magnitude(now[i].h) + magnitude(now[i].g);
+    const tf_real_t g_free = forms[(2 * i + 1) * k->terms];
+    if (is_nearer_plus(now[i].g, g_free)) k->near_plus |= 1u << i;
+  }
+  return within(size, TF_REAL_MAX);
+}
+
+// One contact, by contact.h.
+
+static tf_form_t form_of_one(const tf_real_t f[]) {
+  return (tf_form_t){f[0], f[1], f[2], f[3], f[4], f[5]};
+}
+
+static tf_status_t modes_of_one(const mechanism_t *k, tf_slip_t now,
+                                tf_joint_mode_t found[], unsigned room,
+                                unsigned *count) {
+  const tf_form_t h = form_of_one(k->forms), g = form_of_one(k->forms + 6);
+  tf_contact_modes_t modes;
+  const tf_status_t status =
+      tf_contact_modes(k->contacts, &h, &g, now, TF_NO_MODE, &modes, NULL);
+  if (status != TF_OK) return status;
+  *count = size_of(modes.set);
+  for (unsigned mode = 0, at = 0; mode < TF_MODES && at < room; mode++) {
+    const sign_t s = sign_in(mode);
+    if (!has(modes.set, mode)) continue;
+    const multipliers_t m =
+        tf_mode_multipliers(k->contacts, &h, &g, &modes, mode);
+    found[at] = (tf_joint_mode_t){
+        .mode = {(uint8_t)mode},
+        .attracting = is_stick(mode) && has(modes.attracting, mode),
+        .near_plus = modes.near_stick == TF_STICK_PLUS,
+        .points = 1,
+        .x = {m.x},
+        .y = {has_moment(k, 0) ? m.y : 0},
+        .h = {is_slip(mode) ? modes.departure[s] : 0},
+        .g = {mode == TF_PINNED ? 0 : form_value(&g, m.x, m.y)}};
+    at++;
+  }
+  return TF_OK;
+}
+
+TF_API tf_status_t tf_contacts_modes(unsigned n, const tf_contact_t *contacts,
+                                     const tf_real_t *forms,
+                                     const tf_slip_t *now,
+                                     tf_joint_mode_t *found, unsigned room,
+                                     unsigned *count) {
+  mechanism_t k;
+  unsigned mode[TF_CONTACTS] = {0}, next;
+  bool all = true;
+  if (n - 1 >= TF_CONTACTS) return TF_BAD_PARAMETER;
+  if (!set_up(&k, n, contacts, forms, now)) return TF_BAD_STATE;
+  if (n == 1) return modes_of_one(&k, now[0], found, room, count);
+  for (unsigned i = 0; i < n; i++)
+    if (!tf_comes_to_h_0(&k, i, now[i].h))
+      slip_with_law(&k, i, sign_of(now[i].h), now[i]);
+  *count = 0;
+  do {
+    tf_joint_mode_t joint = {.points = 0};
+    all = tf_solve_modes(&k, mode, &joint) && all;
+    if (joint.points > 0 && (*count)++ < room) found[*count - 1] = joint;
+    for (next = 0; next < n && ++mode[next] == TF_MODES; next++) mode[next] = 0;
+  } while (next < n);
+  return all ? TF_OK : TF_COARSE;
+}
+
+// Whether a joint mode is admissible after the modes before, and has what the
+// first contacts chose: modes, with a bit if they attract.
+#define ATTRACTS 8u
+static bool is_left(const tf_joint_mode_t *joint, unsigned n,
+                    const uint8_t *before, const unsigned chosen[],
+                    unsigned choices) {
+  bool left = true;
+  for (unsigned i = 0; i < n; i++) {
+    const unsigned mode = joint->mode[i];
+    const unsigned attracts = (joint->attracting >> i) & 1u ? ATTRACTS : 0;
+    left = left && (attracts || !is_stick(mode) || !is_slip(before[i])) &&
+           (i >= choices || chosen[i] == (mode | attracts));
+  }
+  return left;
+}
+
+TF_API unsigned tf_contacts_choose(unsigned n, const tf_contact_t *contacts,
+                                   const tf_joint_mode_t *found, unsigned count,
+                                   const uint8_t *modes, uint64_t tick,
+                                   uint32_t seed) {
+  unsigned chosen[TF_CONTACTS], choice = 0;
+  for (unsigned i = 0; i < n; i++) {
+    tf_contact_modes_t left = {.set = 0};
+    for (unsigned j = 0; j < count; j++) {
+      const unsigned mode = found[j].mode[i];
+      const sign_t s = sign_in(mode);
+      if (!is_left(&found[j], n, modes, chosen, i)) continue;
+      left.set |= (uint8_t)TF_MODE_BIT(mode);
+      left.near_stick =
+          (found[j].near_plus >> i) & 1u ? TF_STICK_PLUS : TF_STICK_MINUS;
+      if ((found[j].attracting >> i) & 1u)
+        left.attracting |= (uint8_t)TF_MODE_BIT(mode);
+      if (is_slip(mode) &&
+          magnitude(found[j].h[i]) > magnitude(left.departure[s]))
+        left.departure[s] = found[j].h[i];
+    }
+    const unsigned mode =
+        tf_contact_choose(&contacts[i], &left, modes[i], tick, seed + i);
+    if (mode == TF_NO_MODE) return count;
+    chosen[i] = mode | (has(left.attracting, mode) ? ATTRACTS : 0);
+  }
+  while (choice < count && !is_left(&found[choice], n, modes, chosen, n))
+    choice++;
+  return choice;
+}
+
+// Puts the law at `at` into the slips of a joint mode that are not `limited`,
+// and balances the others beside them. Returns the slips that it would carry
+// across h = 0; all where the others do not balance.
+static unsigned balance(mechanism_t *k, const tf_joint_mode_t *joint,
+                        const tf_slip_t *at, unsigned limited,
+                        tf_real_t m[MULTIPLIERS]) {
+  unsigned mode[TF_CONTACTS] = {0}, crossed = 0;
+  tf_real_t h[TF_CONTACTS];
+  k->slips = 0;
+  for (unsigned i = 0; i < k->count / 2; i++) {
+    mode[i] = joint->mode[i];
+    m[2 * i] = joint->x[i];
+    m[2 * i + 1] = joint->y[i];
+    if (is_slip(mode[i])) slip_with_law(k, i, sign_in(mode[i]), at[i]);
+    if ((limited >> i) & 1u)
+      k->law[i] = (multipliers_t){joint->x[i], joint->y[i]};
+  }
+  if (!tf_balance_contacts(k, mode, m, h)) return ~limited;
+  for (unsigned i = 0; i < k->count / 2; i++)
+    if (is_slip(mode[i]) && !(with_sign(sign_in(mode[i]), h[i]) > 0))
+      crossed |= (limited >> i) & 1u ? ~limited : 1u << i;
+  return crossed;
+}
+
+TF_API tf_status_t tf_contacts_force(unsigned n, const tf_contact_t *contacts,
+                                     const tf_real_t *forms,
+                                     const tf_joint_mode_t *joint,
+                                     const tf_slip_t *at, tf_force_t *force) {
+  mechanism_t k;
+  tf_real_t m[MULTIPLIERS] = {0};
+  unsigned limited = ~0u;
+  if (n - 1 >= TF_CONTACTS) return TF_BAD_PARAMETER;
+  if (!set_up(&k, n, contacts, forms, at)) return TF_BAD_STATE;
+  for (unsigned i = 0; i < n; i++) {
+    slip_with_law(&k, i, sign_of(at[i].h), at[i]);
+    if (joint != NULL && is_slip(joint->mode[i])) limited = 0;
+  }
+  for (unsigned crossed = 1; limited != ~0u && crossed != 0;) {
+    crossed = balance(&k, joint, at, limited, m);
+    limited |= crossed;
+  }
+  for (unsigned i = 0; i < n; i++) {
+    multipliers_t of = {m[2 * i], m[2 * i + 1]};
+    if (limited == ~0u)
+      of = joint == NULL ? k.law[i] : (multipliers_t){joint->x[i], joint->y[i]};
+    force[i] = force_under(&contacts[i], of);
+  }
+  return joint == NULL ? TF_DEGRADED : TF_OK;
+}

@@ -1,0 +1,274 @@
+/* Several contacts: one as contact.h has it, contacts that do not touch each
+ * other, the order of contacts, redundant ones, forces, bounds of the room. */
+#include "common.h"
+#include "twofold/contacts.h"
+
+#define ROOM 640
+#define NUMBERS (2 * TF_CONTACTS * TF_TERMS(TF_CONTACTS))
+
+/* Forms of n contacts; slips before the step, modes before it. */
+typedef struct {
+  unsigned n;
+  tf_contact_t contact[TF_CONTACTS];
+  tf_real_t forms[NUMBERS];
+  tf_slip_t now[TF_CONTACTS];
+  uint8_t before[TF_CONTACTS];
+} mechanism_t;
+
+static tf_real_t *form(mechanism_t *k, unsigned f) {
+  return k->forms + f * TF_TERMS(k->n);
+}
+
+/* The number of the product m_i m_j in a form. */
+static unsigned product(unsigned n, unsigned i, unsigned j) {
+  const unsigned low = i < j ? i : j, high = i < j ? j : i;
+  return 1 + 2 * n + high * (high + 1) / 2 + low;
+}
+
+static mechanism_t any_mechanism(unsigned n, double products, double far) {
+  mechanism_t k = {.n = n};
+  for (unsigned i = 0; i < n; i++) {
+    const tf_tyre_law_t law =
+        uniform(0, 1) < 0.8 ? TF_TYRE_JUMP : TF_TYRE_COULOMB;
+    const tf_real_t of_rule = uniform(0, TF_RULES);
+    const tf_real_t mode = uniform(0, TF_MODES + 1);
+    CHECK(tf_contact_prepare(&k.contact[i], law, uniform(0.5, 1.5),
+                             uniform(0.05, 1), TF_REST_HULL, (tf_rule_t)of_rule,
+                             1) == TF_OK);
+    k.now[i] = (tf_slip_t){uniform(-far, far), uniform(-1, 1)};
+    k.before[i] = (uint8_t)mode;
+  }
+  for (unsigned f = 0; f < 2 * n; f++) {
+    for (unsigned t = 0; t < TF_TERMS(n); t++)
+      form(&k, f)[t] = uniform(-2, 2) * (tf_real_t)(t > 2 * n ? products : 1);
+    if (f % 2 == 0) form(&k, f)[0] += k.now[f / 2].h;
+    if (f % 2 == 0) form(&k, f)[1 + f] -= 2;
+  }
+  return k;
+}
+
+static unsigned modes_of(const mechanism_t *k, tf_joint_mode_t found[]) {
+  unsigned count = 0;
+  const tf_status_t status = tf_contacts_modes(k->n, k->contact, k->forms,
+                                               k->now, found, ROOM, &count);
+  CHECK(status == TF_OK || status == TF_COARSE);
+  CHECK(count <= ROOM);
+  return count;
+}
+
+static real value(const mechanism_t *k, unsigned f, const real m[]) {
+  const tf_real_t *c = k->forms + f * TF_TERMS(k->n);
+  real sum = wide(c[0]);
+  for (unsigned j = 0; j < 2 * k->n; j++) {
+    sum += wide(c[1 + j]) * m[j];
+    for (unsigned i = 0; i <= j; i++)
+      sum += wide(c[product(k->n, i, j)]) * m[i] * m[j];
+  }
+  return sum;
+}
+
+TEST(one_contact_is_that_of_contact_h) {
+  for (unsigned draw = 0; draw < 20000; draw++) {
+    mechanism_t k = any_mechanism(1, 0.1, draw % 2 ? 1 : 8);
+    tf_joint_mode_t found[ROOM];
+    tf_contact_modes_t modes;
+    tf_form_t h, g;
+    const unsigned count = modes_of(&k, found);
+    unsigned set = 0;
+    memcpy(&h, k.forms, sizeof h);
+    memcpy(&g, k.forms + 6, sizeof g);
+    CHECK(tf_contact_modes(k.contact, &h, &g, k.now[0], k.before[0], &modes,
+                           NULL) == TF_OK);
+    for (unsigned j = 0; j < count; j++) {
+      const unsigned mode = found[j].mode[0];
+      tf_force_t one = {1, 1}, joint = {2, 2};
+      set |= TF_MODE_BIT(mode);
+      CHECK(tf_contact_force(k.contact, &h, &g, &modes, mode, k.now[0], &one) ==
+            TF_OK);
+      CHECK(tf_contacts_force(1, k.contact, k.forms, &found[j], k.now,
+                              &joint) == TF_OK);
+      CHECK(one.F == joint.F && one.M == joint.M);
+      if (!tf_mode_is_slip(mode) && mode != TF_PINNED)
+        CHECK(found[j].x[0] == modes.x[mode - TF_STICK_PLUS]);
+    }
+    CHECK(set == modes.set);
+    const unsigned one =
+        tf_contact_choose(k.contact, &modes, k.before[0], draw, 5);
+    const unsigned joint =
+        tf_contacts_choose(1, k.contact, found, count, k.before, draw, 5);
+    CHECK(one == (joint < count ? found[joint].mode[0] : TF_NO_MODE));
+  }
+}
+
+/* Contacts that do not touch each other have the product of their modes. */
+TEST(apart_contacts_have_the_product_of_their_sets) {
+  for (unsigned draw = 0; draw < 4000; draw++) {
+    mechanism_t k = any_mechanism(2 + draw % 2, draw % 3 ? 0 : 0.05, 1);
+    tf_joint_mode_t found[ROOM];
+    unsigned expected = 1;
+    for (unsigned f = 0; f < 2 * k.n; f++) {
+      mechanism_t one = {.n = 1, .contact = {k.contact[f / 2]}};
+      one.now[0] = k.now[f / 2];
+      for (unsigned j = 0; j < 2 * k.n; j++) {
+        if (j / 2 != f / 2) form(&k, f)[1 + j] = 0;
+        for (unsigned i = 0; i <= j; i++)
+          if (i / 2 != f / 2 || j / 2 != f / 2)
+            form(&k, f)[product(k.n, i, j)] = 0;
+      }
+      if (f % 2 == 0) continue;
+      for (unsigned g = 0; g < 2; g++) {
+        const tf_real_t *from = form(&k, f - 1 + g);
+        tf_real_t *to = form(&one, g);
+        to[0] = from[0];
+        for (unsigned j = 0; j < 2; j++) {
+          to[1 + j] = from[1 + f - 1 + j];
+          for (unsigned i = 0; i <= j; i++)
+            to[product(1, i, j)] = from[product(k.n, f - 1 + i, f - 1 + j)];
+        }
+      }
+      expected *= modes_of(&one, found);
+    }
+    CHECK(modes_of(&k, found) == expected);
+  }
+}
+
+/* The contacts in another order, and their multipliers. */
+static mechanism_t turned(const mechanism_t *k) {
+  mechanism_t t = {.n = k->n};
+  const unsigned n = k->n;
+  for (unsigned i = 0; i < n; i++) {
+    const unsigned from = (i + 1) % n;
+    t.contact[i] = k->contact[from];
+    t.now[i] = k->now[from];
+    for (unsigned f = 0; f < 2; f++) {
+      const tf_real_t *old = k->forms + (2 * from + f) * TF_TERMS(n);
+      tf_real_t *new = form(&t, 2 * i + f);
+      new[0] = old[0];
+      for (unsigned a = 0; a < 2 * n; a++) {
+        new[1 + a] = old[1 + (a + 2) % (2 * n)];
+        for (unsigned b = a; b < 2 * n; b++)
+          new[product(n, a, b)] =
+              old[product(n, (a + 2) % (2 * n), (b + 2) % (2 * n))];
+      }
+    }
+  }
+  return t;
+}
+
+TEST(order_of_contacts_does_not_matter) {
+  unsigned several = 0;
+  for (unsigned draw = 0; draw < 2000; draw++) {
+    const mechanism_t k = any_mechanism(2 + draw % 2, draw % 3 ? 0 : 0.01, 1);
+    const mechanism_t t = turned(&k);
+    tf_joint_mode_t found[ROOM], other[ROOM];
+    const unsigned count = modes_of(&k, found);
+    CHECK(modes_of(&t, other) == count);
+    several += count > 1;
+    for (unsigned j = 0; j < count; j++) {
+      unsigned same = 0;
+      for (unsigned l = 0; l < count; l++) {
+        unsigned equal = 0;
+        for (unsigned i = 0; i < k.n; i++)
+          equal += other[l].mode[i] == found[j].mode[(i + 1) % k.n];
+        same += equal == k.n;
+      }
+      CHECK(same == 1);
+    }
+  }
+  CHECK(several > 500);
+}
+
+/* Under the hull there is always a joint mode; each holds, and so do its
+ * forces under the law of slip. */
+TEST(joint_modes_hold) {
+  for (unsigned draw = 0; draw < 3000; draw++) {
+    const mechanism_t k = any_mechanism(2 + draw % 2, 0.01, draw % 4 ? 1 : 8);
+    tf_joint_mode_t found[ROOM];
+    const unsigned count = modes_of(&k, found);
+    CHECK(count > 0);
+    for (unsigned j = 0; j < count; j++) {
+      tf_force_t force[TF_CONTACTS];
+      real m[2 * TF_CONTACTS], by_law[2 * TF_CONTACTS];
+      CHECK(tf_contacts_force(k.n, k.contact, k.forms, &found[j], k.now,
+                              force) == TF_OK);
+      for (unsigned i = 0; i < k.n; i++) {
+        m[2 * i] = wide(found[j].x[i]);
+        m[2 * i + 1] = wide(found[j].y[i]);
+        by_law[2 * i] = wide(force[i].F * k.contact[i].inv_mu);
+        by_law[2 * i + 1] = wide(force[i].M * k.contact[i].inv_kappa_mu);
+      }
+      for (unsigned i = 0; i < k.n; i++) {
+        const unsigned mode = found[j].mode[i];
+        const real h = value(&k, 2 * i, m), law = value(&k, 2 * i, by_law);
+        if (tf_mode_is_slip(mode)) {
+          CHECK(mode == TF_SLIP_PLUS ? h > -400 * EPSILON : h < 400 * EPSILON);
+          CHECK(mode == TF_SLIP_PLUS ? law > -400 * EPSILON
+                                     : law < 400 * EPSILON);
+        } else {
+          CHECK(fabsl(h) < 4000 * EPSILON && fabsl(law) < 4000 * EPSILON);
+          CHECK(fabsl(m[2 * i]) <= 4.0L / 3);
+        }
+      }
+    }
+  }
+}
+
+/* Three wheels of a rigid body that share two degrees of freedom: the motion is
+ * unique, the forces are not. Those of the least sum of squares are equal. */
+TEST(redundant_contacts_share_the_force) {
+  mechanism_t k = any_mechanism(3, 0, 0);
+  memset(k.forms, 0, sizeof k.forms);
+  for (unsigned i = 0; i < 3; i++) {
+    CHECK(tf_contact_prepare(&k.contact[i], TF_TYRE_COULOMB, 1, 1, TF_REST_HULL,
+                             TF_RULE_PERSIST, 0) == TF_OK);
+    form(&k, 2 * i)[0] = TF_R(1.5);
+    form(&k, 2 * i + 1)[0] = 1;
+    for (unsigned j = 0; j < 3; j++) form(&k, 2 * i)[1 + 2 * j] = -1;
+  }
+  tf_joint_mode_t found[ROOM];
+  const unsigned count = modes_of(&k, found);
+  unsigned sticks = 0;
+  for (unsigned j = 0; j < count; j++)
+    for (unsigned i = 0; i < 3; i++) {
+      if (found[j].mode[0] != TF_STICK_PLUS ||
+          found[j].mode[1] != TF_STICK_PLUS ||
+          found[j].mode[2] != TF_STICK_PLUS)
+        continue;
+      sticks++;
+      CHECK(fabsl(wide(found[j].x[i]) - 0.5L) < 0x1p14L * EPSILON);
+    }
+  CHECK(sticks == 3);
+}
+
+TEST(what_is_out_of_range_is_refused) {
+  mechanism_t k = any_mechanism(2, 0, 1);
+  tf_joint_mode_t found[ROOM], few[1];
+  tf_force_t force[TF_CONTACTS] = {{3, 3}};
+  unsigned count = 77, all;
+  for (unsigned n = 0; n <= TF_CONTACTS + 1; n += TF_CONTACTS + 1) {
+    CHECK(tf_contacts_modes(n, k.contact, k.forms, k.now, found, ROOM,
+                            &count) == TF_BAD_PARAMETER);
+    CHECK(tf_contacts_force(n, k.contact, k.forms, NULL, k.now, force) ==
+          TF_BAD_PARAMETER);
+  }
+  CHECK(tf_contacts_force(2, k.contact, k.forms, NULL, k.now, force) ==
+        TF_DEGRADED);
+  const tf_force_t law = tf_tyre_force(
+      &k.contact[1].tyre, k.now[1].h < 0 ? -1 : 1, k.now[1].h, k.now[1].g);
+  CHECK(fabsl(wide(force[1].F - law.F)) < 16 * EPSILON);
+  for (unsigned draw = 0; draw < 50; draw++) {
+    const mechanism_t many = any_mechanism(3, 0, 1);
+    all = modes_of(&many, found);
+    CHECK(tf_contacts_modes(3, many.contact, many.forms, many.now, few, 1,
+                            &count) >= TF_OK);
+    CHECK(count == all);
+    CHECK(memcmp(few[0].mode, found[0].mode, sizeof few[0].mode) == 0);
+  }
+  k.forms[7] = (tf_real_t)NAN;
+  count = 77;
+  CHECK(tf_contacts_modes(2, k.contact, k.forms, k.now, found, ROOM, &count) ==
+        TF_BAD_STATE);
+  CHECK(tf_contacts_force(2, k.contact, k.forms, found, k.now, force) ==
+        TF_BAD_STATE);
+  CHECK(count == 77);
+}
