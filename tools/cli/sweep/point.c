@@ -58,7 +58,7 @@ typedef struct {
 
   // What was seen of the motion so far.
   uint64_t steps;
-  tf_report_t report; // of the last step
+  tf_report_t report; // of the last step that was looked at
   tf_tally_t tally;
   cli_events_t events;
   unsigned modes; // bits TF_MODE_BIT
@@ -66,7 +66,6 @@ typedef struct {
   double pinned_since;                // [s], of the last time
   double first_arrival, last_arrival; // at the two-fold [s]
   double energy_at_start;             // [J]
-  double r_low, r_high;               // [m]
 } point_t;
 
 // The points that are followed together, each in its lane, where there are
@@ -75,7 +74,9 @@ static struct {
   point_t points[TF_LANES];
   size_t going; // on
   tf_state_block_t states;
-  tf_report_block_t reports;
+  tf_report_block_t reports[2];            // of even and of odd steps
+  tf_input_t input;                        // of the last step
+  tf_real_t low[TF_LANES], high[TF_LANES]; // of r [m]
 } group;
 
 static double energy_of(const point_t *point) {
@@ -83,11 +84,28 @@ static double energy_of(const point_t *point) {
                            point->input.r0);
 }
 
+static void reach(const tf_real_t *r, size_t lanes) {
+  for (size_t n = 0; n < lanes; n++) {
+    group.low[n] = r[n] < group.low[n] ? r[n] : group.low[n];
+    group.high[n] = r[n] > group.high[n] ? r[n] : group.high[n];
+  }
+}
+
+// Counts the steps up to one that were not looked at: they are as it was.
+static void pass(point_t *point, uint64_t to, const tf_report_t *report) {
+  const uint64_t steps = to - point->steps;
+  if (!tf_mode_is_slip(report->mode)) point->stuck += steps;
+  if (report->choices > 1) point->events.ambiguous += steps;
+  point->steps = to;
+  point->report = *report;
+}
+
+// Looks at step i, behind one with the report `before`.
 static void see(point_t *point, uint64_t i, const tf_input_t *input,
-                const tf_report_t *report) {
+                const tf_report_t *before, const tf_report_t *report) {
   const double t = (double)i * (double)point->setup.machine.dt;
-  const double r = (double)point->setup.motion.state.r;
   const uint64_t arrivals = point->events.counts[CLI_TWO_FOLD];
+  pass(point, i - 1, before);
   if (report->status < 0) {
     (void)snprintf(point->reason, REASON_ROOM, "step %" PRIu64 ": %s", i,
                    tf_status_name(report->status));
@@ -96,21 +114,19 @@ static void see(point_t *point, uint64_t i, const tf_input_t *input,
     return;
   }
   tf_tally_count(&point->tally, i, report->status);
-  cli_events_observe(&point->events, &point->report, report,
-                     &point->setup.motion.state, t);
+  cli_events_observe(&point->events, before, report, &point->setup.motion.state,
+                     t);
   if (point->events.counts[CLI_TWO_FOLD] > arrivals) {
     point->first_arrival = arrivals == 0 ? t : point->first_arrival;
     point->last_arrival = t;
   }
-  if (report->mode == TF_PINNED && point->report.mode != TF_PINNED)
+  if (report->mode == TF_PINNED && before->mode != TF_PINNED)
     point->pinned_since = t;
   point->steps = i;
   point->input = *input;
   point->modes |= TF_MODE_BIT(report->mode);
-  point->changes += report->mode != point->report.mode;
+  point->changes += report->mode != before->mode;
   point->stuck += !tf_mode_is_slip(report->mode);
-  point->r_low = fmin(point->r_low, r);
-  point->r_high = fmax(point->r_high, r);
   point->report = *report;
 }
 
@@ -121,6 +137,7 @@ static void add_outcomes(const point_t *point, cli_buffer_t *text) {
   const double none = (double)NAN, steps = (double)point->steps;
   const double arrivals = (double)point->events.counts[CLI_TWO_FOLD];
   const tf_state_t *x = &point->setup.motion.state;
+  const size_t lane = (size_t)(point - group.points);
   const double energy = energy_of(point);
   const double values[CLI_MEASURES] = {
       point->modes,
@@ -138,8 +155,8 @@ static void add_outcomes(const point_t *point, cli_buffer_t *text) {
       (double)point->stuck / steps,
       energy,
       energy - point->energy_at_start,
-      point->r_low,
-      point->r_high,
+      (double)group.low[lane],
+      (double)group.high[lane],
       (double)x->r,
       (double)x->v,
       (double)x->w,
@@ -238,7 +255,6 @@ static void begin(point_t *point) {
   point->input = point->setup.input;
   point->report = point->setup.motion.report;
   point->modes = TF_MODE_BIT(point->report.mode);
-  point->r_low = point->r_high = (double)point->setup.motion.state.r;
   point->energy_at_start = energy_of(point);
   cli_events_begin(&point->events, 0, &point->report);
   group.going++;
@@ -250,7 +266,8 @@ static void step_alone(point_t *point, uint64_t i) {
                                             &point->setup.motion, &input);
   tf_report_t report = point->setup.motion.report;
   report.status = status;
-  see(point, i, &input, &report);
+  reach(&point->setup.motion.state.r, 1);
+  see(point, i, &input, &point->report, &report);
 }
 
 // The lanes for AVX2, where the program was linked with them: a baseline x86-64
@@ -266,30 +283,65 @@ __attribute__((weak)) size_t step_with_avx2(const tf_machine_t *machine,
 #define HAS_AVX2 false
 #endif
 
+// Which lanes are to be looked at. Of the others the step was TF_OK, and mode,
+// sign of the Delassus scalar and whether there are several futures as before.
+static void find_due(const tf_report_block_t *was, const tf_report_block_t *now,
+                     uint8_t due[TF_LANES]) {
+  for (size_t n = 0; n < TF_LANES; n++)
+    due[n] = (was->delassus[n] > 0) != (now->delassus[n] > 0);
+  for (size_t n = 0; n < TF_LANES; n++)
+    due[n] |= (now->mode[n] != was->mode[n]) | (now->status[n] != TF_OK) |
+              ((now->choices[n] > 1) != (was->choices[n] > 1));
+}
+
 // Machine and inputs are those of all points.
 static void step_together(size_t count, uint64_t i) {
   // half a block and less costs more than its single steps
   const size_t lanes = count > TF_LANES / 2 ? TF_LANES : count;
   const tf_machine_t *machine = &group.points[0].setup.machine;
+  const tf_report_block_t *was = &group.reports[(i - 1) % 2];
+  tf_report_block_t *now = &group.reports[i % 2];
   const cli_span_t span = cli_span_of(i - 1, machine->dt);
   const tf_input_t input =
       cli_drive_over(&group.points[0].drive, machine, &span);
-  (void)(HAS_AVX2 ? step_with_avx2 : tf_ensemble_step)(
-      machine, &group.states, lanes, &input, &group.reports);
+  uint8_t due[TF_LANES];
+  (void)(HAS_AVX2 ? step_with_avx2 : tf_ensemble_step)(machine, &group.states,
+                                                       lanes, &input, now);
+  reach(group.states.r, TF_LANES);
+  find_due(was, now, due);
   for (size_t n = 0; n < count; n++) {
     point_t *point = &group.points[n];
-    if (point->end == CLI_POINT_DONE) {
-      const tf_report_t report = tf_ensemble_report(&group.reports, n);
-      point->setup.motion.state = tf_ensemble_get(&group.states, n);
-      see(point, i, &input, &report);
-    }
+    if ((due[n] == 0 && i > 1) || point->end != CLI_POINT_DONE) continue;
+    const tf_report_t before =
+        i > 1 ? tf_ensemble_report(was, n) : point->report;
+    const tf_report_t report = tf_ensemble_report(now, n);
+    point->setup.motion.state = tf_ensemble_get(&group.states, n);
+    point->input = group.input;
+    see(point, i, &input, &before, &report);
+  }
+  group.input = input;
+}
+
+// What is not seen before the end of the motions.
+static void end_together(size_t count, uint64_t steps) {
+  for (size_t n = 0; n < count; n++) {
+    point_t *point = &group.points[n];
+    if (point->end != CLI_POINT_DONE || steps == 0) continue;
+    const tf_report_t report = tf_ensemble_report(&group.reports[steps % 2], n);
+    pass(point, steps, &report);
+    point->setup.motion.state = tf_ensemble_get(&group.states, n);
+    point->input = group.input;
   }
 }
 
 // Returns: whether the motions have come to their ends.
 static bool follow(size_t count, uint64_t steps) {
-  for (size_t n = 0; n < TF_LANES; n++) // nobody sees lanes beyond count
-    tf_ensemble_put(&group.states, n, &group.points[n].setup.motion.state);
+  for (size_t n = 0; n < TF_LANES; n++) { // nobody sees lanes beyond count
+    const tf_state_t *state = &group.points[n].setup.motion.state;
+    tf_ensemble_put(&group.states, n, state);
+    group.low[n] = group.high[n] = state->r;
+  }
+  group.input = group.points[0].input;
   for (uint64_t i = 1; i <= steps && group.going > 0; i++) {
     if (i % BATCH == 0 && cli_stop_asked()) return false;
     if (count > 1)
@@ -297,6 +349,7 @@ static bool follow(size_t count, uint64_t steps) {
     else
       step_alone(&group.points[0], i);
   }
+  if (count > 1) end_together(count, steps);
   return true;
 }
 
