@@ -2,12 +2,20 @@
 """`twofold sweep`: a row is what `run` does with the same settings, shards and
 files that are gone on with have the bytes of one run, a point that is refused
 has a row that says why, and errors name axis and range."""
+import os
 import re
+import signal
 from pathlib import Path
 
 import outputs
 from outputs import check_whole, column, says, says_each, table
-from tap import TWOFOLD, call, check, main, same
+from tap import TWOFOLD, call, check, main, same, until
+
+def children(process):
+    """The processes that one has started."""
+    return [*map(int, Path(f"/proc/{process}/task/{process}/children")
+                 .read_text().split())]
+
 
 ENDS = ["end_r", "end_v", "end_omega", "end_h", "end_g"]
 ALL = ["modes", "final", "changes", "rest", "arrivals", "arrival", "recurrence",
@@ -227,6 +235,34 @@ def test_lanes():
                   "r=0.1:0.2:2 --set law=coulomb", "dt=1e-3:2e-3:2"):
         says(0, "points/s, one by one", "sweep", "chaos", "--t-end", "0.1",
              "--over", *words.split())
+
+
+def test_jobs():
+    """Their number does not show in the rows, nor where one goes on, whatever
+    ended the program; and none outlives it."""
+    for words in SLOW, ["sweep", *GRID], ["sweep", *GRID, "--shard", "2/3"]:
+        same(len({call(*words, f"-j{n}")[0] for n in (1, 2, 7)}), 1)
+    whole = call(*SLOW, "--jobs=1")[0]
+    for number, first, then in ((signal.SIGINT, 3, 2), (signal.SIGKILL, 2, 5)):
+        child = outputs.started("x", *SLOW, "-j", first, "--out", "x")
+        there = children(child.pid)
+        same(len(there), first)
+        child.send_signal(number)
+        child.communicate()
+        until(lambda: not any(Path(f"/proc/{n}").exists() for n in there), "")
+        said = call(*SLOW, "--out", "x", "--resume", "-j", then)[1]
+        check("of which" in said and f"{then} jobs" in said, said)
+        same(Path("x").read_text(), whole)
+        Path("x").unlink()
+        Path("x.resume").unlink()
+
+
+def test_a_job_that_ends():
+    child = outputs.started("x", *SLOW, "-j", "2", "--out", "x")
+    os.kill(children(child.pid)[0], signal.SIGKILL)
+    said = child.communicate()[1]
+    same(child.returncode, 4)
+    check("a process ended at point" in said and "x.part" in said, said)
 
 
 def test_refusals():

@@ -56,6 +56,7 @@ typedef struct {
   const char *noun;   ///< of choices, for messages; NULL: "must be"
   const char *needs;  ///< name of an option without which it is refused
   bool is_repeatable; ///< may be given more than once
+  char letter;        ///< of its short name: -o FILE, -oFILE; 0: it has none
 } cli_option_t;
 
 /// The table of all options: table.c.

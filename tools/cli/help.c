@@ -74,8 +74,10 @@ static void print_page(const cli_command_t *command) {
   for (size_t i = 0; i < cli_option_count; i++) {
     const cli_option_t *option = &cli_options[i];
     if (!cli_takes(command, option)) continue;
-    const int used = printf("  %s %s", option->name,
-                            option->value != NULL ? option->value : "");
+    int used =
+        option->letter != 0 ? printf("  -%c, ", option->letter) : printf("  ");
+    used += printf("%s %s", option->name,
+                   option->value != NULL ? option->value : "");
     (void)printf("%*s", used < COLUMN ? COLUMN - used : 1, "");
     describe(option, COLUMN, COLUMN);
   }

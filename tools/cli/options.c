@@ -49,8 +49,9 @@ static const cli_option_t *find_option(const cli_command_t *command,
   for (size_t i = 0; i < cli_option_count; i++) {
     const cli_option_t *option = &cli_options[i];
     if (!cli_takes(command, option)) continue;
-    if (strlen(option->name) == length &&
-        strncmp(option->name, word, length) == 0)
+    if ((strlen(option->name) == length &&
+         strncmp(option->name, word, length) == 0) ||
+        (option->letter != 0 && word[1] == option->letter))
       return option;
     cli_closest_offer(&closest, option->name);
   }
@@ -188,10 +189,11 @@ static bool was_given(const line_t *line, const char *name) {
 // Reads the option that starts at argv[*at] and moves *at to its last word.
 static int read_option(line_t *line, int argc, char *const argv[], int *at) {
   const char *word = argv[*at];
-  const size_t length = strcspn(word, "=");
   const cli_option_t *option = find_option(line->command, word);
   if (option == NULL) return CLI_USAGE;
-  const bool valued = word[length] == '=';
+  const bool is_short = word[1] != '-';
+  const size_t length = is_short ? 1 : strcspn(word, "=");
+  const bool valued = word[length] == '=' || (is_short && word[2] != '\0');
   cli_given_t given = {option->name, ""};
   if (option->value == NULL) {
     if (valued) return cli_message(CLI_USAGE, "%s: takes no value", word);

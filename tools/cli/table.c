@@ -143,6 +143,9 @@ const cli_option_t cli_options[] = {
      "columns, from the list below; default: modes, rest, recurrence, energy, "
      "ambiguous",
      .is_repeatable = true},
+    {"--jobs", "N", CLI_SWEEP, WHOLE(jobs, 1, 1024, 0),
+     "processes that share the points; default: one a processor",
+     .letter = 'j'},
     {"--by", "KIND", CLI_DIVERGE, CHOICE(mechanism, 0),
      "what selects the exit:", .choices = mechanisms, .noun = "kind"},
     {"--rate", "R", CLI_DIVERGE, OTHER(read_named),

@@ -297,7 +297,7 @@ static void summarise_json(const work_t *work, double seconds, int code) {
   cli_put_count("cycles", done->count[CYCLES]);
   for (int i = 1; i < CLI_OUTCOMES; i++)
     cli_put_count(outcomes[i], done->count[i]);
-  cli_put_end(seconds, code);
+  cli_put_end(cycles_of(work), seconds, code);
 }
 
 // What the rows follow from: program, machine, start and options.

@@ -179,7 +179,8 @@ int cli_exhaustive(const cli_job_t *job, cli_sheets_t *sheets) {
     cli_put_count("branches", search.branches);
     cli_put_count("joined", search.joined);
     cli_put_count("dropped", search.dropped);
-    cli_put_end(cli_now() - sheets->progress.started, code);
+    cli_put_end((double)search.visited, cli_now() - sheets->progress.started,
+                code);
   } else {
     cli_say("nodes      %" PRIu64 "\nbranches   %" PRIu64 ", of which %" PRIu64
             " joined a known node, %" PRIu64 " found no room (--count)\n",

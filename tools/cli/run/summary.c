@@ -433,12 +433,11 @@ static void put_all(const cli_run_t *run, int code) {
   put_events(&run->events);
   put_quality(run);
   put_final(run);
-  cli_put_double("seconds", run->seconds);
   cli_put_double("output_seconds", run->output_seconds);
   cli_put_count("late", run->late);
   cli_put_double("latest", run->latest);
   cli_put_word("end", ends[run->end]);
-  cli_put_exit(code);
+  cli_put_end((double)(run->done - run->first), run->seconds, code);
 }
 
 void cli_summary(const cli_run_t *run, bool json, int code) {

@@ -50,6 +50,7 @@ typedef struct {
   cli_axis_t axis[CLI_AXES];
   size_t axes;
   uint64_t points; ///< product of the axes
+  uint64_t jobs;   ///< processes; 0: one a processor
   unsigned measure[CLI_COLUMNS];
   size_t measures;
 

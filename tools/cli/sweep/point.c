@@ -18,7 +18,6 @@
 
 #define BATCH 4096 // steps between two checks for a signal
 #define REASON_ROOM 512
-#define ROW_ROOM 2048
 
 // Outcomes: what is left of a motion when its rows are not kept. All are of the
 // steps themselves, so they agree with what `run` prints of the same motion.
@@ -359,11 +358,11 @@ static void drop_commas(char *text) {
     if (*text == ',' || *text == '\n') *text = ';';
 }
 
-static bool write_row(cli_sweep_t *sweep, uint64_t index, point_t *point) {
+static void write_row(const cli_sweep_t *sweep, uint64_t index, point_t *point,
+                      cli_chunk_t *chunk) {
   const cli_args_t *args = sweep->args;
   const tf_tally_t *tally = &point->tally;
-  char row[ROW_ROOM];
-  cli_buffer_t text = {row, 0, sizeof row, false};
+  cli_buffer_t text = {chunk->rows + chunk->used, 0, CLI_SWEEP_ROW, false};
   if (point->end == CLI_POINT_DONE && cli_tally_code(tally) != CLI_DONE) {
     point->end = CLI_POINT_FLAGGED;
     (void)snprintf(point->reason, REASON_ROOM,
@@ -385,14 +384,15 @@ static bool write_row(cli_sweep_t *sweep, uint64_t index, point_t *point) {
     for (size_t i = 0; i < args->measures; i++) cli_add(&text, ",");
   }
   cli_add(&text, "\n");
-  sweep->ends[point->end]++;
-  sweep->sheets.done.done++;
-  return cli_sheet_put(sweep->sheets.sheet, row, text.used);
+  chunk->used += text.used;
+  chunk->ends[point->end]++;
 }
 
-bool cli_points_follow(cli_sweep_t *sweep, uint64_t index, size_t count) {
+bool cli_points_follow(cli_sweep_t *sweep, uint64_t index, size_t count,
+                       cli_chunk_t *chunk) {
   uint64_t steps = 0;
   group.going = 0;
+  memset(chunk, 0, offsetof(cli_chunk_t, rows));
   for (size_t n = 0; n < count; n++) {
     point_t *point = &group.points[n];
     memset(point, 0, sizeof *point);
@@ -404,8 +404,8 @@ bool cli_points_follow(cli_sweep_t *sweep, uint64_t index, size_t count) {
     point->end = code == CLI_DONE ? CLI_POINT_DONE : CLI_POINT_REFUSED;
     if (code == CLI_DONE) begin(point);
   }
-  bool goes_on = follow(count, steps);
-  for (size_t n = 0; n < count && goes_on; n++)
-    goes_on = write_row(sweep, index + n, &group.points[n]);
-  return goes_on && cli_sheets_save(&sweep->sheets, true);
+  if (!follow(count, steps)) return false;
+  for (size_t n = 0; n < count; n++)
+    write_row(sweep, index + n, &group.points[n], chunk);
+  return true;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../host/sheet.h"
+#include "../host/workers.h"
 #include "../setup/args.h"
 
 /// Name of a column, unit ("" of modes), what it is, and whether it is a count.
@@ -24,6 +25,15 @@ typedef enum {
 /// Their names, as in the column `status`.
 extern const char *const cli_point_ends[CLI_POINT_ENDS];
 
+#define CLI_SWEEP_ROW 2048
+
+/// What has become of some points.
+typedef struct {
+  size_t used;                  ///< bytes of the rows
+  uint8_t ends[CLI_POINT_ENDS]; ///< counts
+  char rows[TF_LANES * CLI_SWEEP_ROW];
+} cli_chunk_t;
+
 typedef struct {
   const cli_args_t *args;
   motion_scheme_t scheme; ///< MOTION_SCHEMES: that of the first point
@@ -33,6 +43,8 @@ typedef struct {
                      ///< machine, or its law or scheme has no lanes
   cli_drive_t drive; ///< of --inputs, and of the scene
   cli_sheets_t sheets;
+  unsigned jobs;                 ///< processes
+  cli_workers_t workers;         ///< none: this process follows all points
   uint64_t ends[CLI_POINT_ENDS]; ///< counts
 } cli_sweep_t;
 
@@ -40,8 +52,9 @@ typedef struct {
 /// of the sweep that is not known before.
 int cli_point_check(cli_sweep_t *sweep);
 
-/// Follows the motions at so many points to their ends, and writes their rows.
+/// Follows the motions at so many points to their ends.
 /// index: in, of the first, 0 to points - 1; the last axis is the inner loop.
-/// count: in, 1 to sweep->together.
-/// Returns: whether to go on: no stop is asked for, and rows can be written.
-bool cli_points_follow(cli_sweep_t *sweep, uint64_t index, size_t count);
+/// count: in, 1 to sweep->together. chunk: out.
+/// Returns: whether they came there: no stop is asked for.
+bool cli_points_follow(cli_sweep_t *sweep, uint64_t index, size_t count,
+                       cli_chunk_t *chunk);

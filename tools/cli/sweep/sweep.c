@@ -1,6 +1,7 @@
-// The command `sweep`. It takes one core; several cores take a shard each
-// (tools/study/shards). A point whose machine is refused is an answer and no
-// failure: its row says so, and the program ends with code 0.
+// The command `sweep`. Processes take chunks of points in turn, whose rows this
+// one writes in their order: so their number does not show. A point whose
+// machine is refused is an answer and no failure: its row says so, and the
+// program ends with code 0.
 
 #include <inttypes.h>
 #include <math.h>
@@ -15,14 +16,60 @@ static double done_of(const cli_sheets_t *sheets) {
   return (double)(sheets->done.done - sheets->kept.done);
 }
 
-static void do_points(cli_sweep_t *sweep) {
+static cli_chunk_t chunk;
+
+// Points of the chunk that begins behind so many of the shard.
+static size_t size_at(const cli_sweep_t *sweep, uint64_t at) {
+  const uint64_t left = sweep->sheets.total - at;
+  return left < sweep->together ? (size_t)left : sweep->together;
+}
+
+// What a process does: every so many chunks one.
+static void work(void *with, unsigned worker, int to) {
+  cli_sweep_t *sweep = with;
+  const uint64_t total = sweep->sheets.total, together = sweep->together;
+  uint64_t at = sweep->sheets.done.done + worker * together;
+  for (; at < total &&
+         cli_points_follow(sweep, sweep->sheets.first + at, size_at(sweep, at),
+                           &chunk) &&
+         cli_pipe_write(to, &chunk, offsetof(cli_chunk_t, rows) + chunk.used);
+       at += sweep->jobs * together) {
+  }
+}
+
+// Returns: whether the chunk at a place is there.
+static bool take_chunk(cli_sweep_t *sweep, uint64_t at) {
+  const uint64_t next = (at - sweep->sheets.kept.done) / sweep->together;
+  const unsigned worker = (unsigned)(next % sweep->jobs);
+  if (sweep->jobs == 1)
+    return cli_points_follow(sweep, sweep->sheets.first + at,
+                             size_at(sweep, at), &chunk);
+  return cli_workers_read(&sweep->workers, worker, &chunk,
+                          offsetof(cli_chunk_t, rows)) &&
+         cli_workers_read(&sweep->workers, worker, chunk.rows, chunk.used);
+}
+
+static int start_workers(cli_sweep_t *sweep) {
+  const uint64_t left = sweep->sheets.total - sweep->sheets.done.done;
+  const uint64_t chunks = (left + sweep->together - 1) / sweep->together;
+  uint64_t jobs = sweep->args->jobs > 0 ? sweep->args->jobs : cli_processors();
+  jobs = jobs < CLI_JOBS ? jobs : CLI_JOBS;
+  sweep->jobs = (unsigned)(jobs < chunks ? jobs : chunks);
+  return sweep->jobs > 1
+             ? cli_workers_start(&sweep->workers, sweep->jobs, work, sweep)
+             : CLI_DONE;
+}
+
+static int do_points(cli_sweep_t *sweep) {
   cli_sheets_t *sheets = &sweep->sheets;
-  bool goes_on = true;
-  while (goes_on && sheets->done.done < sheets->total && !cli_stop_asked()) {
-    const uint64_t left = sheets->total - sheets->done.done;
-    goes_on = cli_points_follow(
-        sweep, sheets->first + sheets->done.done,
-        left < sweep->together ? (size_t)left : sweep->together);
+  CLI_TRY(start_workers(sweep));
+  while (sheets->done.done < sheets->total && !cli_stop_asked() &&
+         take_chunk(sweep, sheets->done.done)) {
+    sheets->done.done += size_at(sweep, sheets->done.done);
+    for (int i = 0; i < CLI_POINT_ENDS; i++) sweep->ends[i] += chunk.ends[i];
+    if (!cli_sheet_put(sheets->sheet, chunk.rows, chunk.used) ||
+        !cli_sheets_save(sheets, true))
+      break;
     const double now = cli_now();
     cli_progress_say(
         &sheets->progress, now,
@@ -30,6 +77,13 @@ static void do_points(cli_sweep_t *sweep) {
         "%" PRIu64 " of %" PRIu64 " points, %.3g points/s", sheets->done.done,
         sheets->total, done_of(sheets) / (now - sheets->progress.started));
   }
+  cli_workers_end(&sweep->workers);
+  if (sheets->done.done == sheets->total) return CLI_DONE;
+  if (sheets->sheet->output.error != 0)
+    return CLI_STOPPED; // cli_sheets_close has the message
+  return cli_message(CLI_STOPPED, "%s at point %" PRIu64,
+                     cli_stop_asked() ? "interrupted" : "a process ended",
+                     sheets->first + sheets->done.done);
 }
 
 static void summarise(const cli_sweep_t *sweep, double seconds) {
@@ -45,9 +99,10 @@ static void summarise(const cli_sweep_t *sweep, double seconds) {
       separator = ", ";
     }
   }
-  cli_say("\ncost       %.3g s, %.3g points/s, %s\n", seconds,
+  cli_say("\ncost       %.3g s, %.3g points/s, %s, %u jobs\n", seconds,
           seconds > 0 ? done_of(sheets) / seconds : 0.0,
-          sweep->together > 1 ? "in lanes of an ensemble" : "one by one");
+          sweep->together > 1 ? "in lanes of an ensemble" : "one by one",
+          sweep->jobs);
 }
 
 static void summarise_json(const cli_sweep_t *sweep, double seconds, int code) {
@@ -59,7 +114,8 @@ static void summarise_json(const cli_sweep_t *sweep, double seconds, int code) {
   for (int i = 0; i < CLI_POINT_ENDS; i++)
     cli_put_count(cli_point_ends[i], sweep->ends[i]);
   cli_put_count("together", sweep->together);
-  cli_put_end(seconds, code);
+  cli_put_count("jobs", sweep->jobs);
+  cli_put_end(done_of(&sweep->sheets), seconds, code);
 }
 
 // What the rows of all shards follow from: program, scene, options; and units.
@@ -146,14 +202,7 @@ static int perform(cli_sweep_t *sweep) {
     (void)cli_message(CLI_DONE, "%s has all of its %" PRIu64 " points",
                       args->out, sheets->total);
   } else {
-    do_points(sweep);
-    if (sheets->done.done < sheets->total) {
-      code = cli_stop_asked()
-                 ? cli_message(CLI_STOPPED, "interrupted at point %" PRIu64,
-                               sheets->first + sheets->done.done)
-                 : CLI_STOPPED; // cli_sheets_close has the message
-    }
-    code = cli_sheets_close(sheets, code);
+    code = cli_sheets_close(sheets, do_points(sweep));
     seconds = cli_now() - sheets->progress.started;
   }
   if (args->summary == 0 && !sheets->whole) summarise(sweep, seconds);

@@ -57,8 +57,9 @@ void cli_put_exit(int code) {
   ended = true;
 }
 
-void cli_put_end(double seconds, int code) {
-  cli_say("\"seconds\": %.9g, ", seconds);
+void cli_put_end(double done, double seconds, int code) {
+  cli_say("\"seconds\": %.9g, \"per_second\": %.6g, ", seconds,
+          seconds > 0 ? done / seconds : 0.0);
   cli_put_exit(code);
 }
 

@@ -34,8 +34,9 @@ void cli_put_word(const char *key, const char *text);
 /// code: in, the exit code.
 void cli_put_exit(int code);
 
-/// The same after the time that the work took [s].
-void cli_put_end(double seconds, int code);
+/// The same after the time that the work took [s], and what was done in it a
+/// second.
+void cli_put_end(double done, double seconds, int code);
 
 bool cli_put_ended(void);
 
