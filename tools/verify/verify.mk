@@ -74,7 +74,7 @@ fuzzdir := $(BUILD)/fuzz
 FUZZ_FLAGS := -g1 -fno-omit-frame-pointer -fno-sanitize-recover=all \
   -fsanitize=address,undefined,float-cast-overflow,fuzzer-no-link
 FUZZ_PARTS := $(ALL_FUZZ:%=tools/verify/fuzz/%.c) tools/verify/fuzz/analysis.c \
-  $(filter tools/cli/%,$(CLI)) $(CORE)
+  $(filter tools/%,$(CLI)) $(CORE)
 
 fuzz: ## random inputs, SECONDS=30 for each target (clang)
 fuzz: fuzz-clang
