@@ -32,6 +32,7 @@
 // The located scheme steps a machine of another dt where it falls back.
 #if defined(SCENE_HEADER) && !defined(UPLINK) && !defined(SCHEME_LOCATED)
 #define TF_STEP_MACHINE(c) ((void)(c), &scene_machine)
+#define TF_STEP_PINS (scene_machine.contact.stick_kappa > 0)
 #endif
 // Without a profile and without commands the turntable is steady.
 #if defined(SCENE_HEADER) && !defined(UPLINK)

@@ -45,7 +45,7 @@ static tf_real_t gyration_at(const tf_machine_t *k, tf_real_t r) {
 
 // The weights R make w_t a mean of w and w+.
 static middle_t middle_of(const given_t *x, end_state_t end) {
-  const tf_machine_t *k = x->machine;
+  const tf_machine_t *k = TF_STEP_MACHINE(x);
   const tf_real_t th = k->theta, of_start = 1 - th;
   const tf_real_t before = of_start * gyration_at(k, x->state->r);
   const tf_real_t after = th * gyration_at(k, end.r), R = before + after;
@@ -55,7 +55,7 @@ static middle_t middle_of(const given_t *x, end_state_t end) {
 
 // The step without F.
 static held_t hold(const given_t *x, middle_t c) {
-  const tf_machine_t *k = x->machine;
+  const tf_machine_t *k = TF_STEP_MACHINE(x);
   const tf_state_t *from = x->state;
   held_t b = {.P = ground_speed(k, from->v, from->w),
               .u = gyration_at(k, from->r) * from->w};
@@ -77,7 +77,7 @@ static held_t hold(const given_t *x, middle_t c) {
 // that, and never drives it.
 static tf_real_t stopping_share(const given_t *x, const held_t *b, tf_real_t r,
                                 change_t by) {
-  const tf_machine_t *k = x->machine;
+  const tf_machine_t *k = TF_STEP_MACHINE(x);
   const tf_real_t omega0 = speed_at_theta(k, x->input);
   const tf_real_t p = b->P + k->theta * b->linear.free.p + k->d * omega0;
   const tf_real_t z = b->w + k->theta * b->linear.free.z - omega0;
@@ -91,7 +91,7 @@ static tf_real_t stopping_share(const given_t *x, const held_t *b, tf_real_t r,
 // that at either end of the step, where the law bounds it.
 static balanced_end_t end_about(const given_t *x, middle_t c,
                                 tf_real_t *excess) {
-  const tf_machine_t *k = x->machine;
+  const tf_machine_t *k = TF_STEP_MACHINE(x);
   const tf_state_t *from = x->state;
   const held_t b = hold(x, c);
   balanced_end_t end = {.force = {0, x->M}};
@@ -117,7 +117,7 @@ static balanced_end_t end_about(const given_t *x, middle_t c,
 }
 
 static balanced_end_t end_with(const given_t *x, tf_real_t *excess) {
-  const tf_machine_t *k = x->machine;
+  const tf_machine_t *k = TF_STEP_MACHINE(x);
   const tf_real_t rt = r_at_theta(k, x->state->r, x->state->v);
   middle_t c = {rt, x->state->w, gyration_at(k, rt)};
   c = middle_of(x, end_about(x, c, excess).at);

@@ -237,10 +237,16 @@ TF_INLINE bool has_friction(const tf_machine_t *k) {
   return k->contact.tyre.law != TF_TYRE_NONE;
 }
 
+// Without a moment no wheel is pinned: it sticks. A build for one such scene
+// defines this as false, and leaves out what would be found and not read.
+#ifndef TF_STEP_PINS
+#define TF_STEP_PINS true
+#endif
+
 // With sin(gamma) = 0 friction has no component along r and the wheel cannot be
 // pinned: F is larger then than any mu.
 TF_INLINE bool can_be_pinned(const tf_machine_t *k) {
-  return k->sin_gamma != 0;
+  return TF_STEP_PINS && k->sin_gamma != 0;
 }
 
 static const tf_force_t unpinnable = {TF_REAL_MAX, 0};

@@ -62,14 +62,14 @@ TF_INLINE tf_slip_t slip_by_increment(const tf_machine_t *k,
 TF_INLINE free_motion_t free_motion(const tf_machine_t *k,
                                     const tf_state_t *state,
                                     const tf_input_t *input, start_t start) {
-  free_motion_t c = {
-      .machine = k,
-      .state = state,
-      .input = input,
-      .start = start,
-      .linear = linearise(k, state, input, (change_t){start.p, start.z})};
-  c.end = free_end(k, &c.linear);
+  free_motion_t c; // without friction nothing reads what it lacks
+  c.machine = k;
+  c.state = state;
+  c.input = input;
+  c.start = start;
+  c.linear = linearise(k, state, input, (change_t){start.p, start.z});
   if (!has_friction(k)) return c;
+  c.end = free_end(k, &c.linear);
   c.slip = start.incremental
                ? slip_by_increment(k, state, &c.start, turn_of_step(k, input),
                                    c.linear.free)

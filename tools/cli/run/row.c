@@ -21,17 +21,6 @@ static void add(cli_buffer_t *text, const cli_csv_t *row, size_t i) {
   cli_add_number(text, row->column[i], row->is_float);
 }
 
-const char *cli_write_set(char out[CLI_SET_ROOM], unsigned set) {
-  cli_buffer_t text = {out, 0, CLI_SET_ROOM, false};
-  out[0] = '\0';
-  for (unsigned mode = 0; mode < TF_MODES; mode++) {
-    if ((set & TF_MODE_BIT(mode)) == 0) continue;
-    cli_add(&text, text.used > 0 ? "|" : "");
-    cli_add(&text, tf_mode_name(mode));
-  }
-  return out;
-}
-
 static size_t csv(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
   cli_buffer_t text = {out, 0, CLI_ROW_ROOM, false};
   for (size_t i = 0; i < CLI_CSV_COLUMNS; i++) {

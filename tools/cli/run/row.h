@@ -53,11 +53,6 @@ typedef struct {
 /// By cli_format_t; frames are no text, and have none.
 extern const cli_stream_t cli_streams[CLI_FORMATS];
 
-/// Writes a set of modes, bits TF_MODE_BIT: their names in a fixed order, with
-/// `|` between them. Returns: out.
-#define CLI_SET_ROOM 40
-const char *cli_write_set(char out[CLI_SET_ROOM], unsigned set);
-
 /// The row of a state.
 cli_csv_t cli_row(tf_real_t t, const tf_state_t *state,
                   const tf_report_t *report);

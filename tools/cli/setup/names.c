@@ -1,4 +1,4 @@
-// Laws and rules by their names, parameters and starts.
+// Laws, rules and sets of modes by their names, parameters and starts.
 
 #include <stdio.h>
 #include <string.h>
@@ -126,4 +126,15 @@ int cli_set_word(tf_params_t *params, const char *what, const char *option,
   else
     params->rule = (tf_rule_t)i;
   return CLI_DONE;
+}
+
+const char *cli_write_set(char out[CLI_SET_ROOM], unsigned set) {
+  cli_buffer_t text = {out, 0, CLI_SET_ROOM, false};
+  out[0] = '\0';
+  for (unsigned mode = 0; mode < TF_MODES; mode++) {
+    if ((set & TF_MODE_BIT(mode)) == 0) continue;
+    cli_add(&text, text.used > 0 ? "|" : "");
+    cli_add(&text, tf_mode_name(mode));
+  }
+  return out;
 }

@@ -139,6 +139,11 @@ bool cli_parameter_fits(size_t index, tf_real_t value);
 int cli_set_word(tf_params_t *params, const char *what, const char *option,
                  const char *text, const char *name);
 
+/// Writes a set of modes, bits TF_MODE_BIT: their names in a fixed order, with
+/// `|` between them. Returns: out.
+#define CLI_SET_ROOM 40
+const char *cli_write_set(char out[CLI_SET_ROOM], unsigned set);
+
 /// Stick does not include pinned.
 static inline bool cli_is_stick(unsigned mode) {
   return mode == TF_STICK_PLUS || mode == TF_STICK_MINUS;

@@ -13,7 +13,6 @@
 #include <string.h>
 
 #include "../run/events.h"
-#include "../run/row.h"
 #include "../text/summary.h"
 
 #define BATCH 4096 // steps between two checks for a signal
