@@ -12,7 +12,7 @@ TF_BEGIN_C
 
 /// Advances the state by dt and locates every event inside the step: Taylor
 /// series in time from event to event (order 3 to 8 in double, to 6 in float),
-/// DESIGN.md section 10. An event is the first root of a polynomial: of h and g
+/// DESIGN.md section 9. An event is the first root of a polynomial: of h and g
 /// in slip, of mu - |lambda|, g and A in stick; a rest ends where F and M leave
 /// its law or another mode takes it over. The error goes with the tolerance,
 /// whatever dt is and across events too. If the budget of segments runs out,

@@ -6,7 +6,7 @@
 
 #include "kernel.h"
 
-// Highest order of the Taylor series of tf_step_located: DESIGN.md, section 10,
+// Highest order of the Taylor series of tf_step_located: DESIGN.md, section 9,
 // compares it with others.
 #ifdef TF_REAL_FLOAT
 #define SERIES_ORDER 6

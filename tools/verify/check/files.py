@@ -39,7 +39,7 @@ docs/TUTORIAL.md      1450
 docs/USE.md           2500
 docs/PORTS.md         2870
 docs/PROTOCOL.md      3900
-DESIGN.md             7510
+DESIGN.md             7620
 docs/SCHEMES.md       2000
 docs/BENCH.md         2020
 docs/VERIFICATION.md  1800

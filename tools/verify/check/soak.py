@@ -3,7 +3,7 @@
 whose second half goes on from the state that the first has saved. It is then
 stepped again in two pieces, to the same bits. By moreau, and in float by
 compensated too: plain steps of a float come to stand where dt v is below the
-rounding of r (DESIGN.md, section 11).
+rounding of r (DESIGN.md, section 10).
 """
 import json
 import os
