@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Arguments that the module twofold refuses: each argument of each public
 function and method, with each kind of bad value. Run by in_python.py, where the
 module is installed."""
