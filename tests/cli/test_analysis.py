@@ -101,6 +101,16 @@ def test_tyre():
     near(angles[0]["F"], -float(angles[2]["F"]))
 
 
+def test_window():
+    """A window that is not given lies around the first two-fold."""
+    rows = table(call("regions", "chaos")[0])
+    same((len(rows), rows[-1]["omega"]), (41 * 41, "0"))
+    near(rows[840]["r"], 0.1859)
+    near(rows[840]["omega"], -1.037)
+    last = table(call("atlas", "chaos", "--r", "0:1:2")[0])[41]
+    same((last["r"], last["omega"]), ("1", rows[0]["omega"]))
+
+
 def test_refusals():
     grid = "--r 0:1:2 --omega 0:1:2"
     Path("kept").write_text("keep")
@@ -116,10 +126,7 @@ def test_refusals():
 2 singularities chaos --r 1|unknown option --r
 0 singularities chaos --set r=1|--set r=1 has no effect
 0 design {POINT} --set kappa=1|kappa=1 has no effect: design finds it
-2 regions chaos|--r A:B:N is missing
-2 atlas chaos|--r A:B:N is missing
-2 regions chaos --r 0:1:2|--omega A:B:N is missing
-2 atlas chaos --r 0:1:2|--omega A:B:N is missing
+2 regions gamma_right --r 0:1:3|--omega A:B:N are needed&has no two-fold
 """)
     says_each("""
 3 chaos --r 0.1859 --omega 1|kappa would be -0.27&in [1e-09, 1e+06] m

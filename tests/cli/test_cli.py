@@ -78,7 +78,6 @@ def test_numbers():
 
 
 COMMANDS = """
-2 |which command
 2 scnes|unknown command 'scnes'&'scenes'
 2 bench|'make bench'
 2 stability|'make stability'
@@ -86,6 +85,9 @@ COMMANDS = """
 2 run choas|unknown scene 'choas'&mean 'chaos'
 0 --help|
 0 --version|
+0 version|
+0 -v|
+2 version now|unexpected argument 'now'
 0 scenes|
 0 run --help|"""
 REFUSED = """
@@ -132,6 +134,14 @@ REFUSED = """
 def test_refusals():
     """Of two values one is a mistake, and the program cannot know which."""
     says_each(COMMANDS)
+    same(call(code=2), (call("help")[0], ""))
+    same(call("run", "chaos", "-q", "--t-end=1", "--set", "v=1")[1], "")
+    words = ["run", "chaos", "--t-end", "1", "--dt", "1e-3"]
+    call(*words, "-o", "one")
+    call(*words, "--out=two", "--quiet")
+    same(Path("one").read_bytes(), Path("two").read_bytes())
+    check(call(*words, "-qx", code=2)[1].startswith("twofold: -qx: takes no"),
+          "a value of -q")
     check(re.search("^chaos +[^ ]", call("scenes")[0], re.M), "a line of chaos")
     says_each(REFUSED, "run", "chaos")
     Path("kept").write_text("keep")

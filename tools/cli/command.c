@@ -41,6 +41,13 @@ static int scenes(int argc, char *const argv[]) {
   return cli_finish_stdout();
 }
 
+static int version(int argc, char *const argv[]) {
+  if (argc > 0)
+    return cli_message(CLI_USAGE, "version: unexpected argument '%s'", argv[0]);
+  (void)puts("twofold " TF_VERSION ", tf_real_t is " CLI_NUMBER_TYPE);
+  return cli_finish_stdout();
+}
+
 // The scene with what the command line has changed of it.
 static int apply(const cli_args_t *args, tf_scene_t *scene) {
   cli_setup_t setup;
@@ -91,15 +98,15 @@ const cli_command_t cli_commands[] = {
      .of_source = true, .check = cli_monitor_check, .perform = cli_monitor},
     {"singularities", "SCENE [OPTION]...", "all two-folds, as JSON",
      .bit = CLI_SINGULARITIES, .perform = cli_singularities},
-    {"regions", "SCENE --r A:B:N --omega A:B:N [OPTION]...",
+    {"regions", "SCENE [OPTION]...",
      "sliding, escaping, crossing: a grid of (r, omega)", .bit = CLI_REGIONS,
-     .check = cli_analysis_check, .perform = cli_regions},
+     .perform = cli_regions},
     {"design", "SCENE --r R --omega W [OPTION]...",
      "kappa and k2 that put a two-fold at (r, omega)", .bit = CLI_DESIGN,
      .check = cli_analysis_check, .perform = cli_design},
-    {"atlas", "SCENE --r A:B:N --omega A:B:N [OPTION]...",
+    {"atlas", "SCENE [OPTION]...",
      "for which (r, omega) it is a Teixeira singularity", .bit = CLI_ATLAS,
-     .check = cli_analysis_check, .perform = cli_atlas},
+     .perform = cli_atlas},
     {"tyre", "SCENE [OPTION]...", "force and moment over the slip angle",
      .bit = CLI_TYRE, .perform = cli_tyre},
     {"diverge", "SCENE [OPTION]...",
@@ -110,6 +117,7 @@ const cli_command_t cli_commands[] = {
      .check = cli_sweep_check, .perform = cli_sweep},
     {"completions", "SHELL", "a script by which a shell completes all this",
      .raw = cli_completions},
+    {"version", "", "version and number type", .raw = version},
     {"help", "[COMMAND]", "this text, or the options of a command",
      .raw = cli_help},
 };
@@ -176,6 +184,7 @@ static int read_args(const cli_command_t *command, cli_args_t *args, int argc,
 // its summary: the reason and the exit code.
 static int perform(const cli_command_t *command, int argc, char *const argv[]) {
   static cli_args_t args;
+  cli_be_quiet(has(argc, argv, "--quiet") || has(argc, argv, "-q"));
   int code = command->raw != NULL ? command->raw(argc, argv)
                                   : read_args(command, &args, argc, argv);
   if (code == CLI_DONE && command->raw == NULL) code = command->perform(&args);
@@ -188,14 +197,10 @@ static int perform(const cli_command_t *command, int argc, char *const argv[]) {
 }
 
 static int choose(int argc, char *const argv[]) {
-  if (argc < 1)
-    return cli_message(CLI_USAGE, "which command? ('twofold help' lists them)");
+  if (argc < 1) return cli_help(0, argv) == CLI_DONE ? CLI_USAGE : CLI_STOPPED;
   if (asks_for_help(1, argv)) return cli_help(argc - 1, argv + 1);
   if (strcmp(argv[0], "complete") == 0) return cli_complete(argc - 1, argv + 1);
-  if (strcmp(argv[0], "--version") == 0) {
-    (void)puts("twofold " TF_VERSION ", tf_real_t is " CLI_NUMBER_TYPE);
-    return cli_finish_stdout();
-  }
+  if (has(1, argv, "--version") || has(1, argv, "-v")) return version(0, NULL);
   cli_closest_t closest = cli_closest_to(argv[0]);
   const cli_command_t *command = find(&closest);
   if (asks_for_help(argc - 1, argv + 1))

@@ -13,19 +13,16 @@
 static struct {
   const cli_args_t *args;
   cli_setup_t setup; // machine and input at t = 0
+  cli_range_t r, omega;
   cli_output_t output;
 } job;
 
 int cli_analysis_check(cli_args_t *args) {
-  const bool grid = strcmp(args->command, "design") != 0;
   const bool has_r = args->r.text != NULL;
   return has_r && args->omega.text != NULL
              ? CLI_DONE
-             : cli_message(CLI_USAGE, "%s: --%s %s is missing", args->command,
-                           has_r ? "omega" : "r",
-                           grid    ? "A:B:N"
-                           : has_r ? "W"
-                                   : "R");
+             : cli_message(CLI_USAGE, "design: %s is missing",
+                           has_r ? "--omega W" : "--r R");
 }
 
 // The first two are found, the others are of a run.
@@ -49,6 +46,8 @@ static void print_notes(bool finds_kappa) {
 // without kappa is not refused.
 static int prepare(const cli_args_t *args, bool finds_kappa) {
   job.args = args;
+  job.r = args->r;
+  job.omega = args->omega;
   CLI_TRY(cli_setup_read(&job.setup, args->scene, &args->settings, NULL));
   if (finds_kappa && !(job.setup.params.kappa > 0) &&
       cli_settings_find(&args->settings, "kappa") == NULL)
@@ -283,7 +282,7 @@ typedef int (*row_t)(tf_real_t r, tf_real_t omega, cli_buffer_t *text);
 
 // omega is the inner loop.
 static int write_rows(row_t row, cli_progress_t *progress) {
-  const cli_range_t *r = &job.args->r, *omega = &job.args->omega;
+  const cli_range_t *r = &job.r, *omega = &job.omega;
   const uint64_t points = r->count * omega->count;
   char bytes[ROW_ROOM];
   for (uint64_t i = 0; i < points; i++) {
@@ -318,6 +317,31 @@ static int write_grid(const char *header, const char *units, row_t row) {
   const int code = write_rows(row, &progress);
   cli_progress_clear(&progress);
   return cli_output_end(&job.output, code);
+}
+
+// A range around a place, from 0, unless one was given.
+static void take_range(cli_range_t *range, tf_real_t place) {
+  const double at = (double)place, size = at != 0 ? fabs(at) : 1;
+  if (range->text == NULL) *range = (cli_range_t){"", at - size, at + size, 41};
+}
+
+// What was not given of the window is taken around the first two-fold.
+static int take_window(void) {
+  tf_surface_point_t points[TF_TWO_FOLDS];
+  int count = 0;
+  if (job.r.text != NULL && job.omega.text != NULL) return CLI_DONE;
+  (void)tf_two_folds(&job.setup.machine, &job.setup.input, points, &count,
+                     NULL);
+  if (count < 1) {
+    return cli_message(CLI_USAGE,
+                       "%s: --r A:B:N and --omega A:B:N are needed: scene %s "
+                       "has no two-fold to look around",
+                       job.args->command, job.args->scene->name);
+  }
+  take_range(&job.r, points[0].r);
+  take_range(&job.omega, points[0].w);
+  return cli_message(CLI_DONE, "note: r in [%.6g, %.6g], omega in [%.6g, %.6g]",
+                     job.r.from, job.r.to, job.omega.from, job.omega.to);
 }
 
 static int regions_row(tf_real_t r, tf_real_t omega, cli_buffer_t *text) {
@@ -359,6 +383,7 @@ int cli_regions(const cli_args_t *args) {
   CLI_TRY(prepare(args, false));
   CLI_TRY(needs_jump(false));
   CLI_TRY(check_gamma());
+  CLI_TRY(take_window());
   return write_grid("r,omega,region,lambda,delassus\n",
                     "r m, omega rad/s, lambda N, delassus 1/kg", regions_row);
 }
@@ -408,6 +433,7 @@ static int atlas_row(tf_real_t r, tf_real_t omega, cli_buffer_t *text) {
 int cli_atlas(const cli_args_t *args) {
   CLI_TRY(prepare(args, true));
   CLI_TRY(check_design());
+  CLI_TRY(take_window());
   return write_grid(atlas_header,
                     "r m, omega rad/s, v m/s, g m/s, kappa m, k2 N/m, K in "
                     "rescaled time, others 1",

@@ -141,15 +141,15 @@ void cli_catch_signals(void) {
 
 bool cli_stop_asked(void) { return stop_asked != 0; }
 
-// Progress, so that no work of more than five seconds is silent.
+// Progress, so that no work of more than five seconds is silent for a person.
 
-#define PATIENCE 2.0   // [s] before the first message
-#define REDRAW 0.2     // [s] between messages on a terminal
-#define LOG_EVERY 10.0 // [s] between lines in a log
+#define PATIENCE 2.0 // [s] before the first message
+#define REDRAW 0.2   // [s] between messages
 
 cli_progress_t cli_progress_start(double now, int output) {
-  return (cli_progress_t){.silent = output >= 0 && cli_is_terminal(output),
-                          .one_line = cli_is_terminal(STDERR_FILENO),
+  return (cli_progress_t){.silent = cli_is_quiet() ||
+                                    !cli_is_terminal(STDERR_FILENO) ||
+                                    (output >= 0 && cli_is_terminal(output)),
                           .started = now,
                           .next = now + PATIENCE};
 }
@@ -158,7 +158,7 @@ void cli_progress_say(cli_progress_t *progress, double now, double share,
                       const char *format, ...) {
   va_list arguments;
   if (progress->silent || now < progress->next) return;
-  (void)fputs(progress->one_line ? "\r" : "twofold: ", stderr);
+  (void)fprintf(stderr, "\r%.0f %%, ", 100 * share);
   va_start(arguments, format);
   (void)vfprintf(stderr, format, arguments);
   va_end(arguments);
@@ -166,10 +166,10 @@ void cli_progress_say(cli_progress_t *progress, double now, double share,
     (void)fprintf(stderr, ", %.0f s left",
                   (now - progress->started) * (1 - share) / share);
   }
-  (void)fputs(progress->one_line ? "\033[K" : "\n", stderr);
+  (void)fputs("\033[K", stderr);
   (void)fflush(stderr);
-  progress->shown = progress->one_line;
-  progress->next = now + (progress->one_line ? REDRAW : LOG_EVERY);
+  progress->shown = true;
+  progress->next = now + REDRAW;
 }
 
 void cli_progress_clear(cli_progress_t *progress) {

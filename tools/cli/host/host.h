@@ -1,7 +1,7 @@
 /// What the program needs of POSIX: a monotonic clock, signals that ask for a
 /// stop, standard descriptors that are safe to use, and sources of frames. And
-/// the progress of long work: on a terminal one line that is overwritten, in a
-/// log a line now and then, none in the first seconds.
+/// the progress of long work: where standard error is a terminal, a line that
+/// is overwritten, none in the first seconds.
 #pragma once
 
 #include "../text/text.h"
@@ -49,8 +49,7 @@ void cli_terminal_size(int *columns, int *rows);
 bool cli_stop_asked(void);
 
 typedef struct {
-  bool silent;    ///< something else shows how far the work is
-  bool one_line;  ///< standard error is a terminal: the line is overwritten
+  bool silent;    ///< nobody looks, or something else shows how far it is
   bool shown;     ///< the line is on the screen
   double started; ///< cli_now()
   double next;    ///< cli_now() of the next message

@@ -77,7 +77,7 @@ typedef struct {
   bool provenance;     ///< the rows begin with comments: what they are of
   bool resume, header; ///< goes on with what is there; a header in each shard
   bool real_time, priority, live;
-  bool follow;
+  bool follow, quiet;
   bool glance; ///< nobody asked for a format
   bool exhaustive;
 } cli_args_t;

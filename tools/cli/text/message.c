@@ -12,6 +12,11 @@
 static char *diverted;
 static size_t diverted_room;
 static char last[512];
+static bool quiet;
+
+void cli_be_quiet(bool from_now) { quiet = from_now; }
+
+bool cli_is_quiet(void) { return quiet; }
 
 void cli_message_divert(char *out, size_t room) {
   diverted = out;
@@ -35,7 +40,7 @@ int cli_message(int code, const char *format, ...) {
       used++;
     }
     (void)vsnprintf(diverted + used, diverted_room - used, format, arguments);
-  } else {
+  } else if (code != CLI_DONE || !quiet) {
     (void)fputs("twofold: ", stderr);
     (void)vfprintf(stderr, format, arguments);
     (void)fputc('\n', stderr);

@@ -12,12 +12,14 @@
 
 void cli_say(const char *format, ...) {
   va_list arguments;
+  if (cli_is_quiet()) return;
   va_start(arguments, format);
   (void)vfprintf(stderr, format, arguments);
   va_end(arguments);
 }
 
 void cli_put_begin(const char *command) {
+  cli_be_quiet(false);
   cli_say("{");
   cli_put_word("version", TF_VERSION);
   cli_put_word("commit", cli_commit);

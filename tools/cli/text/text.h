@@ -31,6 +31,10 @@ enum {
 /// Returns: code, so that a failing path is a single return statement.
 int cli_message(int code, const char *format, ...) CLI_PRINTF(2, 3);
 
+/// From now on there are no messages of CLI_DONE, nor summaries but as JSON.
+void cli_be_quiet(bool from_now);
+bool cli_is_quiet(void);
+
 /// Leaves the function with the code of a call where that is not CLI_DONE.
 #define CLI_TRY(call)                            \
   do {                                           \
