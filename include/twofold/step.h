@@ -78,7 +78,9 @@ TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
 ///       course, or its course has changed its mode and that decides the end
 ///     - a rest ends for less than the step, or the motion behind it turns by
 ///       0.45 rad or more
-///     - the wheel crosses the axis by more than 2 beta
+///     - the wheel crosses the axis by more than 2 beta; or it moves or turns
+///       beside it by more than 1.5 sqrt(beta^2 + r^2) in a step that does not
+///       keep its energy
 ///   TF_STALLED   taken, but rounding loses the change of r, as it would in 32
 ///                more steps: use tf_step_compensated or a longer dt
 ///   TF_BAD_STATE, TF_DIVERGED, TF_STEP_TOO_LONG  state untouched

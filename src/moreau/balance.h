@@ -183,12 +183,15 @@ TF_INLINE bool is_fast(const tf_machine_t *k, end_state_t at) {
   return 4 * k->a * (R2 + d2) >= k->m * R2 || turns_by_much(k, at, 1);
 }
 
-// Whether a step takes the wheel across the axis by more than 2 beta: it skips
-// that the inertia changes by a factor of (beta^2 + r^2)/beta^2 and that the
-// disc may turn by half a turn.
+// Whether a step is too long for a pass of the axis: it takes the wheel across
+// by more than 2 beta, or begins or ends so fast beside the axis that one such
+// step more is a turn of 1.5 rad. It skips that the inertia changes by a factor
+// of (beta^2 + r^2)/beta^2 and that the disc may turn by half a turn.
 TF_INLINE bool jumps_axis(const tf_machine_t *k, const balance_t *b,
-                          tf_real_t by) {
-  return b->across <= 0 && by * by > 4 * k->beta2;
+                          end_state_t from, end_state_t to) {
+  const tf_real_t by = to.r - from.r, n = TF_R(0.444); // 1/1.5^2
+  return (b->across <= 0 && by * by > 4 * k->beta2) ||
+         turns_by_much(k, from, n) || turns_by_much(k, to, n);
 }
 
 // Whether a step is too long for the motion: in the norm of the energy the

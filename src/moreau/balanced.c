@@ -187,7 +187,7 @@ TF_API void tf_checked_end(const tf_machine_t *k, const tf_state_t *state,
                     (end.at.r > 0) == (at.r > 0)))
       take_balanced_end(&end, to);
   }
-  const bool jumps = jumps_axis(k, &b, at.r - from.r);
+  const bool jumps = jumps_axis(k, &b, from, at);
   if ((creates || coarse || jumps) && to->outcome.status == TF_OK)
     to->outcome.status = TF_COARSE;
 }
