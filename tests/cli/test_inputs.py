@@ -177,6 +177,21 @@ def test_a_long_table():
          many, "held")
 
 
+def test_a_table_that_does_not_fit_the_run():
+    """It is noted, and the run goes on."""
+    for texts, times in (
+            ("is t in seconds? (rows: t = 0 to 2000 s, run: 0 to 2 s)",
+             (0, 1000, 2000)),
+            ("all rows lie after the run (rows: t = 3 to 4 s", (3, 4)),
+            ("all rows lie before the run (rows: t = -2 to -1", (-2, -1)),
+            ("", (0, 10)), ("", (0,)), ("", (-1,)), ("", (-1, 3))):
+        table = lines("t,force", [(t, 0.0) for t in times])
+        for words in "run chaos", "sweep chaos --over r=0.1:0.2:2":
+            said = call(*command(f"{words} --t-end 2", table))[1]
+            same("(rows: " in said, texts != "")
+            check(texts in said, said)
+
+
 def test_files_that_are_cut():
     """Each text file that is read, cut anywhere near its end, is refused, or
     told; but for the newline behind a checksum."""
@@ -219,7 +234,10 @@ WRONG = r"""
 2|t,force\n| no row
 2|t,\0force\n|1: a zero, or a line
 2|t,force\n0,1\n1,2\0,3|3: a zero, or a line
-2|t,force\n0,1\r2\n|2: column 2&is not a number
+2|t,force\n0,1\r2\n| a line ends with CR alone, expected LF or CR LF
+2|t,force\r0,1\r1,1\r| a line ends with CR alone
+2|t;force\n0;1\n|1: separator is ';', expected ','
+2|t\tforce\n0\t1\n|1: separator is a tab, expected ','
  --inputs table.csv|say what holds between two rows
  --between held|--between: only with --inputs
  --inputs table.csv --between cubic|--between cubic: must be held or linear

@@ -359,7 +359,6 @@ static int prepare(cli_run_t *run, cli_setup_t *setup) {
   CLI_TRY(
       cli_drive_read(&run->drive, args->scene, args->inputs, args->between));
   setup->input = cli_drive_begin(&run->drive, &setup->machine, 0);
-  cli_drive_notes(&run->drive, setup);
   CLI_TRY(cli_setup_start(setup));
   CLI_TRY(cli_count_steps(setup, &args->t_end, &run->steps));
   if (args->replay != NULL) CLI_TRY(prepare_replay(run, setup));
@@ -369,6 +368,8 @@ static int prepare(cli_run_t *run, cli_setup_t *setup) {
   cli_events_begin(&run->events, args->listed,
                    run->first == 0 ? &run->system.report : NULL);
   cli_setup_notes(setup);
+  cli_drive_notes(&run->drive, setup, cli_run_time(run, run->first),
+                  cli_run_time(run, run->steps));
   return CLI_DONE;
 }
 

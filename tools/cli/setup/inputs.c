@@ -70,6 +70,12 @@ static char *next_field(char **line) {
 
 static int read_header(reader_t *reader, char *line) {
   bool *given = reader->inputs->given;
+  const char *mark = strchr(line, ',') == NULL ? strpbrk(line, ";\t") : NULL;
+  if (mark != NULL) {
+    return cli_message(CLI_USAGE, "%s:%lu: separator is %s, expected ','",
+                       reader->lines.name, reader->lines.line,
+                       *mark == ';' ? "';'" : "a tab");
+  }
   while (line != NULL) {
     const char *name = next_field(&line);
     cli_closest_t closest = cli_closest_to(name);
@@ -349,7 +355,21 @@ tf_input_t cli_drive_begin(cli_drive_t *drive, const tf_machine_t *machine,
   return input;
 }
 
-void cli_drive_notes(const cli_drive_t *drive, const cli_setup_t *setup) {
+void cli_drive_notes(const cli_drive_t *drive, const cli_setup_t *setup,
+                     double begin, double end) {
+  const cli_inputs_t *table = &drive->table;
+  const size_t rows = table->count;
+  const double first = rows > 0 ? (double)table->rows[0].t : begin;
+  const double last = rows > 0 ? (double)table->rows[rows - 1].t : begin;
+  const char *what = first > end                ? "all rows lie after the run"
+                     : rows > 1 && last < begin ? "all rows lie before the run"
+                     : end > 0 && last > 100 * end ? "is t in seconds?"
+                                                   : NULL;
+  if (what != NULL) {
+    (void)cli_message(CLI_DONE,
+                      "note: %s: %s (rows: t = %g to %g s, run: %g to %g s)",
+                      table->name, what, first, last, begin, end);
+  }
   for (size_t i = 0; i < CLI_INPUTS; i++) {
     const size_t number = cli_number_index(cli_input_columns[i].name);
     const cli_setting_t *setting =

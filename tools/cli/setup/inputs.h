@@ -88,8 +88,10 @@ int cli_drive_read(cli_drive_t *drive, const tf_scene_t *scene,
 tf_input_t cli_drive_begin(cli_drive_t *drive, const tf_machine_t *machine,
                            uint64_t tick);
 
-/// Notes which settings have no effect beside the table.
-void cli_drive_notes(const cli_drive_t *drive, const cli_setup_t *setup);
+/// Notes which settings have no effect beside the table, and where its rows do
+/// not fit a run between two times [s].
+void cli_drive_notes(const cli_drive_t *drive, const cli_setup_t *setup,
+                     double begin, double end);
 
 /// Inputs of a machine over a span.
 tf_input_t cli_drive_over(cli_drive_t *drive, const tf_machine_t *machine,

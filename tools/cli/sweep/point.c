@@ -239,7 +239,8 @@ static int check_end(cli_sweep_t *sweep, bool last) {
   if (!last) {
     sweep->hash = cli_scene_hash(&point.setup);
     cli_setup_notes(&point.setup);
-    cli_drive_notes(&sweep->drive, &point.setup);
+    cli_drive_notes(&sweep->drive, &point.setup, 0,
+                    (double)steps * (double)point.setup.machine.dt);
   }
   return CLI_DONE;
 }

@@ -69,6 +69,12 @@ static int read_all(FILE *file, size_t most, char **text, size_t *size) {
   return ferror(file) != 0 ? errno : 0;
 }
 
+static bool has_lone_cr(const char *text) {
+  while (text != NULL && (text = strchr(text, '\r')) != NULL)
+    if (*++text != '\n' && *text != '\0') return true;
+  return false;
+}
+
 int cli_read_text(const char *option, const char *path, size_t most,
                   char **text, size_t *size) {
   const bool standard = strcmp(path, "-") == 0;
@@ -77,11 +83,14 @@ int cli_read_text(const char *option, const char *path, size_t most,
   *size = 0;
   const int error = file != NULL ? read_all(file, most, text, size) : errno;
   if (file != NULL && !standard) (void)fclose(file);
-  if (error == 0) return CLI_DONE;
+  if (error == 0 && !has_lone_cr(*text)) return CLI_DONE;
   free(*text);
   *text = NULL;
   return cli_message(error == ENOMEM ? CLI_STOPPED : CLI_USAGE, "%s%s: %s",
-                     option, path, strerror(error));
+                     option, path,
+                     error != 0 ? strerror(error)
+                                : "a line ends with CR alone, expected LF or "
+                                  "CR LF");
 }
 
 int cli_note_open(const char *name) {
