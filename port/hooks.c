@@ -43,7 +43,7 @@ static void send_hex(uint32_t bits) {
 
 void port_fault(const char *why, uint32_t at, uint32_t cause) {
   port_safe();
-  send(FRAME_END); // to a reader of frames a broken one
+  send(FRAME_END); // a line between two frames, which hosts print
   send_string("\r\nfault: ");
   send_string(why);
   send_string(" at ");

@@ -104,6 +104,17 @@ def test_an_object_is_a_port():
         check((rows["set"] >> rows["mode"] & 1).all(), rows["set"])
 
 
+def test_a_board_that_breaks_is_heard():
+    line = "fault: stack overflow at 00000000 cause 00000092"
+    with Firmware("float") as firmware, Board(Port(firmware.name)) as board:
+        board._port.read = lambda _: f"\0\r\n{line}\r\n\0".encode()
+        try:
+            board.record(10)
+            check(False, "it goes on")
+        except BoardError as error:
+            check(line in str(error), error)
+
+
 def test_only_the_key_is_answered():
     with keyed() as firmware:
         with Board(firmware.name, key=KEY) as board:
@@ -136,6 +147,9 @@ def test_loop_in_c():
     counts = [(int(ticks), int(count)) for ticks, count in
               re.findall(r"(\d+): (\d+)", said.splitlines()[1])]
     check(sum(count for _, count in counts) > 100, said)
+    several = re.fullmatch(r"possible   several modes in (\d+) steps:(.*)",
+                           said.splitlines()[2])
+    same(several[1] != "0", len(several[2].split()) > 1)
 
 
 main(globals(), jobs=4)

@@ -131,6 +131,18 @@ def test_steps_that_are_not_to_be_trusted():
     same(degraded(said), degraded(monitor(still, code=6)[1]))
 
 
+def test_a_board_that_breaks_is_heard():
+    """Also where its line comes in two blocks, and behind what only begins
+    like it."""
+    stream, rows = recorded("chaos", "--t-end", "0.01")
+    line = "fault: bus at 08000106 cause 00008200"
+    said = f"\0\r\nfault: \x80\r\r\n{line}\r\n\0".encode("latin1")
+    for first in range(len(said)):
+        decodes(stream + bytes(-(len(stream) + first) % 65536) + said, rows,
+                f"stream: the board says: {line}\n",
+                "stream: the board broke, as it said", code=6)
+
+
 def test_a_board_in_float():
     """Whatever this program is."""
     stream = examples("schema", "layout", "state", "report", "heartbeat")

@@ -166,7 +166,8 @@ static int listen(hil_board_t *board) {
   const cli_source_found_t found =
       cli_source_read(&board->source, bytes, sizeof bytes, 100, &length);
   if (cli_stop_asked()) return hil_message(CLI_STOPPED, "interrupted");
-  if (found == CLI_SOURCE_GONE || found == CLI_SOURCE_END)
+  if (found == CLI_SOURCE_GONE || found == CLI_SOURCE_END ||
+      board->source.broke)
     return hil_message(CLI_STOPPED, "%s: the board went away",
                        board->source.name);
   for (const uint8_t *at = bytes;

@@ -26,6 +26,8 @@ static struct {
   tf_heartbeat_t first, last;
   bool is_described, has_beat, waits;
   uint64_t answers[BINS + 1]; // by the ticks that they took; then more
+  uint64_t several;           // steps with several possible modes,
+  unsigned possible;          // and all these modes
   tf_decoder_t decoder;
   uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
 } board;
@@ -84,6 +86,11 @@ static bool take(const tf_frame_t *frame) {
     tf_read_heartbeat(at, &board.last);
     if (!board.has_beat) board.first = board.last;
     board.has_beat = true;
+  } else if (frame->type == TF_DOWN_REPORT &&
+             frame->length == TF_REPORT_BYTES) {
+    const uint8_t *modes = at + 6 * TF_REAL_BYTES; // taken, set, choices
+    board.several += modes[2] > 1;
+    board.possible |= modes[2] > 1 ? modes[1] : 0u;
   } else if (frame->type == TF_DOWN_STATE && frame->length == TF_STATE_BYTES) {
     tf_read_state(at, frame->tick, &board.state);
     board.tick = frame->tick;
@@ -136,6 +143,9 @@ static void print_counts(uint64_t sent) {
     if (board.answers[i] > 0)
       printf(" %u%s: %" PRIu64, i, i < BINS ? "" : " or more",
              board.answers[i]);
+  printf("\npossible   several modes in %" PRIu64 " steps:", board.several);
+  for (unsigned mode = 0; mode < TF_MODES; mode++)
+    if ((board.possible >> mode & 1u) != 0) printf(" %s", tf_mode_name(mode));
   printf("\n");
 }
 

@@ -251,6 +251,27 @@ bool cli_source_open(cli_source_t *source, const char *path, uint64_t baud,
   return source->error == 0;
 }
 
+static void hear_fault(cli_source_t *source, const uint8_t *bytes,
+                       size_t count) {
+  static const char begin[] = "\r\nfault: ";
+  const size_t behind = sizeof begin - 1;
+  for (size_t i = 0; i < count; i++) {
+    const char byte = (char)bytes[i];
+    const size_t at = source->heard;
+    if (at < behind ? byte == begin[at]
+                    : at < sizeof source->said && byte >= ' ' && byte <= '~') {
+      source->said[source->heard++] = byte;
+      continue;
+    }
+    if (at > behind && byte == '\r') {
+      source->broke = true;
+      (void)cli_message(CLI_DONE, "%s: the board says: %.*s", source->name,
+                        (int)at - 2, source->said + 2);
+    }
+    source->heard = byte == '\r';
+  }
+}
+
 cli_source_found_t cli_source_read(cli_source_t *source, uint8_t *bytes,
                                    size_t room, int milliseconds,
                                    size_t *count) {
@@ -261,6 +282,7 @@ cli_source_found_t cli_source_read(cli_source_t *source, uint8_t *bytes,
   const ssize_t got = read(source->descriptor, bytes, room);
   if (got > 0) {
     *count = (size_t)got;
+    hear_fault(source, bytes, *count);
     return CLI_SOURCE_BYTES;
   }
   if (got < 0 && (errno == EAGAIN || errno == EINTR)) return CLI_SOURCE_QUIET;

@@ -73,6 +73,9 @@ typedef struct {
   int descriptor;
   bool is_device; ///< a terminal: its end means that it was unplugged
   int error;      ///< errno of the failure, or 0
+  bool broke;     ///< the board has said that it broke
+  size_t heard;   ///< characters of the line that says so, of which
+  char said[128]; ///< so many may come
 } cli_source_t;
 
 typedef enum {
@@ -88,7 +91,8 @@ typedef enum {
 bool cli_source_open(cli_source_t *source, const char *path, uint64_t baud,
                      bool both_ways);
 
-/// Waits for bytes, at most the given number of milliseconds.
+/// Waits for bytes, at most the given number of milliseconds. Prints the line
+/// of port_fault, which is no frame.
 /// count: out, number of bytes read.
 cli_source_found_t cli_source_read(cli_source_t *source, uint8_t *bytes,
                                    size_t room, int milliseconds,

@@ -209,6 +209,7 @@ static int open_both(monitor_t *monitor) {
 static const char *fault_of(const monitor_t *monitor) {
   static char where[160];
   const cli_receiver_t *receiver = &monitor->receiver;
+  if (monitor->source.broke) return "the board broke, as it said";
   if (cli_receiver_missing(receiver) > receiver->dropped)
     return "frames were lost or broken, as is counted";
   if (receiver->dropped > 0)

@@ -200,7 +200,11 @@ class Board:
             raise BoardError(f"the board {what}")
         came = self._port.read(max(1, getattr(self._port, "in_waiting", 1)))
         *pieces, self._rest = (self._rest + came).split(b"\0")
-        for frame in map(decode, filter(None, pieces)):
+        for piece in filter(None, pieces):
+            if piece.startswith(b"\r\nfault: "):  # it broke (port_fault)
+                raise BoardError("the board says: " +
+                                 piece.decode("ascii", "replace").strip())
+            frame = decode(piece)
             if frame is not None and self._is_ours(frame):
                 self._take(*frame)
 
