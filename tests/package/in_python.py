@@ -89,7 +89,7 @@ def test_python():
     command line; each bad argument is refused; the notebook can be executed and
     shows its pictures."""
     for module in ("ensurepip", "setuptools", "wheel", "numpy", "matplotlib",
-                   "nbconvert", "ipykernel"):
+                   "nbconvert", "ipykernel", "pandas", "xarray", "tqdm"):
         if importlib.util.find_spec(module) is None:
             lacks("python3-" + module.replace("ensurepip", "venv"))
     place = folder("python")
@@ -102,8 +102,9 @@ def test_python():
     site, = (place / "venv").glob("lib/*/site-packages")
     env = {"PYTHONPATH": str(site)}
     run(python3, "-c", PROGRAM, version(), env=env)
-    run(python3, ROOT / "tests/package/python_numbers.py", BUILD, env=env)
-    run(python3, ROOT / "tools/package/dist/test/arguments.py", env=env)
+    for name, *words in (("numbers", BUILD, place), ("objects", place)):
+        run(python3, ROOT / f"tests/package/python_{name}.py", *words, env=env)
+    run(python3, ROOT / "tests/package/python_arguments.py", env=env)
     run(python3, "-m", "nbconvert", "--to", "notebook", "--execute",
         "--output-dir", place, DIST / f"python/twofold-{version()}/examples/"
         "figures.ipynb", env=env)

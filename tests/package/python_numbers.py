@@ -1,13 +1,16 @@
 """Names and numbers of the Python package are those of the command line, to the
-bit: python_numbers.py BUILD. Run by in_python.py, where it is installed."""
+bit: python_numbers.py BUILD FOLDER. Run by in_python.py, where it is
+installed."""
 import csv
 import ctypes
 import json
 import math
 import subprocess
 import sys
+from pathlib import Path
 
 import numpy as np
+import pandas
 
 import twofold
 from twofold import Folds, Law, Mode, Region, Rest, Rule, _core, _table
@@ -48,11 +51,57 @@ def same(table, real, *words, behind=0):
 for function, kind in {"mode": Mode, "tyre_law": Law, "rule": Rule,
                        "rest_law": Rest, "region": Region,
                        "folds": Folds}.items():
-    name_of = getattr(_core._shared, f"tf_{function}_name_f64")
+    name_of = getattr(_core.CORE_f64.library, f"tf_{function}_name_f64")
     name_of.restype = ctypes.c_char_p
     assert [name_of(i).decode() for i in range(len(kind))] == [*map(str, kind)]
 
+OWN = Path(__file__).parents[1] / "data/own.scene"
+TABLE = {"t": [-1, 0.00005, 0.3, 0.3, 0.7, 5], "force": [0, 1, 1, -0.5, 0.1, 3],
+         "omega0": [-1, -1.1, -1.2, -0.9, -1, -1.3]}
+FILE = Path(sys.argv[2], "table.csv")
+
+
+def driven(real):
+    """Inputs over time, in each form in which they may be given."""
+    frame = pandas.DataFrame(TABLE)
+    frame.to_csv(FILE, index=False)
+    forms = (FILE, str(FILE), TABLE, frame[["force", "t", "omega0"]],
+             frame.to_records(index=False))
+    for i, (scheme, scene) in enumerate(
+            (scheme, scene) for scheme in twofold.Scheme
+            for scene in ("driven", "chaos")):
+        for between in ("held", "linear"):
+            given = {"inputs": forms[i % len(forms)], "between": between}
+            words = [real, "run", scene, "--scheme", scheme, "--inputs", FILE,
+                     "--between", between, "--set", "h=0", "--t-end", 1,
+                     "--every", 50]
+            same(twofold.simulate(scene, 1, 50, scheme, real=real, h=0,
+                                  **given), *words)
+            machine = twofold.Machine(scene, real=real, h=0)
+            parts = [machine.run(t, 50, scheme, **given) for t in (0.25, 0.75)]
+            same(np.concatenate([parts[0], parts[1][1:]]), *words)
+
+
 for REAL in SMALL:
+    driven(REAL)
+    same(twofold.simulate(OWN, every=7, real=REAL, kappa=0.3), REAL, "run", OWN,
+         "--every", 7, "--set", "kappa=0.3")
+    same(twofold.sweep(str(OWN), {"r": [0.1, 0.2]}, 0.2, real=REAL), REAL,
+         "sweep", OWN, "--over", "r=0.1:0.2:2", "--t-end", 0.2)
+    for rows, options, words in (
+            ("returns", {"samples": 20, "seed": 3}, ["--samples", 20]),
+            ("exits", {"samples": 8, "seed": 3, "kappa": 0.27},
+             ["--samples", 8, "--set", "kappa=0.27"]),
+            ("returns", {"by": "noise", "size": 1e-3, "samples": 1,
+                         "patience": 3, "seed": 3},
+             ["--by", "noise", "--size", 1e-3, "--samples", 1, "--patience",
+              3]),
+            ("branches", {"count": 2, "grid": 0.05, "omega": -1.02, "h": 0,
+                          "seed": 3},
+             ["--exhaustive", "--count", 2, "--grid", 0.05, "--set",
+              "omega=-1.02", "--set", "h=0"])):
+        same(twofold.diverge("chaos", rows, REAL, **options), REAL, "diverge",
+             "chaos", f"--{rows}", "-", "--seed", 3, *words)
     for scene in twofold.scenes():
         same(twofold.simulate(scene, 2, 100, real=REAL), REAL, "run", scene,
              "--t-end", 2, "--every", 100)

@@ -21,11 +21,12 @@ DIST_CONSTANTS := $(REALS:%=$(BUILD)/%/constants)
 
 .PHONY: dist install uninstall test-dist
 dist: ## two files, a prepared scene, packages: into build/dist
-dist: $(DIST_CONSTANTS) $(DIST)/c/twofold.c
+dist: $(DIST_CONSTANTS) $(DIST)/c/twofold.c $(BUILD)/double/help.c
 	@for scene in $(sort chaos smooth $(DIST_SCENE)); do \
 	  tools/package/dist/scene.py $$scene $(DIST_CONSTANTS) $(DIST)/c || \
 	  exit 1; done
-	@tools/package/dist/packages.py $(DIST)/c $(DIST)
+	@tools/package/dist/packages.py $(DIST)/c $(DIST) \
+	  $(BUILD)/double/help.c
 	@echo 'The packages are in $(DIST).'
 
 $(DIST)/c/twofold.c: $(wildcard include/*.h include/twofold/*.h src/*/*.[ch]) \

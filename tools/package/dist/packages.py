@@ -3,8 +3,9 @@
 version filled in, and the two files and the prepared scene where each one wants
 them.
 
-usage: packages.py C FOLDER
-C: the folder with twofold.h, twofold.c and the headers of PREPARED.
+usage: packages.py C FOLDER HELP
+C: the folder with twofold.h, twofold.c and the headers of PREPARED. HELP: what
+the command line prints, as C.
 """
 import gzip
 import re
@@ -93,7 +94,7 @@ def archive(package, to):
 
 
 def main():
-    made, folder = map(Path, sys.argv[1:])
+    made, folder, help_ = map(Path, sys.argv[1:])
     for template, (name, inner, files, begin) in PACKAGES.items():
         package = folder / name
         shutil.rmtree(package.parent, ignore_errors=True)
@@ -111,7 +112,11 @@ def main():
             shutil.copy(DEMO, package / "examples/chaos/src/main.c")
         shutil.copy(ROOT / "LICENSE", package / "LICENSE")
         if template == "python":
-            shutil.copy(ROOT / "tools/motion.h", package)
+            for part in "include", "src", "tools/cli":
+                shutil.copytree(ROOT / part, package / part)
+            for file in ROOT.glob("tools/*.[ch]"):
+                shutil.copy(file, package / "tools")
+            shutil.copy(help_, package)
             shutil.copy(ROOT / "tools/board/protocol/decode.py",
                         package / "twofold")
         if template in ("cmake", "python"):

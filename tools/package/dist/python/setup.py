@@ -1,9 +1,12 @@
-"""The core in both real types becomes one library beside the package, which
-calls it by ctypes: it is no module of Python itself."""
+"""The core and the command line in both real types become two libraries beside
+the package, which calls them by ctypes: they are no modules of Python."""
 from pathlib import Path
 
 from setuptools import Extension, setup
 from setuptools.command.build_ext import build_ext
+
+SOURCES = ["shared.c", "lanes.c", "help.c", *map(str, sorted(
+    Path("tools").rglob("*.c")))]
 
 
 class Library(build_ext):
@@ -14,6 +17,8 @@ class Library(build_ext):
 
 
 setup(cmdclass={"build_ext": Library}, ext_modules=[Extension(
-    "twofold._twofold", ["shared_f64.c", "shared_f32.c", "lanes_f64.c",
-                         "lanes_f32.c"], libraries=["m"],
-    extra_compile_args=["-std=c99", "-O3", "-fno-math-errno"])])
+    f"twofold._{name}", SOURCES, include_dirs=["include", "tools"],
+    libraries=["m"], define_macros=[("main", "twofold_main"), *macros],
+    extra_compile_args=["-std=c99", "-O3", "-ffp-contract=off",
+                        "-fno-math-errno"])
+    for name, macros in (("f64", []), ("f32", [("TF_REAL_FLOAT", None)]))])

@@ -17,12 +17,13 @@ rule. Results have the bits of the command line `twofold`.
 lists names, units and ranges.
 """
 from ._core import parameters, scenes
+from ._diverge import diverge
 from ._ensemble import Ensemble, sweep
 from ._machine import INPUTS, Machine, simulate
 from ._names import Folds, Law, Mode, Region, Rest, Rule, Scheme, Status
-from ._table import UNITS, Table
+from ._table import UNITS, Table, read_csv
 
 __all__ = ["Ensemble", "Folds", "INPUTS", "Law", "Machine", "Mode", "Region",
-           "Rest", "Rule", "Scheme", "Status", "Table", "UNITS", "parameters",
-           "scenes", "simulate", "sweep"]
+           "Rest", "Rule", "Scheme", "Status", "Table", "UNITS", "diverge",
+           "parameters", "read_csv", "scenes", "simulate", "sweep"]
 __version__ = "@VERSION@"

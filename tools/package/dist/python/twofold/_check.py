@@ -3,11 +3,18 @@ for a number, and an integer modulo its size."""
 from __future__ import annotations
 
 import difflib
+import functools
 import math
 import numbers
 import operator
+import pickle
+import zlib
+from typing import Any, Callable, TypeVar, cast
 
 import numpy as np
+
+VERSION = "@VERSION@"
+Method = TypeVar("Method", bound=Callable[..., Any])
 
 # Largest magnitude of a state and of an input, and number of steps at once.
 LIMIT = 1e9
@@ -52,7 +59,7 @@ def flag(name, value):
     return bool(value)
 
 
-def word(name, value, words, hints={}):
+def word(name, value, words, hints={}, error=ValueError):
     """One of the words; for another one, the closest, or what the closest of
     the hints stands for."""
     if not isinstance(value, str):
@@ -61,9 +68,9 @@ def word(name, value, words, hints={}):
         return value
     close = difflib.get_close_matches(
         value, [one for one in (*words, *hints) if one != value], 1)
-    raise ValueError(f"{name} is {value!r}, not one of " + ", ".join(words)
-                     + "".join(f"; did you mean {hints.get(one, one)!r}?"
-                               for one in close))
+    raise error(f"{name} is {value!r}, not one of " + ", ".join(words)
+                + "".join(f"; did you mean {hints.get(one, one)!r}?"
+                          for one in close))
 
 
 def member(name, value, kind):
@@ -107,3 +114,45 @@ def columns(given):
                              f"{length}")
     return {name: np.broadcast_to(array, length)
             for name, array in given.items()}
+
+
+def alone(method: Method) -> Method:
+    """A method that no other thread and no signal handler enters while one of
+    the same object runs. To delete and to put back are no calls, behind which a
+    signal could keep the place taken."""
+    @functools.wraps(method)
+    def entered(self, *arguments, **named):
+        try:
+            del self._free[0]
+        except IndexError:
+            raise RuntimeError(
+                f"{method.__qualname__}: this object computes at present, in "
+                "another thread or under a signal handler; give each its "
+                "copy()") from None
+        try:
+            return method(self, *arguments, **named)
+        finally:
+            self._free[:] = [None]
+    return cast(Method, entered)
+
+
+def packed(held, sizes):
+    """A state for pickle, with what shows that it is whole. A pickle whose
+    lengths are damaged ends at a point or goes on in a text: the version has
+    no point, and the text is no pickle."""
+    text = zlib.compress(pickle.dumps(held), 1)
+    return VERSION.split("."), text, sizes, len(text), zlib.crc32(text)
+
+
+def unpacked(state, sizes):
+    by = ".".join(state[0]) if isinstance(state, tuple) else "an older version"
+    if by != VERSION:
+        raise pickle.UnpicklingError(
+            f"pickled by twofold {by}; this is {VERSION}")
+    _, text, layout, *whole = state
+    if layout != sizes:
+        raise pickle.UnpicklingError("pickled by a build of another layout: "
+                                     f"{layout}; this has {sizes}")
+    if whole != [len(text), zlib.crc32(text)]:
+        raise pickle.UnpicklingError("the pickle is damaged")
+    return pickle.loads(zlib.decompress(text))

@@ -2,18 +2,40 @@
 from __future__ import annotations
 
 import ctypes
-from ctypes import POINTER, c_bool, c_char, c_char_p, c_int, c_size_t
-from ctypes import c_uint, c_uint8, c_uint16, c_uint32, c_uint64, c_void_p
+import os
+import warnings
+from ctypes import POINTER, c_bool, c_char, c_char_p, c_double, c_int, c_int8
+from ctypes import c_size_t, c_uint, c_uint8, c_uint16, c_uint32, c_uint64
+from ctypes import c_void_p
 from pathlib import Path
 
 import numpy as np
+
+from ._check import word
+from ._names import Mode
+from ._table import UNITS
 
 LANES = 16
 NO_MODE = 5
 # Steps of one call of the core; behind each, Python looks at its signals.
 SLICE = 2 ** 16
-LAYOUT = "machine", "report", "parameters", "scenes"
-_shared = ctypes.CDLL(str(Path(__file__).with_name("_twofold.so")))
+LAYOUT = "machine", "report", "parameters", "scenes", "file", "table"
+QUANTITIES = "r v omega phi h g F M delassus"
+
+
+class Struct(ctypes.Structure):
+    """One that shows its fields with their units."""
+
+    def __repr__(self):
+        shown = []
+        for name, *_ in self._fields_:
+            value, unit = getattr(self, name), UNITS.get(name, "")
+            if name == "mode" and value < NO_MODE:
+                value = Mode(value)
+            elif isinstance(value, float):
+                value = f"{value:.9g}"
+            shown.append(f"{name}={value} {unit}".rstrip())
+        return f"{type(self).__name__}({', '.join(shown)})"
 
 
 class Core:
@@ -21,8 +43,10 @@ class Core:
 
     def __init__(self, suffix, real, dtype):
         self.suffix, self.real, self.dtype = suffix, real, np.dtype(dtype)
+        self.path = str(Path(__file__).with_name(f"_{suffix}.so"))
+        self.library = ctypes.CDLL(self.path)
         self.size = dict(zip(LAYOUT, (c_uint32 * len(LAYOUT)).in_dll(
-            _shared, f"twofold_layout_{suffix}")))
+            self.library, "twofold_layout")))
         self._structs()
         self._rows()
         self._functions()
@@ -30,21 +54,25 @@ class Core:
     def __reduce__(self):
         return f"CORE_{self.suffix}"
 
-    def _struct(self, reals, *others):
-        """A struct of the core with fields of its real type first."""
-        return type("Struct", (ctypes.Structure,), {"_fields_": [
-            *((name, self.real) for name in reals.split()), *others]})
+    def _struct(self, reals, *others, name="Struct", first=()):
+        """A struct of the core; fields of its real type before others."""
+        return type(name, (Struct,), {"_fields_": [
+            *first, *((one, self.real) for one in reals.split()), *others]})
 
     def _structs(self):
         self.State = self._struct("r v w phi", ("tick", c_uint64),
-                                  ("seed", c_uint32), ("mode", c_uint8))
-        self.Input = self._struct("omega0 r0 force torque alpha")
+                                  ("seed", c_uint32), ("mode", c_uint8),
+                                  name="State")
+        self.Input = self._struct("omega0 r0 force torque alpha", name="Input")
+        self.Row = self._struct(
+            QUANTITIES, ("mode", c_uint8), ("set", c_uint8),
+            ("choices", c_uint8), ("status", c_int8), first=[("t", c_double)])
         Range = self._struct(
             "", ("name", c_char_p), ("unit", c_char_p), ("offset", c_uint16),
             ("laws", c_uint16), ("low", self.real), ("high", self.real))
         self.ranges = {one.name.decode(): one for one in
                        (Range * self.size["parameters"]).in_dll(
-                           _shared, f"tf_parameter_ranges_{self.suffix}")}
+                           self.library, f"tf_parameter_ranges_{self.suffix}")}
         self.Params = self._struct(
             " ".join(self.ranges), ("law", c_uint), ("rule", c_uint),
             ("rest", c_uint), ("with_angle", c_bool))
@@ -61,7 +89,7 @@ class Core:
             ("scene", POINTER(self.Scene)), ("scheme", c_int))
         self.scenes = {one.contents.name.decode(): one.contents for one in
                        (POINTER(self.Scene) * self.size["scenes"]).in_dll(
-                           _shared, f"tf_scenes_{self.suffix}")}
+                           self.library, f"tf_scenes_{self.suffix}")}
 
     def _dtype(self, reals, *others, first=(), lanes=()):
         """Of a row, or of a block of an ensemble."""
@@ -72,7 +100,7 @@ class Core:
     def _rows(self):
         mode = ("mode", "u1")
         flags = mode, ("set", "u1"), ("choices", "u1"), ("status", "i1")
-        self.row = self._dtype("r v omega phi h g F M delassus", *flags,
+        self.row = self._dtype(QUANTITIES, *flags,
                                first=[("t", "f8")])
         self.fold = self._dtype(
             "r v omega g K++ K+- K-+ K-- J1 J2 eigenvalue_1 eigenvalue_2 "
@@ -86,6 +114,9 @@ class Core:
     def _functions(self):
         real, any_, run = self.real, c_void_p, POINTER(self.Run)
         input_ = POINTER(self.Input)
+        words = c_char_p, c_char_p, c_size_t, any_, c_size_t
+        # Messages have one place: calls that hold Python's lock share it.
+        locked = ctypes.PyDLL(self.path)
         for name, result, arguments in (
                 ("tf_prepare_compensated", c_int,
                  (any_, any_, POINTER(c_int))),
@@ -100,15 +131,25 @@ class Core:
                 ("twofold_lanes", None,
                  (run, any_, c_size_t, input_, any_, *2 * [c_uint64])),
                 ("twofold_takes_law", c_int, (c_int, c_int)),
-                ("twofold_begin", c_int, (run, c_uint32, any_)),
+                ("twofold_begin", c_int, (run, c_uint32, any_, input_)),
+                ("twofold_scene", c_int, (any_, *words)),
+                ("twofold_table", c_int,
+                 (any_, POINTER(self.Scene), c_bool, *words)),
+                ("twofold_drive", self.Input, (any_, run, any_)),
+                ("twofold_free", None, (any_,)),
+                ("twofold_row", self.Row, (run,)),
                 ("twofold_take", c_int, (run, input_, c_uint)),
                 ("twofold_folds", c_int, (run, any_, POINTER(c_int))),
                 ("twofold_regions", c_int, (run, any_, c_size_t)),
                 ("twofold_run", c_uint64,
-                 (run, input_, *4 * [c_uint64], any_, POINTER(c_int)))):
-            avx2 = "_avx2" * (name == "twofold_lanes" and
-                              _shared.twofold_has_avx2_f64())
-            function = getattr(_shared, f"{name}{avx2}_{self.suffix}")
+                 (run, input_, any_, *4 * [c_uint64], any_,
+                  POINTER(c_int)))):
+            suffix = f"_{self.suffix}" if name.startswith("tf_") else (
+                "_avx2" * (name == "twofold_lanes" and
+                           self.library.twofold_has_avx2()))
+            function = getattr(
+                locked if name in ("twofold_scene", "twofold_table") else
+                self.library, name + suffix)
             function.restype, function.argtypes = result, arguments
             setattr(self, "call_" + name.split("_", 1)[1], function)
 
@@ -121,6 +162,26 @@ class Core:
             raise FloatingPointError("the bits would be others: " +
                                      self.call_arithmetic_name(found).decode())
 
+    def read(self, call, *arguments):
+        """What the command line reads of a text; raises with its words."""
+        self.check_arithmetic()
+        *_, text = arguments
+        why = ctypes.create_string_buffer(1024)
+        code = call(*arguments, len(text), why, len(why))
+        said = os.fsdecode(why.value)
+        if code:
+            raise ValueError(said)
+        if said:
+            warnings.warn(said.replace("note: ", ""), stacklevel=4)
+
+    def scene(self, name, text=None):
+        """That of a name, or of the text of a file of that name."""
+        if text is None:
+            return self.scenes[word("scene", name, self.scenes)]
+        file = ctypes.create_string_buffer(self.size["file"])
+        self.read(self.call_scene, file, os.fsencode(name), text)
+        return self.Scene.from_buffer(file)
+
     def fail(self, status, what):
         """Raises for a negative status."""
         if status < 0:
@@ -131,6 +192,9 @@ class Core:
 CORE_f64 = Core("f64", ctypes.c_double, "f8")
 CORE_f32 = Core("f32", ctypes.c_float, "f4")
 CORES = {"double": CORE_f64, "float": CORE_f32}
+UNITS.update({name: one.unit.decode() for name, one in CORE_f64.ranges.items()
+              if one.unit != b"1"})
+SIZES = [[*one.size.values()] for one in CORES.values()]
 
 
 def scenes() -> dict[str, str]:

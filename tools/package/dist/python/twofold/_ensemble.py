@@ -1,15 +1,20 @@
 """Many states of one machine, and many machines."""
 from __future__ import annotations
 
+import contextlib
 import math
-from ctypes import Structure, byref
+import os
+from concurrent.futures import ThreadPoolExecutor
+from ctypes import byref
+from threading import Event
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._check import LIMIT, STEPS, column, columns, integer, member, word
-from ._core import LANES, NO_MODE, parameters
+from ._check import (LIMIT, STEPS, alone, column, columns, integer, member,
+                     packed, unpacked, word)
+from ._core import LANES, NO_MODE, Struct, parameters
 from ._machine import START, Machine, placed
 from ._names import Law, Mode, Rule, Scheme, Status
 from ._table import Table
@@ -28,7 +33,7 @@ class Ensemble:
                  seed: ArrayLike | None = None):
         if not isinstance(machine, Machine):
             raise TypeError(f"machine is {machine!r}, not a Machine")
-        self.machine, self.core = machine, machine.core
+        self.machine, self.core, self._free = machine.copy(), machine.core, [0]
         given = {name: column(name, values, "iuf", -LIMIT, LIMIT, START[name])
                  for name, values in placed(r, omega, v, h).items()}
         if seed is not None:
@@ -39,7 +44,7 @@ class Ensemble:
         blocks = -(-self.n // LANES)
         self.states = np.zeros(blocks, self.core.state_block)
         self.reports = np.zeros(blocks, self.core.report_block)
-        one = machine.copy()
+        one = self.machine.copy()
         for i in range(self.n):
             start = {**dict.fromkeys(START), **{
                 name: float(values[i]) for name, values in given.items()}}
@@ -47,7 +52,15 @@ class Ensemble:
             self.core.call_ensemble_put(self.states.ctypes.data, i,
                                         byref(one.state))
 
-    def step(self, steps: int = 1, inputs: Structure | None = None) -> None:
+    @alone
+    def __getstate__(self):
+        return packed({**self.__dict__, "_free": [None]}, _core.SIZES)
+
+    def __setstate__(self, held):
+        self.__dict__.update(unpacked(held, _core.SIZES))
+
+    @alone
+    def step(self, steps: int = 1, inputs: Struct | None = None) -> None:
         """Takes so many steps. inputs: of Machine.input(), held; their alpha is
         that of the first step, and 0 behind it. None: those of the scene. A
         state whose step is refused stays where it is; see status. Where
@@ -80,8 +93,9 @@ class Ensemble:
         return home[name].reshape(-1)[:self.n].copy()
 
     def table(self) -> Table:
-        """All of them, a row for each state."""
-        own = {name: self[name] for name in self._columns()}
+        """All of them, a row for each state, which is numbered."""
+        own = {"state": np.arange(self.n),
+               **{name: self[name] for name in self._columns()}}
         return np.rec.fromarrays(own.values(), dtype=[
             (name, one.dtype) for name, one in own.items()]).view(Table)
 
@@ -143,7 +157,7 @@ def _axis(name, values):
         values if np.ndim(values) and len(values) else [values])])
 
 
-def _point(row, scene, t_end, scheme, settings):
+def _point(row, scene, t_end, scheme, settings, stop):
     """Fills in the row of a point. Returns: why it was refused."""
     row["final"] = NO_MODE
     try:
@@ -153,7 +167,7 @@ def _point(row, scene, t_end, scheme, settings):
         row["status"], row["reason"] = "refused", str(error)
         return error
     energy = machine.energy()
-    rows, done, status = machine._rows(t_end, 1, scheme, None)
+    rows, done, status = machine._rows(t_end, 1, scheme, None, None, stop)
     row["t"] = rows["t"][-1]
     found = _outcomes(rows, energy, machine.energy())
     for name, value in found.items():
@@ -172,15 +186,36 @@ def _point(row, scene, t_end, scheme, settings):
     return None
 
 
-def sweep(scene: str = "chaos", over: dict | None = None,
+def _in_threads(work, points, jobs, progress, stop):
+    """The results of all points; the core does not hold Python's lock."""
+    with ThreadPoolExecutor(jobs) as pool:
+        try:
+            results = pool.map(work, points)
+            if progress is not False:
+                with contextlib.suppress(ImportError):
+                    from tqdm.auto import tqdm
+                    results = tqdm(results, "sweep", len(points), unit="point",
+                                   disable=None if progress is None else False)
+            return list(results)
+        finally:
+            stop.set()
+            pool.shutdown(cancel_futures=True)
+
+
+def sweep(scene: str | os.PathLike = "chaos", over: dict | None = None,
           t_end: float | None = None, scheme: Scheme | str | None = None,
+          jobs: int | None = None, progress: bool | None = None,
           **settings) -> Table:
     """Follows a motion from each point of a grid: what `twofold sweep` finds.
 
     over: values of each axis by its name, a parameter or argument of Machine.
+    jobs: points at a time; None: one for each processor.
+    progress: whether tqdm, where it is installed, shows how far the sweep is;
+      None: on a terminal.
     Returns: a table with an axis for each; columns: those of over, t (reached),
       the outcomes of `twofold sweep` (NaN: it did not happen), status (done,
-      flagged, stopped, refused) and the reason. Large ones are quicker there.
+      flagged, stopped, refused) and the reason. to_xarray() has the axes as
+      coordinates.
     Raises ValueError where every point is refused: that is no axis' doing.
     """
     if not (over is None or isinstance(over, dict)):
@@ -189,6 +224,7 @@ def sweep(scene: str = "chaos", over: dict | None = None,
             _axis(name, values) for name, values in (over or {}).items()}
     for name in axes.keys() & settings.keys():
         raise ValueError(f"{name} is an axis, and given as {settings[name]!r}")
+    jobs = integer("jobs", os.cpu_count() if jobs is None else jobs, 1, 2 ** 16)
     table = np.zeros([len(values) for values in axes.values()], [
         *((name, values.dtype) for name, values in axes.items()),
         *((name, "f8") for name in NUMBERS), ("modes", "U48"),
@@ -197,9 +233,11 @@ def sweep(scene: str = "chaos", over: dict | None = None,
         table[name] = grid
     for name in NUMBERS:
         table[name] = math.nan
-    errors = [_point(table[at], scene, t_end, scheme, {**settings, **{
-        name: table[name][at].item() for name in axes}})
-              for at in np.ndindex(table.shape)]
+    stop = Event()
+    errors = _in_threads(lambda at: _point(
+        table[at], scene, t_end, scheme, {**settings, **{
+            name: table[name][at].item() for name in axes}}, stop.is_set),
+        [*np.ndindex(table.shape)], jobs, progress, stop)
     if all(errors):
         raise errors[0]
     return table.view(Table)

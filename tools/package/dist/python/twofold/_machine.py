@@ -1,20 +1,21 @@
 """One machine in one state."""
 from __future__ import annotations
 
-import copy
 import ctypes
 import math
-from ctypes import Structure, byref, c_int
-from typing import Any
+import os
+from ctypes import byref, c_int
+from pathlib import Path
+from typing import Any, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
-from ._check import (LIMIT, STEPS, column, flag, integer, member, number,
-                     refuse, word)
-from ._core import CORES
-from ._names import Law, Mode, Rest, Rule, Scheme
+from ._check import (LIMIT, STEPS, alone, column, columns, flag, integer,
+                     member, number, packed, refuse, unpacked, word)
+from ._core import CORES, QUANTITIES, Struct
+from ._names import Law, Mode, Rest, Rule, Scheme, Status
 from ._table import Table
 
 # Float loses a motion in the rounding of its state at shorter steps [s].
@@ -26,7 +27,8 @@ BUFFERS = {"_motion": "Motion", "_params": "Params"}
 # What else a mistyped setting may be; the command line selects by a rule.
 HINTS = {"select": "rule", **{name: name for name in (
     *START, "real", "law", "rule", "rest", "with_angle", "seed", "t_end",
-    "every", "scheme", "over")}}
+    "every", "scheme", "over", "inputs", "between")}}
+Inputs = Union[Struct, str, os.PathLike, np.ndarray, dict, Any]
 
 
 def placed(r, omega, v, h):
@@ -36,21 +38,91 @@ def placed(r, omega, v, h):
     return {"r": r, "omega": omega, **({"h": h} if v is None else {"v": v})}
 
 
-class Machine:
-    """A prepared machine, in one state.
+class Futures(dict):
+    """By mode, as a member of Mode or its word."""
 
-    scene: one of scenes(); gives parameters, start and inputs.
+    def __getitem__(self, mode):
+        return super().__getitem__(Mode(mode))
+
+    def __contains__(self, mode):
+        return mode in [*self]
+
+    def get(self, mode, default=None):
+        return self[mode] if mode in self else default
+
+
+class _Quantity:
+    """One of the present state."""
+
+    def __set_name__(self, owner, name):
+        self.name = name
+
+    def __get__(self, machine, owner=None) -> float:
+        return self if machine is None else getattr(machine._row(), self.name)
+
+
+class _Table:
+    """Inputs over time that drive a machine, as --inputs does."""
+
+    def __init__(self, machine, inputs, between):
+        self.core, name = machine.core, b"inputs"
+        if isinstance(inputs, (str, os.PathLike)):
+            name, text = os.fsencode(inputs), Path(inputs).read_bytes()
+        else:
+            text = _csv_of(inputs)
+        if between is None:
+            raise TypeError("between says what holds between two rows of "
+                            "inputs: 'held' or 'linear'")
+        linear = word("between", between, ("held", "linear")) == "linear"
+        self.held = name, ctypes.create_string_buffer(self.core.size["table"])
+        self.core.read(self.core.call_table, self.held[1],
+                       ctypes.pointer(machine.scene), linear, name, text)
+
+    def __del__(self):
+        if hasattr(self, "held"):
+            self.core.call_free(self.held[1])
+
+
+def _csv_of(inputs):
+    """The columns of a DataFrame, a dict or a structured array, t first."""
+    names = getattr(getattr(inputs, "dtype", None), "names", None)
+    try:
+        given = columns({name: column(f"inputs: {name}", inputs[name], "iuf",
+                                      -LIMIT, LIMIT)
+                         for name in sorted(names or inputs.keys(),
+                                            key=lambda name: name != "t")})
+    except AttributeError:
+        raise TypeError(f"inputs is {inputs!r}, not of input() of a machine of "
+                        "this real type, and no path, DataFrame, dict or "
+                        "structured array with the column t") from None
+    return "\n".join([",".join(map(str, given)), *(
+        ",".join(map(repr, row)) for row in zip(*(
+            one.tolist() for one in given.values()))), ""]).encode()
+
+
+class Machine:
+    """A prepared machine, in one state: t [s], r [m], v [m/s], omega [rad/s],
+    phi [rad], h, g [m/s], mode; and of the step to it the mean F [N] and M
+    [N m], delassus [1/kg], set (the modes that were possible), choices (how
+    many), status. state: what can be changed: r, v, w (omega), phi, tick, seed,
+    mode.
+
+    scene: one of scenes(), or a file, whose name has a . or a / in it; gives
+      parameters, start and inputs.
     real: "double" or "float".
     law, rule, rest: of Law, Rule, Rest, or a name; rate [1/s] belongs to rule
       "random".
     with_angle: whether the angle of the disc is integrated.
     r, v, omega, h, phi: the start; None: that of the scene. h instead of v.
-    state: its r, v, w, phi, tick, seed and mode.
     parameters: those to be changed, by name, in SI units (parameters()).
     Raises ValueError that names a parameter, its value and its range.
+    A method that is called while another thread, or what a signal interrupts,
+    is in one of the same machine raises RuntimeError. Each may have a copy().
     """
+    t, r, v, omega, phi, h, g, F, M, delassus = (
+        _Quantity() for _ in ["t", *QUANTITIES.split()])
 
-    def __init__(self, scene: str = "chaos", real: str = "double",
+    def __init__(self, scene: str | os.PathLike = "chaos", real: str = "double",
                  law: Law | str | None = None, rule: Rule | str | None = None,
                  rest: Rest | str | None = None,
                  with_angle: bool | None = None, seed: int = 1,
@@ -58,13 +130,16 @@ class Machine:
                  omega: float | None = None, h: float | None = None,
                  phi: float | None = None, **parameters: float):
         core: Any = CORES[word("real", real, CORES)]
-        self.core = core
-        self.scene = core.scenes[word("scene", scene, core.scenes)]
+        self.core, self._free, self._text = core, [None], None
+        if isinstance(scene, os.PathLike) or \
+                isinstance(scene, str) and ("." in scene or "/" in scene):
+            scene, self._text = os.fspath(scene), Path(scene).read_bytes()
+        self.scene = core.scene(scene, self._text)
         self.name, self.seed = scene, seed
         self._params = core.Params.from_buffer_copy(self.scene.params)
         for name, value in parameters.items():
             one = core.ranges[word("name of a parameter", name, core.ranges,
-                                   HINTS)]
+                                   HINTS, TypeError)]
             rounded = core.real(number(name, value)).value
             setattr(self._params, name, number(
                 name, rounded, one.low, one.high, one.unit.decode()))
@@ -98,16 +173,38 @@ class Machine:
                 f"m, v={x.v:.6g} m/s, omega={x.w:.6g} rad/s, "
                 f"{Mode(x.mode)}")
 
+    def _row(self):
+        return self.core.call_row(self._run())
+
+    @property
+    def mode(self) -> Mode:
+        return Mode(self._row().mode)
+
+    @property
+    def set(self) -> tuple[Mode, ...]:
+        found = self._row().set
+        return tuple(mode for mode in Mode if found >> mode & 1)
+
+    @property
+    def choices(self) -> int:
+        return self._row().choices
+
+    @property
+    def status(self) -> Status:
+        return Status(self._row().status)
+
     def _given(self, values):
         """A start; NaN where the scene gives it."""
         return tuple(math.nan if value is None else
                      number(name, value, -LIMIT, LIMIT, START[name])
                      for name, value in values)
 
+    @alone
     def start(self) -> None:
         """Returns to the start of the scene, or to that given."""
         self._begin(self._start, f"start of {self.name}")
 
+    @alone
     def place(self, r: float, omega: float, v: float | None = None,
               h: float | None = None) -> None:
         """Starts anew at r [m] and omega [rad/s], with the speed v [m/s] of the
@@ -117,11 +214,12 @@ class Machine:
             number(name, given[name])
         self._begin(self._given(given.items()), "place")
 
-    def _begin(self, start, what, seed=None, scheme=0):
+    def _begin(self, start, what, seed=None, scheme=0, first=None):
         seed = integer("seed", self.seed if seed is None else seed, 0,
                        2 ** 32 - 1)
         status = self.core.call_begin(
-            self._run(scheme), seed, (self.core.real * len(START))(*start))
+            self._run(scheme), seed, (self.core.real * len(START))(*start),
+            first)
         if status < 0:
             if math.isnan(start[1]) and abs(math.sin(self["gamma"])) < 1e-6:
                 what += (": no speed v gives a slip speed h, because "
@@ -130,7 +228,7 @@ class Machine:
         self._begun = start, bytes(self.state)
 
     @property
-    def state(self) -> Structure:
+    def state(self) -> Struct:
         return self._motion.state
 
     def _run(self, scheme=0):
@@ -138,23 +236,37 @@ class Machine:
         return self.core.Run(ctypes.pointer(self._motion),
                              ctypes.pointer(self.scene), scheme)
 
+    @alone
     def copy(self) -> Machine:
         """One in the same state, which goes its own way."""
-        return copy.copy(self)
+        return self._copy()
 
+    def _copy(self):
+        one = object.__new__(type(self))
+        one.__dict__.update(self.__dict__, _free=[None], **{
+            name: getattr(self.core, kind).from_buffer_copy(getattr(self, name))
+            for name, kind in BUFFERS.items()})
+        return one
+
+    def __copy__(self):
+        return self.copy()
+
+    @alone
     def __getstate__(self):
-        """Of a copy and of a pickle, which has nothing of ctypes."""
-        return {**self.__dict__, "scene": None,
-                **{name: bytes(getattr(self, name)) for name in BUFFERS}}
+        """Of a pickle, which has nothing of ctypes."""
+        return packed({**self.__dict__, "_free": [None], "scene": None, **{
+            name: bytes(getattr(self, name)) for name in BUFFERS}},
+            _core.SIZES)
 
     def __setstate__(self, held):
-        self.__dict__ = held
-        self.scene = self.core.scenes[self.name]
+        held = unpacked(held, _core.SIZES)
+        self.__dict__.update(held)
+        self.scene = self.core.scene(self.name, self._text)
         for name, kind in BUFFERS.items():
             setattr(self, name, getattr(self.core, kind).from_buffer_copy(
                 held[name]))
 
-    def input(self, **changed: float) -> Structure:
+    def input(self, **changed: float) -> Struct:
         """The inputs of a machine that nothing drives, with changes: omega0
         [rad/s], r0 [m], force [N], torque [N m], alpha [rad/s^2]."""
         given = self.core.call_input_default(byref(self._motion))
@@ -164,10 +276,11 @@ class Machine:
                                         INPUTS[name]))
         return given
 
-    def turntable_to(self, inputs: Structure, omega0: float) -> None:
+    def turntable_to(self, inputs: Struct, omega0: float) -> None:
         """Moves the turntable of inputs, of input(), on to omega0 [rad/s] at
         the end of the next step: alpha becomes the mean over that step."""
         self._held(inputs)
+        self.core.check_arithmetic()
         self.core.call_turntable_to(
             byref(inputs), number("omega0", omega0, -LIMIT, LIMIT, "rad/s"),
             self["dt"])
@@ -182,6 +295,7 @@ class Machine:
                    unit)
         return byref(inputs)
 
+    @alone
     def two_folds(self) -> Table:
         """Every two-fold at g != 0, under the inputs at t = 0, with its normal
         form in the paper's time: a row each, as `twofold singularities` has
@@ -192,6 +306,7 @@ class Machine:
             self._run(), rows.ctypes.data, byref(count)), "two_folds")
         return rows[:count.value].view(Table)
 
+    @alone
     def regions(self, r: ArrayLike, omega: ArrayLike) -> Table:
         """The regions of h = 0 over r [m] and omega [rad/s], arrays of one
         dimension, under the inputs at t = 0: a table of the shape (len(r),
@@ -208,6 +323,7 @@ class Machine:
 
     def energy(self) -> float:
         """Mechanical energy of the present state [J]."""
+        self.core.check_arithmetic()
         return self.core.call_energy(byref(self._motion), byref(self.state),
                                      self["r0"])
 
@@ -221,42 +337,60 @@ class Machine:
                              f"or none, not {law}; moreau takes every law")
         return scheme
 
-    def _ready(self, scheme):
+    def _ready(self, scheme, first=None):
         """A start under it: compensated has the v of an h beyond rounding."""
         start, state = self._begun
         if bytes(self.state) == state:
-            self._begin(start, "start", self.state.seed, scheme=scheme)
+            self._begin(start, "start", self.state.seed, scheme, first)
         return self._run(scheme)
 
+    @alone
     def futures(self, scheme: Scheme | str | None = None,
-                inputs: Structure | None = None) -> dict[Mode, Machine]:
+                inputs: Struct | None = None) -> Futures:
         """What the next step may be: for each mode of the set that it reports,
         and that which it takes, a machine one step on in it, whatever the rule
         takes; never none. An escaping stick may be left at any time, so each
         step has both slips beside it. Where a mode is possible only within the
         step, stick or rest is left into it at the end; one that is over by then
-        (under located) is left out. scheme and inputs: those of run(). Raises
+        (under located) is left out. scheme and inputs: those of step().
+        Returns: a dict by mode, of Mode or its word: futures()["slip+"]. Raises
         ValueError where the step is refused."""
         scheme = self._scheme(scheme)
         held = None if inputs is None else self._held(inputs)
         self._ready(scheme)
-        all_ = {mode: self.copy() for mode in Mode}
+        all_ = {mode: self._copy() for mode in Mode}
         taken = {mode: self.core.call_take(one._run(scheme), held, mode)
                  for mode, one in all_.items()}
         self.core.fail(max(taken.values()), "step 1")
-        return {mode: all_[mode] for mode in Mode if taken[mode] >= 0}
+        return Futures((mode, all_[mode]) for mode in Mode if taken[mode] >= 0)
 
+    @alone
+    def step(self, steps: int = 1, inputs: Struct | None = None,
+             scheme: Scheme | str | None = None) -> Status:
+        """Takes so many steps; what they came to is in r, mode and the others.
+        inputs: of input(), as in run(). Returns: the status of the last one.
+        Raises ValueError where a step is refused."""
+        steps = integer("steps", steps, 1, STEPS)
+        self._follow(steps, steps, scheme, inputs, None)
+        return self.status
+
+    @alone
     def run(self, t_end: float | None = None, every: int = 1,
-            scheme: Scheme | str | None = None,
-            inputs: Structure | None = None) -> Table:
+            scheme: Scheme | str | None = None, inputs: Inputs = None,
+            between: str | None = None) -> Table:
         """Steps on for t_end [s] (default: the scene's length), the nearest
         whole number of steps.
 
         scheme: of Scheme, or a name; None: moreau, in float below 1 ms
           compensated, as on the command line.
-        inputs: of input(), held; their alpha is that of the first step, behind
-          which the turntable keeps its omega0 and alpha is 0, in `inputs` too.
-          None: those of the scene.
+        inputs: None: those of the scene. Of input(): held; their alpha is that
+          of the first step, behind which the turntable keeps its omega0 and
+          alpha is 0, in `inputs` too. Or a table over time, which --inputs of
+          the command line reads: a path, a DataFrame, a dict or a structured
+          array with the column t [s] and any of omega0 [rad/s], r0 [m], force
+          [N] and torque [N m]. Its t is that of the machine.
+        between: of a table, "held" (a row holds until the next one) or
+          "linear".
         Returns: a table with a row at the beginning, one after every `every`
           steps and one at the end; t [s], r [m], v [m/s], omega [rad/s], phi
           [rad], h, g [m/s], F [N], M [N m], delassus [1/kg], mode (of Mode),
@@ -264,36 +398,51 @@ class Machine:
         Raises ValueError where a step is refused, and KeyboardInterrupt at
           once; `state` is the last one.
         """
-        rows, done, status = self._rows(t_end, every, scheme, inputs)
+        rows, done, status = self._rows(t_end, every, scheme, inputs, between)
         self.core.fail(status, f"step {done + 1}")
         return rows
 
-    def _rows(self, t_end, every, scheme, inputs):
+    def _rows(self, t_end, every, scheme, inputs, between, stop=None):
         """Rows, as far as they were reached, steps taken, last status."""
-        scheme = self._scheme(scheme)
         every = integer("every", every, 1, STEPS)
         if t_end is None:
             t_end = self.scene.t_end
         t_end = number("t_end", t_end, 0, STEPS * self["dt"], "s")
         steps, rest = divmod(self.core.real(t_end).value / self["dt"], 1)
         steps = int(steps) + (rest >= 0.5)  # round() goes to even
-        held = None if inputs is None else self._held(inputs)
-        run = self._ready(scheme)
+        return self._follow(steps, every, scheme, inputs, between, stop)
+
+    def _follow(self, steps, every, scheme, inputs, between, stop=None):
+        scheme = self._scheme(scheme)
+        held = table = first = None
+        if between is not None or not (inputs is None or
+                                       isinstance(inputs, Struct)):
+            table = _Table(self, inputs, between)
+            first = self.core.call_drive(table.held[1], self._run(scheme),
+                                         byref(self._params))
+        elif inputs is not None:
+            held = self._held(inputs)
+        run = self._ready(scheme, first)
         rows = np.zeros(1 + -(-steps // every), self.core.row)
         done, status = 0, c_int(0)
         # A step of located is slow where its tolerance is small.
         most = max(1, _core.SLICE >> 4 * (run.scheme == Scheme.LOCATED))
         while True:
             done = self.core.call_run(
-                run, held, done, most, steps, every,
+                run, held, table and table.held[1], done, most, steps, every,
                 rows.ctypes.data, byref(status))
             if done == steps or status.value < 0:
                 break
+            if stop and stop():
+                raise KeyboardInterrupt
         kept = rows if status.value >= 0 else rows[:1 + done // every]
         return kept.view(Table), done, status.value
 
 
-def simulate(scene: str = "chaos", t_end: float | None = None, every: int = 1,
-             scheme: Scheme | str | None = None, **settings) -> Table:
-    """The rows of one motion; settings are those of Machine."""
-    return Machine(scene, **settings).run(t_end, every, scheme)
+def simulate(scene: str | os.PathLike = "chaos", t_end: float | None = None,
+             every: int = 1, scheme: Scheme | str | None = None,
+             inputs: Inputs = None, between: str | None = None,
+             **settings) -> Table:
+    """The rows of one motion; t_end to between are those of Machine.run(),
+    scene and settings those of Machine."""
+    return Machine(scene, **settings).run(t_end, every, scheme, inputs, between)

@@ -1,5 +1,5 @@
 """What the core numbers, as enumerations; `str` is the name that the command
-line has."""
+line has. A member is made of its name, too, and is equal to it."""
 from __future__ import annotations
 
 from enum import IntEnum
@@ -12,6 +12,22 @@ class _Named(IntEnum):
 
     def __format__(self, form):
         return format(str(self), form)
+
+    def __repr__(self):
+        return f"{type(self).__name__}({str(self)!r})"
+
+    def __eq__(self, other):
+        return other in (str(self), self.name) if isinstance(other, str) \
+            else int(self) == other
+
+    def __ne__(self, other):
+        return not self == other
+
+    __hash__ = int.__hash__
+
+    @classmethod
+    def _missing_(cls, value):
+        return next((one for one in cls if one == value), None)
 
 
 class Mode(_Named):

@@ -1,7 +1,11 @@
-"""Rows as an array that shows itself."""
+"""Rows as an array that shows itself, and that other packages read."""
 from __future__ import annotations
 
+import csv
+import os
 from html import escape
+from pathlib import Path
+from typing import TextIO
 
 import numpy as np
 
@@ -9,6 +13,8 @@ from ._check import word
 from ._names import Folds, Mode, Region, Status
 
 UNITS = {"t": "s", "r": "m", "v": "m/s", "omega": "rad/s", "phi": "rad",
+         "w": "rad/s", "omega0": "rad/s", "r0": "m", "force": "N",
+         "torque": "N m", "alpha": "rad/s^2",
          "h": "m/s", "g": "m/s", "F": "N", "M": "N m", "delassus": "1/kg",
          "residual": "N", "lambda": "N", "time_scale": "kg m^2", "rest": "s",
          "arrival": "s", "recurrence": "s", "ambiguous": "s", "energy": "J",
@@ -18,8 +24,12 @@ UNITS = {"t": "s", "r": "m", "v": "m/s", "omega": "rad/s", "phi": "rad",
 MEMBERS = {"mode": Mode, "final": Mode, "status": Status, "region": Region,
            "type": Folds}
 # Okabe and Ito's colours, by mode as in docs/PAPER.md.
+STRIPS = "r", "v", "omega", "h"
 COLOURS = ("#d55e00", "#e69f00", "#0072b2", "#009e73", "#000000")
 SHOWN = 10
+# Columns of the command line that are whole numbers; set: of words.
+COUNTS = {"choices", "tick", "point", "changes", "arrivals", "sample", "cycle",
+          "landings", "windings", "node", "depth", "to"}
 
 
 def _cell(name, value):
@@ -70,6 +80,61 @@ class Table(np.ndarray):
                 ["th"] + ["td"] * self.size, self._cells()))
         return f"<table>{rows}</table><p>{self.size} rows</p>"
 
+    @property
+    def columns(self) -> list[str]:
+        return [*(self.dtype.names or ())]
+
+    @property
+    def units(self) -> dict[str, str]:
+        """Of the columns that have one."""
+        return {name: UNITS[name] for name in self.columns if name in UNITS}
+
+    def words(self, name: str) -> np.ndarray:
+        """A column with words for the numbers of modes, status and the like; a
+        set has a word as "slip+|stick+"."""
+        values = self[name]
+        if name != "set" and name not in MEMBERS or values.dtype.kind not in \
+                "iu":
+            return values
+        found, at = np.unique(values, return_inverse=True)
+        return np.array([_cell(name, one) for one in found], str)[
+            at.reshape(values.shape)]
+
+    def to_pandas(self):
+        """A DataFrame with a row for each: modes and the like are categories,
+        sets words; attrs["units"] has the units."""
+        import pandas
+        flat = self.reshape(-1)
+        frame = pandas.DataFrame({
+            name: pandas.Categorical(flat.words(name),
+                                     [*map(str, MEMBERS[name])])
+            if name in MEMBERS and flat[name].dtype.kind in "iu"
+            else flat.words(name) for name in self.columns})
+        frame.attrs["units"] = self.units
+        return frame
+
+    def to_xarray(self):
+        """A Dataset: the axes, t of a run and those of a grid, are coordinates,
+        modes and the like words, units attributes."""
+        import xarray
+        axes = []
+        for k in range(self.ndim):
+            ends = tuple(slice(None) if i == k else slice(1)
+                         for i in range(self.ndim))
+            axes.append(next((
+                name for name in self.columns if name not in axes and
+                np.unique(self[name][ends]).size > (self.shape[k] > 1)
+                and (self[name] == self[name][ends]).all()), f"row_{k}"))
+        data = xarray.Dataset()
+        for name in self.columns:
+            k = axes.index(name) if name in axes else None
+            data[name] = (axes, self.words(name)) if k is None else (
+                name, self.words(name)[tuple(
+                    slice(None) if i == k else 0 for i in range(self.ndim))])
+            if name in UNITS:
+                data[name].attrs["units"] = UNITS[name]
+        return data
+
     def plot(self, x: str = "r", y: str = "omega", axes=None, **style):
         """Draws one column over another by matplotlib, a colour for each mode
         or region; style is that of its plot(). Returns: the axes."""
@@ -88,3 +153,78 @@ class Table(np.ndarray):
         if by:
             axes.legend(markerscale=4)
         return axes
+
+    def strips(self, title: str = ""):
+        """Draws r, v, omega and h over time by matplotlib, a colour for each
+        mode, shaded where several futures were possible. Returns: the
+        figure."""
+        import matplotlib.pyplot as plt
+        from matplotlib.patches import Patch
+        for name in {"t", "mode", "choices", *STRIPS}.difference(self.columns):
+            raise ValueError(f"no column {name}: strips are of rows of a run")
+        figure, strips = plt.subplots(len(STRIPS), sharex=True, figsize=(9, 8),
+                                      layout="constrained")
+        t, mode, several = self["t"], self["mode"], self["choices"] > 1
+        edges = np.diff(np.concatenate(([0], several.astype("i1"), [0])))
+        from_ = t[np.flatnonzero(edges > 0)]
+        to = t[np.flatnonzero(edges < 0) - 1]
+        seen = [one for one in Mode if (mode == one).any()]
+        for name, axes in zip(STRIPS, strips):
+            if name == "h":
+                axes.axhline(0, color="#888888", linewidth=0.6)
+            for one in seen:  # to the row behind it, as a line has no gaps
+                there = mode == one
+                there[1:] |= there[:-1]
+                axes.plot(t, np.where(there, self[name], np.nan),
+                          color=COLOURS[one], linewidth=1.2)
+            axes.set_ylabel(f"{name} [{UNITS[name]}]")
+            axes.margins(x=0)
+            axes.set(xlim=axes.get_xlim(), ylim=axes.get_ylim())
+            axes.broken_barh([*zip(from_, to - from_)], (0, 1), color="#cccccc",
+                             transform=axes.get_xaxis_transform(), zorder=0)
+        strips[-1].set_xlabel("t [s]")
+        figure.align_ylabels()
+        figure.suptitle(title)
+        strips[0].legend(handles=[
+            *(Patch(color=COLOURS[one], label=str(one)) for one in seen),
+            *several.any() * [Patch(color="#cccccc",
+                                    label="several modes possible")]],
+            loc="lower center", bbox_to_anchor=(0.5, 1), ncol=6, frameon=False)
+        return figure
+
+
+def read_csv(path: str | os.PathLike | TextIO) -> Table:
+    """The rows of a file of the command line, every digit as it was written
+    (pandas reads them so by float_precision="round_trip"). Modes are numbers
+    of Mode, a set has its bits, an empty field is NaN."""
+    text = Path(path).read_text("utf-8") if isinstance(
+        path, (str, os.PathLike)) else path.read()
+    rows = [*csv.reader(line for line in text.splitlines()
+                        if not line.startswith("#"))]
+    if not rows or any(len(row) != len(rows[0]) for row in rows):
+        raise ValueError(f"{path}: no header, or rows of other lengths")
+    columns = dict(zip(rows[0], zip(*rows[1:]) if rows[1:] else [()] * 99))
+    read = {name: _column(name, texts) for name, texts in columns.items()}
+    table = np.zeros(len(rows) - 1, [(name, one.dtype)
+                                     for name, one in read.items()])
+    for name, one in read.items():
+        table[name] = one
+    return table.view(Table)
+
+
+def _column(name, texts):
+    """Of numbers where all are, else of words."""
+    bits = {str(mode): 1 << mode for mode in Mode}
+    try:
+        if name == "set":
+            return np.array([sum(bits[one] for one in text.split("|") if one)
+                             for text in texts], "u1")
+        if name in MEMBERS:
+            return np.array([MEMBERS[name](text) if text else 5
+                             for text in texts], "u1")
+        if name in COUNTS and all(texts):
+            return np.array([int(text) for text in texts], int)
+        return np.array([float(text) if text else np.nan for text in texts],
+                        float)
+    except (KeyError, ValueError):
+        return np.array(texts, str)

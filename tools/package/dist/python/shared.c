@@ -1,21 +1,16 @@
 /* What the package calls beside the public functions: the layout of structs, so
- * that Python can hold them, and loops, which would be slow there. */
+ * that Python can hold them, and loops, which would be slow there. Each real
+ * type is a library of its own, with the command line in it. */
 #ifdef LANES_FOR_AVX2
 #define TF_API_STATIC
-#define LANES(name) SHARED(name##_avx2)
+#define LANES(name) name##_avx2
 #else
-#define LANES SHARED
+#define LANES(name) name
 #endif
 #include <math.h>
 
 #include "motion.h"
 #include "twofold.c"
-
-#ifdef TF_REAL_FLOAT
-#define SHARED(name) name##_f32
-#else
-#define SHARED(name) name##_f64
-#endif
 
 /* A motion, the scene that drives it, and the scheme that advances it. */
 typedef struct {
@@ -30,7 +25,7 @@ typedef struct {
 typedef void lanes_t(const run_t *of, tf_state_block_t *states, size_t n,
                      tf_input_t *input, tf_report_block_t *reports,
                      uint64_t from, uint64_t to);
-lanes_t SHARED(twofold_lanes), SHARED(twofold_lanes_avx2);
+lanes_t twofold_lanes, twofold_lanes_avx2;
 
 void LANES(twofold_lanes)(const run_t *of, tf_state_block_t *states, size_t n,
                           tf_input_t *input, tf_report_block_t *reports,
@@ -50,7 +45,10 @@ void LANES(twofold_lanes)(const run_t *of, tf_state_block_t *states, size_t n,
 }
 
 #ifndef LANES_FOR_AVX2
-int SHARED(twofold_has_avx2)(void) {
+#include "cli/setup/inputs.h"
+#include "cli/setup/scene_file.h"
+
+int twofold_has_avx2(void) {
 #if defined(__GNUC__) && defined(__x86_64__)
   return __builtin_cpu_supports("avx2") != 0;
 #else
@@ -67,23 +65,69 @@ typedef struct {
   uint8_t region;
 } place_t;
 
+/* A table of inputs, and the machine that it drives. */
+typedef struct {
+  cli_drive_t drive;
+  cli_setup_t setup;
+} table_t;
+
 /* Sizes in the order that the module knows. */
-const uint32_t SHARED(twofold_layout)[] = {
-    sizeof(tf_compensated_t), sizeof(tf_report_t), TF_PARAMETERS, TF_SCENES};
+const uint32_t twofold_layout[] = {
+    sizeof(tf_compensated_t), sizeof(tf_report_t), TF_PARAMETERS, TF_SCENES,
+    sizeof(cli_scene_file_t), sizeof(table_t)};
+
+/* Reads a scene, or inputs over time, from the text of a file. path: of it,
+ * kept. why: out, empty, the messages. Returns: 0, or the code of a refusal. */
+int twofold_scene(cli_scene_file_t *file, const char *path, const char *text,
+                  size_t size, char *why, size_t room) {
+  cli_message_divert(why, room);
+  const int code = cli_scene_parse(file, path, text, size);
+  cli_message_divert(NULL, 0);
+  return code;
+}
+
+int twofold_table(table_t *table, const tf_scene_t *scene, bool linear,
+                  const char *path, const char *text, size_t size, char *why,
+                  size_t room) {
+  cli_inputs_t *inputs = &table->drive.table;
+  cli_message_divert(why, room);
+  int code = cli_drive_read(&table->drive, scene, NULL, 0);
+  inputs->linear = linear;
+  if (code == CLI_DONE) code = cli_inputs_parse(inputs, path, text, size);
+  if (inputs->given[CLI_INPUT_OMEGA0]) cli_inputs_free(&table->drive.profile);
+  cli_message_divert(NULL, 0);
+  return code;
+}
+
+/* Goes to where a motion is. Returns: the inputs there. */
+tf_input_t twofold_drive(table_t *table, const run_t *of,
+                         const tf_params_t *params) {
+  table->setup.params = *params;
+  table->setup.machine = of->motion->machine.machine;
+  table->setup.scheme = of->scheme;
+  return cli_drive_begin(&table->drive, &table->setup.machine,
+                         of->motion->state.tick);
+}
+
+void twofold_free(table_t *table) { cli_drive_free(&table->drive); }
+
+motion_row_t twofold_row(const run_t *of) { return motion_row(of->motion); }
 
 static tf_real_t or_else(tf_real_t given, tf_real_t usual) {
   return isnan(given) ? usual : given;
 }
 
-int SHARED(twofold_takes_law)(int scheme, int law) {
+int twofold_takes_law(int scheme, int law) {
   return motion_takes_law(scheme, law);
 }
 
-/* Begins a motion. given: r, v, omega, h, phi; NaN: that of the scene. */
-tf_status_t SHARED(twofold_begin)(const run_t *of, uint32_t seed,
-                                  const tf_real_t given[5]) {
+/* Begins a motion. given: r, v, omega, h, phi; NaN: that of the scene. input:
+ * at tick 0; NULL: that of the scene. */
+tf_status_t twofold_begin(const run_t *of, uint32_t seed,
+                          const tf_real_t given[5], const tf_input_t *input) {
   const tf_input_t u =
-      tf_scene_input(of->scene, &of->motion->machine.machine, 0);
+      input ? *input
+            : tf_scene_input(of->scene, &of->motion->machine.machine, 0);
   motion_start_t start = motion_start(of->scene, seed);
   start.from_h = isnan(given[1]) && (start.from_h || !isnan(given[3]));
   start.state.r = or_else(given[0], start.state.r);
@@ -102,16 +146,19 @@ static tf_input_t next_input(const run_t *of, const tf_input_t *held) {
 
 /* Goes on behind `from` of so many steps, for `most` of them, and writes a row
  * before the first, after every `every` of all and after the last. input: held,
- * its alpha is 0 behind a step; NULL: those of the scene. Returns: steps taken,
- * with `from`; fewer where one is refused, whose status is in `status`. */
-uint64_t SHARED(twofold_run)(const run_t *of, tf_input_t *input, uint64_t from,
-                             uint64_t most, uint64_t steps, uint64_t every,
-                             motion_row_t *rows, int *status) {
+ * its alpha is 0 behind a step; NULL: those of the scene, or of a table that
+ * is not NULL. Returns: steps taken, with `from`; fewer where one is refused,
+ * whose status is in `status`. */
+uint64_t twofold_run(const run_t *of, tf_input_t *input, table_t *table,
+                     uint64_t from, uint64_t most, uint64_t steps,
+                     uint64_t every, motion_row_t *rows, int *status) {
   const uint64_t end = steps - from > most ? from + most : steps;
   if (from == 0) rows[0] = motion_row(of->motion);
   for (uint64_t i = from + 1; i <= end; i++) {
-    const tf_input_t u = next_input(of, input);
-    *status = motion_step(of->motion, of->scheme, &u);
+    tf_input_t u = next_input(of, input);
+    *status = table
+                  ? cli_drive_take(&table->drive, &table->setup, of->motion, &u)
+                  : motion_step(of->motion, of->scheme, &u);
     if (*status < 0) return i - 1;
     if (input) input->alpha = 0;
     if (i % every == 0 || i == steps)
@@ -121,15 +168,15 @@ uint64_t SHARED(twofold_run)(const run_t *of, tf_input_t *input, uint64_t from,
 }
 
 /* One step into a mode that it may take. */
-tf_status_t SHARED(twofold_take)(const run_t *of, const tf_input_t *input,
-                                 unsigned mode) {
+tf_status_t twofold_take(const run_t *of, const tf_input_t *input,
+                         unsigned mode) {
   const tf_input_t u = next_input(of, input);
   return motion_take(of->motion, of->scheme, &u, mode);
 }
 
 /* The two-folds, with K in the paper's time. */
-tf_status_t SHARED(twofold_folds)(const run_t *of, fold_t rows[TF_TWO_FOLDS],
-                                  int *count) {
+tf_status_t twofold_folds(const run_t *of, fold_t rows[TF_TWO_FOLDS],
+                          int *count) {
   const tf_machine_t *machine = &of->motion->machine.machine;
   const tf_input_t u = tf_scene_input(of->scene, machine, 0);
   tf_surface_point_t points[TF_TWO_FOLDS];
@@ -157,8 +204,7 @@ tf_status_t SHARED(twofold_folds)(const run_t *of, fold_t rows[TF_TWO_FOLDS],
 
 /* The regions of h = 0 at places whose r and omega are filled in; NaN: lambda
  * or delassus is not defined there. */
-tf_status_t SHARED(twofold_regions)(const run_t *of, place_t *places,
-                                    size_t n) {
+tf_status_t twofold_regions(const run_t *of, place_t *places, size_t n) {
   const tf_machine_t *machine = &of->motion->machine.machine;
   const tf_input_t u = tf_scene_input(of->scene, machine, 0);
   tf_status_t status = TF_OK;

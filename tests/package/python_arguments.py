@@ -89,7 +89,7 @@ def table(real):
     other = twofold.Machine(real="float" if real == "double" else "double")
     ensemble = twofold.Ensemble(machine, r=[0.1, 0.2, 0.3], omega=-1, v=0)
     inputs = ([(value, TypeError) for value in
-               (1, "u", (), {}, [0.0] * 5, other.input(), ctypes.c_int(1))]
+               (1, b"u", (), [0.0] * 5, other.input(), ctypes.c_int(1))]
               + [(altered(machine, name, value), ValueError)
                  for name in twofold.INPUTS
                  for value in (math.nan, math.inf, -2e9)])
@@ -112,6 +112,15 @@ def table(real):
          {"t_end": number(0, 2 ** 53 * machine["dt"]),
           "every": integer(1, 2 ** 53),
           "scheme": WORD, "inputs": inputs}),
+        ("Machine.run", machine.run,
+         {"t_end": 1e-3, "inputs": {"t": [0], "force": [0]}, "between": "held"},
+         {"between": WORD, "inputs": [
+             *((value, TypeError) for value in (None, 1, np.ones(3))),
+             *(({"t": [0], "force": value}, kind)
+               for value, kind in COLUMN if value is not BAD_SHAPE[-1]),
+             ({"force": [0]}, ValueError), ({"t": [0, -1]}, ValueError)]}),
+        ("Machine.step", machine.step, {},
+         {"steps": integer(1, 2 ** 53), "scheme": WORD, "inputs": inputs}),
         ("Machine.futures", machine.futures, {},
          {"scheme": WORD, "inputs": inputs}),
         ("Machine.regions", machine.regions, {"r": 0.1, "omega": -1},
@@ -148,20 +157,26 @@ def judge(real):
     for key, kind in ((0, TypeError), (None, TypeError), ("x", ValueError)):
         raises(kind, "name of a parameter", machine.__getitem__, key)
         raises(kind, "name of a quantity", ensemble.__getitem__, key)
-    raises(ValueError, "name of a parameter", twofold.Machine, mass=1)
+    raises(TypeError, "name of a parameter", twofold.Machine, mass=1)
     # What the law that is asked for needs, and the scene does not give.
     raises(ValueError, "epsilon is 0.0, allowed is", twofold.Machine,
            law="smooth")
     raises(ValueError, "name of an input", machine.input, thrust=1)
+    raises(TypeError, "between", machine.run, inputs={"t": [0], "r0": [0]})
+    raises(ValueError, "rows", twofold.diverge, rows="exit")
+    raises(TypeError, "did you mean 'samples'?", twofold.diverge, sampels=1)
+    raises(ValueError, "--samples -1", twofold.diverge, samples=-1)
     raises(ValueError, "not both", twofold.Machine, v=0, h=0)
     raises(ValueError, "did you mean 'chaos'?", twofold.Machine, "choas")
     raises(ValueError, "not law", twofold.Machine("smooth").regions, 0.1, -1)
     raises(ValueError, "needs law", twofold.simulate, "smooth", 0, 1, "located")
     raises(ValueError, "no speed v gives", twofold.Machine, gamma=0)
-    for hint, over, settings in (
-            ("kappa", {"kapa": 1}, {}), ("omega", None, {"omga": 1}),
-            ("chaos", None, {"scene": "chaso"}), ("t_end", None, {"tend": 1})):
-        raises(ValueError, f"did you mean {hint!r}?", twofold.sweep,
+    for kind, hint, over, settings in (
+            (ValueError, "kappa", {"kapa": 1}, {}),
+            (TypeError, "omega", None, {"omga": 1}),
+            (ValueError, "chaos", None, {"scene": "chaso"}),
+            (TypeError, "t_end", None, {"tend": 1})):
+        raises(kind, f"did you mean {hint!r}?", twofold.sweep,
                **{"over": over, **settings})
     for kind, over in (
             (TypeError, ["r"]), (TypeError, {"r": [1, None]}),

@@ -2,5 +2,5 @@
 #if defined(__GNUC__) && defined(__x86_64__)
 #pragma GCC target("avx2")
 #define LANES_FOR_AVX2
-#include "shared.h"
+#include "shared.c"
 #endif

@@ -1,2 +1,0 @@
-/* The core in double, and what the module calls. */
-#include "shared.h"
