@@ -11,13 +11,13 @@
 TF_BEGIN_C
 
 /// Advances the state by dt and locates every event inside the step: Taylor
-/// series in time from event to event (order 3 to 8 in double, to 6 in float),
-/// DESIGN.md section 9. An event is the first root of a polynomial: of h and g
-/// in slip, of mu - |lambda|, g and A in stick; a rest ends where F and M leave
-/// its law or another mode takes it over. The error goes with the tolerance,
-/// whatever dt is and across events too. If the budget of segments runs out,
-/// tf_step finishes the step. In float a motion may stall, as with tf_step,
-/// even at dt = 1e-2.
+/// series in time from event to event (order 3 to 8 in double, to 10 below the
+/// tolerance 1e-8, to 6 in float), DESIGN.md section 9. An event is the first
+/// root of a polynomial: of h and g in slip, of mu - |lambda|, g and A in
+/// stick; a rest ends where F and M leave its law or another mode takes it
+/// over. The error goes with the tolerance, whatever dt is and across events
+/// too. If the budget of segments runs out, tf_step finishes the step. In float
+/// a motion may stall, as with tf_step, even at dt = 1e-2.
 /// machine: in, of law JUMP, COULOMB or NONE. state: in/out, from tf_begin,
 ///   tf_step or tf_step_located. input: in.
 /// report: out; force at the end of the step; set and choices: the largest set

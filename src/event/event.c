@@ -15,7 +15,7 @@ TF_API bool tf_begin_series(trajectory_t *path) {
 
 TF_API span_t tf_segment_span(const trajectory_t *path) {
   const taylor_t *motion = &path->motion;
-  if (motion->order < SERIES_ORDER)
+  if (motion->order < highest_order(motion))
     return (span_t){path->remaining, motion->allowed};
   const series_error_t allowed = {motion->at_once,
                                   motion->allowed - motion->at_once};

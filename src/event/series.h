@@ -40,6 +40,12 @@ typedef struct {
   tf_real_t exponent;
 } taylor_t;
 
+// The order at which a segment is cut if it needs more.
+TF_INLINE int highest_order(const taylor_t *motion) {
+  return motion->machine->tolerance < FINE_TOLERANCE ? SERIES_ORDER
+                                                     : USUAL_ORDER;
+}
+
 // An empty sum. What is added to it keeps every bit, so that no addition is
 // left where the first summand is known; 0 + x is not x where x is -0.
 #define NO_TERMS TF_R(-0.0)

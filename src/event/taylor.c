@@ -14,22 +14,20 @@
 // long enough. With a constant n the sums of a term have no loops: a fifth less
 // time of a located run, but three times the code of a series. So that is for
 // hosts, by their pointers. The operations and their order are the same.
-#ifdef TF_REAL_FLOAT
-#define EXTEND_BEYOND_5(extend, motion, sizes, a, b) false
-#else
-#define EXTEND_BEYOND_5(extend, motion, sizes, a, b) \
-  (extend(motion, sizes, a, b, 6) || extend(motion, sizes, a, b, 7))
-#endif
 #define EXTEND_BY_NEED(extend, motion, sizes, a, b)                            \
   if (sizeof(void *) > 4)                                                      \
     (void)(extend(motion, sizes, a, b, 1),                                     \
            extend(motion, sizes, a, b, 2) || extend(motion, sizes, a, b, 3) || \
                extend(motion, sizes, a, b, 4) ||                               \
                extend(motion, sizes, a, b, 5) ||                               \
-               EXTEND_BEYOND_5(extend, motion, sizes, a, b));                  \
+               (USUAL_ORDER > 6 && (extend(motion, sizes, a, b, 6) ||          \
+                                    extend(motion, sizes, a, b, 7) ||          \
+                                    (highest_order(motion) > USUAL_ORDER &&    \
+                                     (extend(motion, sizes, a, b, 8) ||        \
+                                      extend(motion, sizes, a, b, 9))))));     \
   else                                                                         \
-    for (int n = 1; n < SERIES_ORDER && !extend(motion, sizes, a, b, n);       \
-         n++) {                                                                \
+    for (int n = 1;                                                            \
+         n < highest_order(motion) && !extend(motion, sizes, a, b, n); n++) {  \
     }
 
 // (15). In slip the force goes with T(y) = tan(a atan y), y = |g/h|, and
@@ -183,7 +181,7 @@ static tf_real_t limit_direction_gain(const taylor_t *motion,
 static void take_all_terms(taylor_t *motion) {
   sizes_t sizes;
   (void)is_long_enough(motion, &sizes, 1);
-  motion->order = SERIES_ORDER;
+  motion->order = highest_order(motion);
 }
 
 // (15) from h = g = 0. Term n - 1 of psi' needs the terms n + 1 of p and q,
@@ -201,7 +199,7 @@ static void taylor_codim2_slip(taylor_t *motion, const segment_t *segment) {
   const tf_real_t gain = limit_direction_gain(motion, &by_T, &angle);
   motion->exponent = gain - 1;
   const friction_t none = {0, 0, 0, 0};
-  for (int n = 1; n < SERIES_ORDER; n++) {
+  for (int n = 1; n < highest_order(motion); n++) {
     const next_terms_t next = next_terms(motion, n);
     set_terms(motion, n, &next, &none, 0);
     angle.psi_rate.c[n - 1] =
@@ -269,7 +267,7 @@ static bool taylor_two_fold(taylor_t *motion, const segment_t *segment) {
   const friction_t by_lambda = friction_by_lambda(motion, segment);
   const tf_real_t m = motion->machine->m;
   next_terms_t before = next_terms(motion, 0);
-  for (int n = 1; n < SERIES_ORDER; n++) {
+  for (int n = 1; n < highest_order(motion); n++) {
     tf_real_t h[2];
     for (int trial = 0; trial < 2; trial++) {
       set_terms(motion, n - 1, &before, &by_lambda, (tf_real_t)trial * m);
@@ -281,9 +279,8 @@ static bool taylor_two_fold(taylor_t *motion, const segment_t *segment) {
     set_terms(motion, n - 1, &before, &by_lambda, h[0] / slope * m);
     before = next_terms(motion, n);
   }
-  // The last term of lambda would need term SERIES_ORDER + 1 of h: it is left
-  // 0.
-  set_terms(motion, SERIES_ORDER - 1, &before, &by_lambda, 0);
+  // The last term of lambda would need one more of h: it is left 0.
+  set_terms(motion, highest_order(motion) - 1, &before, &by_lambda, 0);
   take_all_terms(motion);
   return true;
 }
@@ -291,7 +288,7 @@ static bool taylor_two_fold(taylor_t *motion, const segment_t *segment) {
 static void taylor_constant_force(taylor_t *motion, tf_real_t F) {
   const friction_t friction = friction_of(motion, F, 0);
   sizes_t sizes;
-  for (int n = 0; n < SERIES_ORDER; n++) {
+  for (int n = 0; n < highest_order(motion); n++) {
     const next_terms_t next = next_terms(motion, n);
     set_terms(motion, n, &next, &friction, n == 0 ? 1 : 0);
     if (is_long_enough(motion, &sizes, n + 1)) return;
@@ -360,17 +357,18 @@ TF_API tf_real_t tf_angle_change(const taylor_t *motion, tf_real_t t) {
 
 TF_API tf_real_t tf_segment_length(const taylor_t *motion, tf_real_t time,
                                    series_error_t allowed) {
+  const int highest = highest_order(motion);
   const tf_real_t size = magnitude(time);
   tf_real_t power = 1;
   tf_real_t short_share = 1,
             long_share = 1; // what the shortenings leave of that
-  for (int n = 1; n < SERIES_ORDER; n++) {
+  for (int n = 1; n < SERIES_ORDER && n < highest; n++) {
     power *= size;
     short_share *= SHORTENING;
     long_share *= LONG_SHORTENING;
   }
-  tf_real_t last_but_one = term_size(motion, SERIES_ORDER - 1) * power;
-  tf_real_t last = term_size(motion, SERIES_ORDER) * power * size;
+  tf_real_t last_but_one = term_size(motion, highest - 1) * power;
+  tf_real_t last = term_size(motion, highest) * power * size;
   tf_real_t by_change = allowed.by_change;
   tf_real_t error = allowed.at_once + by_change;
   int left = MAX_SHORTENINGS;

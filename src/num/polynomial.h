@@ -6,13 +6,16 @@
 
 #include "kernel.h"
 
-// Highest order of the Taylor series of tf_step_located: DESIGN.md, section 9,
-// compares it with others.
+// Highest order of the Taylor series of tf_step_located, below FINE_TOLERANCE
+// and else: DESIGN.md, section 9, compares it with others.
 #ifdef TF_REAL_FLOAT
 #define SERIES_ORDER 6
+#define USUAL_ORDER 6
 #else
-#define SERIES_ORDER 8
+#define SERIES_ORDER 10
+#define USUAL_ORDER 8
 #endif
+#define FINE_TOLERANCE TF_R(1e-8)
 
 // 1/1, 1/2 ... to 1/(SERIES_ORDER + 1): they save a division for each term.
 static const tf_real_t reciprocal[] = {
@@ -26,6 +29,10 @@ static const tf_real_t reciprocal[] = {
     TF_R(1.0) / 7,
     TF_R(1.0) / 8,
     TF_R(1.0) / 9,
+#if SERIES_ORDER > 8
+    TF_R(1.0) / 10,
+    TF_R(1.0) / 11,
+#endif
 };
 
 typedef struct {
