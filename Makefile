@@ -74,7 +74,7 @@ FLAGS_float := -DTF_REAL_FLOAT
 # Lanes for vectors that not every x86-64 has: the ensemble once more, under
 # names of its own, which the command line takes where the processor can.
 ifneq ($(filter x86_64-%,$(shell $(CC) -dumpmachine 2>/dev/null)),)
-AVX2_FLAGS := -mavx2 -mtune=icelake-server $(foreach n,step put get report,\
+AVX2_FLAGS := -mavx2 -mtune=icelake-server $(foreach n,run step put get report,\
   $(foreach r,f32 f64,-Dtf_ensemble_$(n)_$(r)=tf_ensemble_$(n)_avx2_$(r)))
 endif
 

@@ -63,6 +63,17 @@ TF_API size_t tf_ensemble_step(const tf_machine_t *machine,
                                const tf_input_t *input,
                                tf_report_block_t *reports);
 
+/// Takes several such steps of a block before the next, so that it stays in the
+/// cache: the time of a step of a state is that of a small ensemble.
+/// input: in, held, its alpha in the first step only. steps: in, 0 or more.
+/// reports: out, of the last step. The others: as tf_ensemble_step.
+/// Returns: as that, of all steps. Trust: that of tf_step, whose bits it has.
+#define tf_ensemble_run TF_LINK(tf_ensemble_run)
+TF_API size_t tf_ensemble_run(const tf_machine_t *machine,
+                              tf_state_block_t *states, size_t n,
+                              const tf_input_t *input, uint32_t steps,
+                              tf_report_block_t *reports);
+
 TF_END_C
 
 #endif

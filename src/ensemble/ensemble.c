@@ -321,12 +321,12 @@ static __attribute__((noinline)) void judge_stalls(const tf_machine_t *k,
   }
 }
 
-// tf_step for one lane, from a state and the last report.
-static void step_lane(const tf_machine_t *k, tf_state_block_t *b,
-                      const tf_input_t *u, tf_report_block_t *out, size_t i,
-                      const tf_state_t *before, const tf_report_t *last) {
-  tf_state_t state = *before;
-  tf_report_t report = *last;
+// tf_step for one lane, from the state and the report that it had.
+static void step_lane(const tf_machine_t *k, const tf_state_block_t *before,
+                      const tf_report_block_t *last, const tf_input_t *u,
+                      tf_state_block_t *b, tf_report_block_t *out, size_t i) {
+  tf_state_t state = tf_ensemble_get(before, i);
+  tf_report_t report = tf_ensemble_report(last, i);
   (void)tf_step(k, &state, u, &report);
   tf_ensemble_put(b, i, &state);
   out->F[i] = report.force.F;
@@ -357,31 +357,12 @@ static void record_all(tf_state_block_t *restrict b,
   for (int i = 0; i < TF_LANES; i++) b->tick[i]++;
 }
 
-// A block as it was before a step, for lanes that are rare.
-typedef struct {
-  tf_state_block_t states;
-  tf_report_block_t reports;
-} before_t;
-
-// Those are done one by one. Returns how many.
-static size_t step_rare(const tf_machine_t *k, tf_state_block_t *b,
-                        const tf_input_t *u, const work_t *work,
-                        const before_t *before, tf_report_block_t *out) {
-  size_t rare = 0;
-  for (size_t i = 0; i < TF_LANES; i++) {
-    if (!work->rare[i]) continue;
-    const tf_state_t state = tf_ensemble_get(&before->states, i);
-    const tf_report_t report = tf_ensemble_report(&before->reports, i);
-    step_lane(k, b, u, out, i, &state, &report);
-    rare++;
-  }
-  return rare;
-}
-
+// Returns how many lanes were done one by one.
 static size_t step_block(const tf_machine_t *k, tf_state_block_t *b,
                          const tf_input_t *u, tf_report_block_t *out) {
   work_t work;
-  before_t before;
+  tf_state_block_t before;
+  tf_report_block_t last;
   solve(k, b, u, &work);
   kinds_all(&work);
   if (!none_of(work.slips)) near_codim2_all(k, b, u, &work);
@@ -395,14 +376,20 @@ static size_t step_block(const tf_machine_t *k, tf_state_block_t *b,
   balance_all(k, b, u, &work);
   const bool rare = !none_of(work.rare);
   if (rare) {
-    before.states = *b;
-    before.reports = *out;
+    before = *b;
+    last = *out;
   }
   if (k->with_angle) angles_all(k, b, &work);
   finish_all(k, b, &work, out);
   record_all(b, &work, out);
   if (!none_of(work.stays)) judge_stalls(k, b, u, &work, out);
-  return rare ? step_rare(k, b, u, &work, &before, out) : 0;
+  size_t alone = 0;
+  for (size_t i = 0; i < TF_LANES && rare; i++) {
+    if (!work.rare[i]) continue;
+    step_lane(k, &before, &last, u, b, out, i);
+    alone++;
+  }
+  return alone;
 }
 
 TF_API void tf_ensemble_put(tf_state_block_t *blocks, size_t index,
@@ -445,21 +432,34 @@ TF_API tf_report_t tf_ensemble_report(const tf_report_block_t *blocks,
                        .status = (tf_status_t)b->status[i]};
 }
 
+// What vectors do not do: a block that is not full, or of another law.
+static size_t step_rest(const tf_machine_t *k, tf_state_block_t *b, size_t n,
+                        const tf_input_t *u, tf_report_block_t *out) {
+  for (size_t i = 0; i < n; i++) step_lane(k, b, out, u, b, out, i);
+  return n;
+}
+
+TF_API size_t tf_ensemble_run(const tf_machine_t *machine,
+                              tf_state_block_t *states, size_t n,
+                              const tf_input_t *input, uint32_t steps,
+                              tf_report_block_t *reports) {
+  const bool fast = machine->contact.stick_kappa > 0; // of the jump law alone
+  size_t alone = 0;
+  for (size_t i = 0; i < TF_BLOCKS(n); i++) {
+    const size_t left = n - i * TF_LANES;
+    const size_t lanes = left < TF_LANES ? left : TF_LANES;
+    tf_input_t u = *input;
+    for (uint32_t at = 0; at < steps; at++, u.alpha = 0)
+      alone += fast && lanes == TF_LANES
+                   ? step_block(machine, states + i, &u, reports + i)
+                   : step_rest(machine, states + i, lanes, &u, reports + i);
+  }
+  return alone;
+}
+
 TF_API size_t tf_ensemble_step(const tf_machine_t *machine,
                                tf_state_block_t *states, size_t n,
                                const tf_input_t *input,
                                tf_report_block_t *reports) {
-  const bool fast = machine->contact.stick_kappa > 0; // of the jump law alone
-  const size_t whole = fast ? n / TF_LANES : 0;
-  size_t alone = 0;
-  for (size_t i = 0; i < whole; i++)
-    alone += step_block(machine, states + i, input, reports + i);
-  for (size_t i = whole * TF_LANES; i < n; i++) {
-    const tf_state_t state = tf_ensemble_get(states, i);
-    const tf_report_t report = tf_ensemble_report(reports, i);
-    step_lane(machine, states + i / TF_LANES, input, reports + i / TF_LANES,
-              i % TF_LANES, &state, &report);
-    alone++;
-  }
-  return alone;
+  return tf_ensemble_run(machine, states, n, input, 1, reports);
 }

@@ -174,6 +174,35 @@ TEST(ensemble_stalls_as_single_steps_do) {
   CHECK((twins.seen[TF_STALLED - TF_STEP_TOO_LONG] > 0) == !IS_DOUBLE);
 }
 
+/* Many steps of one call are as many calls, whatever the size and the law: the
+ * turntable has its alpha in the first. */
+TEST(ensemble_takes_many_steps_at_once) {
+  for (int m = 0; m < samples(300); m++) {
+    tf_params_t p = random_params();
+    p.rule = (tf_rule_t)(m % TF_RULES);
+    p.law = m % 4 ? TF_TYRE_JUMP : TF_TYRE_COULOMB;
+    twins.machine = prepared(&p);
+    tf_input_t u = tf_input_default(&twins.machine);
+    u.alpha = uniform(-1, 1);
+    const size_t n = tap_bits() % MOST;
+    const uint32_t steps = (uint32_t)(tap_bits() % 20);
+    for (size_t i = 0; i < n; i++) twins.states[i] = difficult_state(u.omega0);
+    twin(n);
+    const size_t alone = tf_ensemble_run(&twins.machine, twins.state_blocks, n,
+                                         &u, steps, twins.report_blocks);
+    CHECK(alone <= n * steps && alone >= n % TF_LANES * steps);
+    for (uint32_t at = 0; at < steps; at++, u.alpha = 0)
+      for (size_t i = 0; i < n; i++)
+        tf_step(&twins.machine, &twins.states[i], &u, &twins.reports[i]);
+    for (size_t i = 0; i < n; i++) {
+      const tf_state_t x = tf_ensemble_get(twins.state_blocks, i);
+      const tf_report_t report = tf_ensemble_report(twins.report_blocks, i);
+      CHECK(same_state(&x, &twins.states[i]) &&
+            same_report(&report, &twins.reports[i]));
+    }
+  }
+}
+
 /* A state that friction can bring to h = g = 0 within a few steps. */
 static tf_state_t near_rest(const tf_machine_t *k, const tf_input_t *u) {
   const double reach = 4 * (double)k->dt;

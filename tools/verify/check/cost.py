@@ -26,7 +26,7 @@ PLAIN = re.compile(r"""tf_(?:\w+_name|wire_\w+|send_\w+|read_\w+|slip|energy|
     mode_is_slip|is_vouched_for|run_hash|line_\w+|frame_chain|
     tyre_is_set_valued|contacts?_(?:prepare|modes|choose|force)|philox|
     input_default|turntable_to|speed_for_slip(?:_compensated)?|tally_count|
-    ensemble_(?:put|get|report)|arithmetic|design_two_fold|
+    ensemble_(?:run|put|get|report)|arithmetic|design_two_fold|
     begin_with_slip|scene_start|
     simulation_(?:set_input|pass|start|open))""", re.X)
 EVALUATIONS = int(os.environ.get("EVALUATIONS") or (20000 if FULL else 300))
