@@ -5,6 +5,7 @@
 // take it.
 #include <avr/interrupt.h>
 #include <avr/io.h>
+#include <avr/wdt.h>
 #include <util/atomic.h>
 
 #include "../port.h"
@@ -41,9 +42,38 @@ void port_init(void) {
   sei();
 }
 
+#ifdef WATCHDOG
+// Of its own 128 kHz: 16 ms, or twice that up to nine times. At the end of its
+// time it says so, and at that of another one it restarts the board.
+static void start_watchdog(void) {
+  uint8_t n = 0;
+  while (n < 9u && (16ul << n) < WATCHDOG) n++;
+  const uint8_t how =
+      (uint8_t)(1u << WDIE | 1u << WDE | (n & 8u) << 2 | (n & 7u));
+  wdt_reset();
+  ATOMIC_BLOCK(ATOMIC_RESTORESTATE) { // the second write within four cycles
+    WDTCSR = 1u << WDCE | 1u << WDE;
+    WDTCSR = how;
+  }
+}
+
+ISR(WDT_vect) { port_fault("watchdog", 0, 0); }
+
+void port_feed(void) { wdt_reset(); }
+
+// It goes on after the restart, at 16 ms.
+__attribute__((naked, used, section(".init3"))) static void end_watchdog(void) {
+  MCUSR = 0;
+  wdt_disable();
+}
+#endif
+
 bool port_tick_start(uint32_t rate) {
   const uint32_t counts = CLOCK_HZ / rate;
   if (counts < 100u || counts > 65536u) return false;
+#ifdef WATCHDOG
+  start_watchdog();
+#endif
   period = (uint16_t)(counts - 1u);
   TCCR1A = 0;
   TCNT1 = 0;

@@ -21,3 +21,4 @@ BOARD_WITHOUT := -Wnull-dereference -Wimplicit-fallthrough -Wsign-conversion \
   -Wconversion -Wfloat-conversion
 # What of tests/target/fault.c ends with a word.
 BOARD_FAULTS := stack
+BOARD_WATCHDOG := yes

@@ -30,6 +30,7 @@ BOARD_RATES_double :=
 #   BOARD_IMAGE := COMMAND  what is made of the ELF, its last argument
 #   BOARD_BOOT := WORDS     there is a port_boot(): what its number comes from
 #   BOARD_WATCHDOG := yes   there is a port_feed(), which WATCHDOG needs
+#   BOARD_WATCHED := COMMAND   an emulator that has it, if BOARD_RUN has none
 #   BOARD_FAULTS := KINDS   of tests/target/fault.c that end with a word
 #   BOARD_LIKE := BOARD     with this processor, whose steps are counted
 #   BOARD_STARTS := yes     the emulator has that

@@ -10,5 +10,6 @@ BOARD_FLAGS += -fno-tree-coalesce-vars -fno-gcse
 BOARD_SMALL := yes
 BOARD_SCENES := string frictionless
 BOARD_LARGER := mega
+BOARD_WATCHED := simavr -m $(AVR_CHIP) -f 16000000
 BOARD_STEPS := 2000
 BOARD_RATES_float := 100

@@ -26,7 +26,7 @@ sys.path[:0] = [str(Path(__file__).resolve().parents[1] / place)
 import driven  # noqa: E402  (the paths come first)
 import port  # noqa: E402
 from board import BUILD, LIMIT, Board, make, run, scratch  # noqa: E402
-from tap import ROOT, Tally, check, same  # noqa: E402
+from tap import ROOT, Tally, check, lacks, same  # noqa: E402
 
 SHOWN = os.environ.get("SCENES") or \
     "chaos gamma_zero gamma_right coulomb frictionless smooth rolling string " \
@@ -251,6 +251,17 @@ def test_fault(board: Board, kind: str) -> str:
     return ran.line("fault")
 
 
+def test_watchdog(board: Board, emulator: str) -> None:
+    """Another emulator than the board's has one: what hangs says so and is
+    started again."""
+    if not shutil.which("simavr"):
+        lacks(board.name, "simavr")
+    path = board.elf("float", "fault-dog", "RATE=100", "FAULT=hang",
+                     "WATCHDOG=100", scene=board.fact("SCENE"))
+    said = run("timeout", "3", *emulator.split(), path).errors
+    check(said.count("fault: watchdog at") > 1, said)
+
+
 def test_starts(board: Board, real: str) -> str:
     """With a key no session comes twice, and a recorded stop acts once; where
     the emulator lacks what the board needs for that, it does not start."""
@@ -309,6 +320,8 @@ def tests_of(board: Board) -> Iterator[tuple[Callable, list]]:
         yield test_starts, [reals[0]]
     for kind in board.fact("FAULTS").split():
         yield test_fault, [kind]
+    if board.fact("WATCHED"):
+        yield test_watchdog, [board.fact("WATCHED")]
     if board.fact("LARGER"):
         yield test_too_large, [board.fact("LARGER")]
     if board.fact("LATE"):
