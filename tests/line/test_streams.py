@@ -17,7 +17,7 @@ import struct
 
 from boards import RUN, program, sealed, stuffed
 import decode
-from tap import ROOT, check, main, output, same
+from tap import check, main, output, same
 
 MODES = ["slip+", "slip-", "stick+", "stick-", "pinned"]
 NAMES = "t,r,v,omega,h,g,F,M,mode,choices,set".split(",")
@@ -146,14 +146,6 @@ def test_layouts_describe_their_payloads():
     same([field for fields in layouts.values() for field in fields
           if len(field) not in (2, 4) or len(field) == 4 and
           not float(field[2]) > 0], [])
-
-
-def test_decoder_is_quoted_in_the_protocol():
-    """Its beginning, which needs no more."""
-    document = (ROOT / "docs/PROTOCOL.md").read_text()
-    path = "tools/board/protocol/decode.py"
-    quoted = re.findall(rf"```python {path}\n(.*?)```\n", document, re.S)
-    check((ROOT / path).read_text().startswith(quoted[0] + "\n\ndef "), quoted)
 
 
 main(globals(), jobs=4)

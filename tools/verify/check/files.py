@@ -37,8 +37,8 @@ README.md              700
 docs/README.md         200
 docs/TUTORIAL.md      1450
 docs/USE.md           2500
-docs/PORTS.md         2870
-docs/PROTOCOL.md      3900
+docs/PORTS.md         2500
+docs/PROTOCOL.md      3500
 DESIGN.md             7620
 docs/SCHEMES.md       2000
 docs/BENCH.md         2020
