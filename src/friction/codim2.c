@@ -235,7 +235,10 @@ TF_API codim2_course_t tf_codim2_course(const tf_contact_t *contact,
   const direction_t flattest = {1, 0, 0};
   const tf_real_t H = with_sign(sign_h, slip.h);
   course_point_t now = {H > 0 ? H : 0, magnitude(slip.g), 0, {0, 0}};
-  sign_t sign_g = sign_of(slip.g);
+  // From g = 0 to the side to which g moves at T = 0.
+  const tf_real_t g_rate =
+      field->g.c0 + with_sign(sign_h, MAX_SLIP_FORCE(field->g.cx));
+  sign_t sign_g = sign_of(slip.g == 0 ? g_rate : slip.g);
   direction_t at = {now.H, now.G, tf_cot_psi(tyre, now.G, now.H)};
   quadrant_t q = tf_quadrant_of(tyre, field, sign_g, sign_h);
   bool upwards = angular_rate(&q, at) > 0;
