@@ -79,16 +79,11 @@ static bool leave_codim2(trajectory_t *path, bool arrives) {
   const codim2_field_t field = tf_codim2_field_of(k, &rates);
   consistent_modes_t consistent;
   tf_codim2_modes(&k->contact, &field, &consistent);
-  unsigned mode =
+  const unsigned mode =
       tf_leave_codim2(&k->contact, &field, path->mode, arrives,
                       path->state->tick, path->state->seed, &consistent);
   if (arrives && is_slip(path->mode))
     path->is_unsure |= may_have_stuck(path, &field, &consistent, mode);
-  // A wheel that comes to rest may leave at once, as it could at the start of
-  // the next step. The draw of RANDOM belongs to that one.
-  if (arrives && mode == TF_PINNED && k->contact.rule != TF_RULE_RANDOM)
-    mode = tf_leave_codim2(&k->contact, &field, mode, false, path->state->tick,
-                           path->state->seed, &consistent);
   keep_largest_set(path, consistent.solutions.set);
   if (mode == TF_NO_MODE) return false;
   segment_t segment = {.h_zero_order = 1, .g_starts_at_zero = true};

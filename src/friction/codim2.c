@@ -89,7 +89,13 @@ TF_API unsigned tf_leave_codim2(const tf_contact_t *contact,
       rests_under(TF_REST_BOW_TIE, field->pin.x, field->pin.y))
     s.attracting |= (uint8_t)TF_MODE_BIT(TF_PINNED);
   const bool lost = arrives || (from != TF_PINNED && !has(s.set, from));
-  return tf_contact_choose(contact, &s, lost ? TF_NO_MODE : from, tick, seed);
+  const unsigned mode =
+      tf_contact_choose(contact, &s, lost ? TF_NO_MODE : from, tick, seed);
+  // A wheel that comes to rest may leave at once, as it could at the start of
+  // the next step. The draw of RANDOM belongs to that one.
+  if (!arrives || mode != TF_PINNED || contact->rule == TF_RULE_RANDOM)
+    return mode;
+  return tf_contact_choose(contact, &s, TF_PINNED, tick, seed);
 }
 
 // The course of a slip near h = g = 0, where its velocity (h', g') depends on

@@ -64,3 +64,34 @@ TEST(pinned_wheel_stays_as_long_as_the_law_has_its_force) {
     CHECK_ABOVE(left[i][1], samples(20));
   }
 }
+
+/* A motion that comes to h = g = 0 within a step, and would rest there, is in
+ * the slip of its rule at the end of that step, where it is consistent. */
+TEST(rest_ends_where_it_begins_under_a_rule_for_slips) {
+  long ends = 0;
+  for (int i = 0; i < samples(40000); i++) {
+    tf_params_t q = random_params();
+    q.dt = log_uniform(1e-5, 1e-3);
+    tf_machine_t k = prepared(&q);
+    const tf_input_t u = tf_input_default(&k);
+    tf_state_t x = {.r = uniform(-0.5, 0.5), .mode = TF_NO_MODE};
+    const double speed = (double)(q.mu * q.dt / q.m);
+    x.w = u.omega0 + uniform(-10, 10) * (tf_real_t)speed;
+    CHECK(tf_speed_for_slip(&k, x.r, x.w, u.omega0, 0, &x.v) == TF_OK);
+    tf_report_t report;
+    CHECK(tf_begin(&k, &x, &u, &report) == TF_OK);
+    const tf_state_t from = x;
+    if (tf_step(&k, &x, &u, &report) != TF_OK || x.mode != TF_PINNED) continue;
+    for (unsigned slip = TF_SLIP_PLUS; slip <= TF_SLIP_MINUS; slip++) {
+      if (!(report.set >> slip & 1u)) continue;
+      x = from;
+      k.contact.rule =
+          slip == TF_SLIP_PLUS ? TF_RULE_SLIP_PLUS : TF_RULE_SLIP_MINUS;
+      tf_report_t by_rule;
+      CHECK(tf_step(&k, &x, &u, &by_rule) >= TF_OK);
+      CHECK(x.mode == slip || by_rule.status != TF_OK);
+      ends += x.mode == slip && by_rule.status == TF_OK;
+    }
+  }
+  CHECK_ABOVE(ends, samples(100));
+}
