@@ -70,11 +70,15 @@ static unsigned rule_exit(tf_rule_t rule, uint64_t exit_threshold, unsigned set,
   return mode;
 }
 
-// The faster slip of a non-empty set.
+// The faster slip of a non-empty set; of equal ones, where rounding hides
+// which it is, the one with more of the moment: its mirror image the other.
 static unsigned fastest_of(unsigned slips,
                            const tf_contact_modes_t *solutions) {
-  const bool plus_is_faster =
-      magnitude(solutions->departure[0]) >= magnitude(solutions->departure[1]);
+  const tf_real_t plus = magnitude(solutions->departure[0]),
+                  minus = magnitude(solutions->departure[1]);
+  const bool has_more =
+      magnitude(solutions->tau[0]) >= magnitude(solutions->tau[1]);
+  const bool plus_is_faster = plus > minus || (plus == minus && has_more);
   if (has(slips, TF_SLIP_PLUS) && (plus_is_faster || slips != SLIPS))
     return TF_SLIP_PLUS;
   return TF_SLIP_MINUS;

@@ -126,6 +126,16 @@ static const question_t escaping = {.rule = TF_RULE_RANDOM,
                                     .mode = TF_STICK_PLUS,
                                     .threshold = ALWAYS / 2};
 
+/* Of two slips that are equally fast the image takes the image. */
+TEST(equally_fast_slips_have_a_mirror_image) {
+  const tf_contact_t contact = {.rule = TF_RULE_PERSIST};
+  tf_contact_modes_t s = {.set = SLIPS, .departure = {1, -1}};
+  s.tau[0] = TF_R(-0.1), s.tau[1] = TF_R(0.2);
+  CHECK(tf_contact_choose(&contact, &s, TF_NO_MODE, 0, 0) == TF_SLIP_MINUS);
+  s.tau[0] = TF_R(-0.2), s.tau[1] = TF_R(0.1);
+  CHECK(tf_contact_choose(&contact, &s, TF_NO_MODE, 0, 0) == TF_SLIP_PLUS);
+}
+
 /* 63 bits of the generator decide, so the threshold has no coarser grain. */
 TEST(random_exit_has_a_sharp_threshold) {
   for (uint64_t tick = 0; tick < 10000; tick++) {
