@@ -5,6 +5,8 @@ import random
 import re
 from ctypes import byref, c_bool, c_double, c_int, c_size_t, c_uint32, c_void_p
 
+from numpy import interp
+
 from importer import DISCARD, ERROR, MODES, Fmu, Refused, refused
 from tap import check
 
@@ -221,6 +223,30 @@ def test_driven_inputs(fmu):
     check(wheel.get("turntable") == -1, "the input in motion")
 
 
+def test_start_time(fmu):
+    """The profile and event_time are in the importer's time, the motion is not:
+    without a profile it does not depend on when it starts."""
+    fmu = Fmu(fmu.version, "driven")
+    profile = [[0, 2, 4, 8, 10], [-1, -2, -2, 1, 0]]
+    for start in (-1.0, 0.0, 1.0, 5.0, 7.5, 20.0):
+        wheel, ends = fmu.instance().begin(start=start), []
+        for time in [start + 0.25 * i for i in range(17)]:
+            ends.append((wheel.get("turntable"), interp(time, *profile)))
+            seen = wheel.get("events")
+            wheel.step(time, 0.25)
+            last = wheel.get("event_time")
+            check(seen == wheel.get("events") or time < last <= time + 0.25,
+                  f"event_time {last} in a step from {time}")
+        check(max(abs(a - b) for a, b in ends) < 1e-9, f"{start}: {ends}")
+        check(wheel.get("events") > 0, "no event")
+    ends = []
+    for start in (0.0, 5.0):
+        wheel = fmu.instance().begin(start=start, follow_profile=0)
+        wheel.step(start, 1.0)
+        ends.append(wheel.reals(["r", "v", "omega"]))
+    check(ends[0] == ends[1], "the motion depends on its start")
+
+
 def test_moved_turntable(fmu):
     """A communication step of eight steps moves the turntable as eight of one
     step do, and not as steps under a speed that stands. Numbers are sums of
@@ -254,7 +280,9 @@ def test_limits(fmu):
         wheel.free_copy(handle)
     refused(ERROR, "no state", wheel.restore, c_void_p(12345))
     refused(ERROR, "no state", wheel.restore, c_void_p(None))
-    refused(ERROR, "too few bytes", wheel.deserialize, data[:-1])
+    for other in (data[:-1], data + b"\0", data + data):
+        refused(ERROR, f"{len(other)} bytes; a state of this FMU has "
+                f"{len(data)}", wheel.deserialize, other)
     for i in (0, 9, 17, 40, len(data) - 1):
         bad = bytearray(data)
         bad[i] ^= 1

@@ -62,7 +62,8 @@
   X(START_FROM_H, "start.from_h", TRUTH, PARAMETER, NULL, 0, 1,               \
     "start.v follows from start.h")                                           \
   X(FOLLOW_PROFILE, "follow_profile", TRUTH, PARAMETER, NULL, 0, 1,           \
-    "the scene drives the turntable until omega0 or alpha does")              \
+    "the scene drives the turntable, at times of the importer, until omega0 " \
+    "or alpha does")                                                          \
   X(TAKE, "take", MEMBER, INPUT, take_name, 0, TF_NO_MODE,                    \
     "the next step takes this mode, if it can end in it")                     \
   X(MODE, "mode", MEMBER, OUTPUT, tf_mode_name, 0, TF_MODES - 1,              \

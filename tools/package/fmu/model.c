@@ -273,8 +273,10 @@ fmu_status_t fmu_deserialize(fmu_t *fmu, const unsigned char *bytes,
                              size_t size, void **handle) {
   fmu_motion_t motion;
   if (bytes == NULL || handle == NULL ||
-      size < sizeof(header_t) + sizeof motion)
-    return fmu_error(fmu, "too few bytes for a state of this FMU");
+      size != sizeof(header_t) + sizeof motion)
+    return fmu_error(fmu, "%u bytes; a state of this FMU has %u",
+                     (unsigned)size,
+                     (unsigned)(sizeof(header_t) + sizeof motion));
   memcpy(&motion, bytes + sizeof(header_t), sizeof motion);
   const header_t header = header_for(&motion);
   if (memcmp(bytes, &header, sizeof header) != 0)

@@ -45,15 +45,17 @@ static tf_params_t parameters_of(const double values[FMU_VARIABLES]) {
 static tf_input_t input_at(const fmu_motion_t *motion, uint64_t tick,
                            uint64_t end) {
   const double *values = motion->values;
-  const tf_scene_t *scene = FMU_SCENE;
   tf_input_t input = {.omega0 = (tf_real_t)values[FMU_OMEGA0],
                       .r0 = (tf_real_t)values[FMU_R0],
                       .force = (tf_real_t)values[FMU_FORCE],
                       .torque = (tf_real_t)values[FMU_TORQUE],
                       .alpha = (tf_real_t)values[FMU_ALPHA]};
   if (values[FMU_FOLLOW_PROFILE] != 0 && !motion->steered) {
+    tf_scene_t scene = *FMU_SCENE;
+    for (size_t i = 0; i < scene.knots; i++) // times of the importer
+      scene.profile[i].t -= (tf_real_t)motion->start_time;
     const tf_input_t driven =
-        tf_scene_input(scene, &motion->now.machine.machine, tick);
+        tf_scene_input(&scene, &motion->now.machine.machine, tick);
     input.omega0 = driven.omega0;
     input.alpha = driven.alpha;
   } else {
