@@ -260,9 +260,14 @@ def reference(model, csv):
     """Results of the command line, with the names and numbers of the FMU."""
     modes = next(v["members"] for v in model["variables"]
                  if v["name"] == "mode")
-    for i, mode in enumerate(modes):
-        csv = csv.replace(f",{mode},", f",{i},")
-    return csv.replace("t,", "time,", 1)
+    head, *rows = [line.split(",") for line in csv.splitlines()]
+    for row in rows:
+        for name, number in (("mode", modes.index), ("set", lambda modes_: sum(
+                1 << modes.index(one) for one in modes_.split("|") if one))):
+            at = head.index(name)
+            row[at] = str(number(row[at]))
+    return "".join(",".join(row) + "\n"
+                   for row in [["time", *head[1:]], *rows])
 
 
 def write(path, text):
