@@ -2,7 +2,7 @@
 import base64
 import re
 
-from page import COMMAND, ROOT, check, command, opened
+from page import COMMAND, ROOT, check, command, opened, shown
 from tap import output
 
 MOTION = ("run", "chaos", "--dt", "1e-3", "--every", "20", "--t-end", "1.5")
@@ -41,3 +41,16 @@ def test_board_on_a_line():
         modes.index(row[8]), int(row[9]),
         sum(1 << modes.index(name) for name in row[10].split("|"))]
         for row in want], "other rows")
+
+
+def test_board_that_breaks():
+    """Its line of text comes in two pieces."""
+    tab = opened()
+    tab.value("""twofold.connect({ readable: new ReadableStream({
+      start(line) {
+        for (const text of ['\\0\\r\\nfault: bus at 08000106 c',
+          'ause 00008200\\r\\n\\0'])
+          line.enqueue(new TextEncoder().encode(text));
+      } }) })""")
+    check(shown(tab, "said") == "the board's line has failed: fault: bus at "
+          "08000106 cause 00008200", shown(tab, "said"))

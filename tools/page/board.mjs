@@ -17,6 +17,7 @@ export class Line {
     this.c = instantiate(module);
     this.c.line_open();
     this.take = take;
+    this.heard = '';
   }
 
   // Of frames, damaged, lost, rows, incomplete, unknown, schema, float, changes
@@ -36,6 +37,10 @@ export class Line {
         count * COLUMNS_OF_LINE);
       for (let i = 0; i < count; i++)
         this.take(rows.slice(i * COLUMNS_OF_LINE, (i + 1) * COLUMNS_OF_LINE));
+      // What a board says that breaks is no frame.
+      this.heard = this.heard.slice(-200) + String.fromCharCode(...part);
+      const fault = /\r\n(fault: [ -~]+)\r\n/.exec(this.heard);
+      if (fault) throw new Error(fault[1]);
     }
   }
 
