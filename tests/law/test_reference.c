@@ -106,13 +106,17 @@ static double error_of(scheme_t scheme, const reference_t *ref, int n,
   return worst;
 }
 
+/* The geometric mean over steps of nearly one length: a single step that turns
+ * beside h = g = 0 may be off by more, and says so. */
 static double group_error(const reference_t *ref, double dt) {
-  double worst = 0;
+  double worst = 0, sum = 0;
   long steps = 0;
   int coarse = 0;
   for (int i = 0; i < GROUP; i++) {
     const int n = (int)(sixteenth_of(ref) / dt * (1 + 0.37 * i / GROUP));
-    worst = fmax(worst, error_of(MOREAU, ref, n, finest, &coarse));
+    const double error = error_of(MOREAU, ref, n, finest, &coarse);
+    worst = fmax(worst, error);
+    sum += log(error);
     steps += (long)n * REF_SIXTEENTHS;
   }
   /* One step in a thousand may turn beside h = g = 0 and say so; in float,
@@ -121,7 +125,9 @@ static double group_error(const reference_t *ref, double dt) {
   if (!CHECK((IS_DOUBLE ? 1000L : 33L) * coarse < steps || worst > 1))
     printf("#   %s: %d of %ld steps are coarse\n", ref->problem->name, coarse,
            steps);
-  return worst;
+  const double mean = exp(sum / GROUP);
+  CHECK_BELOW(worst, 20 * mean);
+  return mean;
 }
 
 TEST(errors_fall_with_the_step) {
@@ -135,11 +141,8 @@ TEST(errors_fall_with_the_step) {
     const double order = log(first / second) / log(ratio);
     printf("# %-12s error %.2e at dt = %.2e, %.2e at dt = %.2e: order %.2f\n",
            ref->problem->name, first, coarse, second, fine, order);
-    /* In float the rounding of some thousand steps stands beside the scheme.
-     * `driven` turns so fast beside h = g = 0 that its error depends on where a
-     * step falls there. */
-    CHECK(IS_DOUBLE ? order >= 0.9 || second <= 3e-5
-                    : order >= 0.5 || second <= 3e-4);
+    /* In float the rounding of some thousand steps stands beside the scheme. */
+    CHECK(IS_DOUBLE ? order >= 0.9 : order >= 0.5 || second <= 1e-4);
   }
 }
 

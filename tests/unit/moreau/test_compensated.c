@@ -117,7 +117,11 @@ static int same_step(const sim_t *at, real *worst) {
   const real off =
       fabsl((real)a.x.r - (real)b.x.r) + fabsl((real)a.x.v - (real)b.x.v) +
       fabsl((real)a.x.w - (real)b.x.w) + fabsl((real)a.x.phi - (real)b.x.phi);
-  *worst = fmaxl(*worst, off / scale);
+  /* Where a slip is lost follows from h at the start, which the plain step
+   * knows to rounding. */
+  const int lost =
+      tf_mode_is_slip(at->x.mode) && a.report.mode != at->x.mode ? 5 : 1;
+  *worst = fmaxl(*worst, off / scale / lost);
   CHECK(b.x.tick == at->x.tick + 1 && b.x.mode == b.report.mode);
   CHECK(b.report.choices >= (b.report.status == TF_OK));
   CHECK_NEAR(a.report.slip.h, b.report.slip.h, 50 * EPSILON * scale);
@@ -138,7 +142,7 @@ TEST(compensated_step_is_the_step) {
       CHECK(sim_step(&run, MOREAU) >= 0);
     }
     if (!CHECK_ABOVE(same, 4949)) printf("#   %s\n", tf_scenes[i]->name);
-    CHECK_NEAR(worst, 0, 30 * EPSILON);
+    CHECK_NEAR(worst, 0, 6 * EPSILON);
   }
   /* At and about h = g = 0, under every rule: pinned, no mode, all modes. */
   int same = 0;
