@@ -10,6 +10,7 @@ import signal
 import subprocess
 import sys
 import threading
+import warnings
 from pathlib import Path
 
 import matplotlib
@@ -267,6 +268,17 @@ def files_read_back():
     for name in exact.columns:
         assert (exact[name] == live[name]).all(), name
     assert "header" in refusal(ValueError, twofold.read_csv, "/dev/null")
+    bad = PLACE / "bad.scene"
+    refusal(FileNotFoundError, Machine, bad)
+    bad.write_text("based-on chaos\nkapa 1\n")
+    assert f"{bad}:2: unknown key 'kapa'; did you mean 'kappa'" in refusal(
+        ValueError, Machine, bad)
+    bad.write_text("t,force\n0,1\n1,2")
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        machine = Machine()
+        machine.run(0.1, inputs=bad, between="held")
+    assert "no newline" in str(said[0].message)
 
 
 for law in (enters_once, pickles_are_whole, words_stand_for_members,

@@ -7,14 +7,21 @@ rule. Results have the bits of the command line `twofold`.
     import twofold
     rows = twofold.simulate("chaos", t_end=2.0, every=10, kappa=0.3)
     rows["t"], rows["r"], rows["mode"] == twofold.Mode.PINNED
-    rows.plot("r", "omega")                     # by matplotlib
+    rows.words("mode") == "pinned"              # the same in words
+    rows.to_pandas(), rows.to_xarray()
+    rows.plot("r", "omega"), rows.strips()      # by matplotlib
     machine = twofold.Machine("chaos", omega=-1.02, h=0)
-    machine.futures()                           # one for each mode
-    twofold.sweep("chaos", {"kappa": [0.25, 0.3]}, t_end=2.0)["end_r"]
+    machine.r, machine.mode, machine.set, machine.step()
+    machine.futures()["slip+"]                  # one for each mode
+    twofold.simulate("my.scene", inputs="push.csv", between="linear")
+    twofold.sweep("chaos", {"kappa": [0.25, 0.3]}, t_end=2.0).to_xarray()
+    twofold.diverge("chaos", samples=100)
     machine.two_folds(), machine.regions(r, omega)
+    twofold.read_csv("chaos.csv")               # of `twofold run`
 
-`twofold.serial` drives a board. All numbers are in SI units. `parameters()`
-lists names, units and ranges.
+`python3 -m twofold` is the command line; `python3 -m twofold plot FILE.csv`
+draws a run. `twofold.serial` drives a board. All numbers are in SI units.
+`parameters()` lists names, units and ranges.
 """
 from ._core import parameters, scenes
 from ._diverge import diverge

@@ -91,17 +91,16 @@ class Core:
                        (POINTER(self.Scene) * self.size["scenes"]).in_dll(
                            self.library, f"tf_scenes_{self.suffix}")}
 
-    def _dtype(self, reals, *others, first=(), lanes=()):
+    def _dtype(self, reals, *others, lanes=()):
         """Of a row, or of a block of an ensemble."""
-        return np.dtype([*first, *(
-            (name, self.dtype, lanes) for name in reals.split()), *(
-                (name, kind, lanes) for name, kind in others)], align=True)
+        return np.dtype([
+            *((name, self.dtype, lanes) for name in reals.split()),
+            *((name, kind, lanes) for name, kind in others)], align=True)
 
     def _rows(self):
         mode = ("mode", "u1")
         flags = mode, ("set", "u1"), ("choices", "u1"), ("status", "i1")
-        self.row = self._dtype(QUANTITIES, *flags,
-                               first=[("t", "f8")])
+        self.row = np.dtype(self.Row)
         self.fold = self._dtype(
             "r v omega g K++ K+- K-+ K-- J1 J2 eigenvalue_1 eigenvalue_2 "
             "time_scale", ("type", "u1"), ("case", "u1"))
@@ -172,7 +171,7 @@ class Core:
         if code:
             raise ValueError(said)
         if said:
-            warnings.warn(said.replace("note: ", ""), stacklevel=4)
+            warnings.warn(said.replace("note: ", ""))
 
     def scene(self, name, text=None):
         """That of a name, or of the text of a file of that name."""

@@ -221,7 +221,8 @@ def _column(name, texts):
                              for text in texts], "u1")
         if name in MEMBERS:
             return np.array([MEMBERS[name](text) if text else 5
-                             for text in texts], "u1")
+                             for text in texts],
+                            "i1" if name == "status" else "u1")
         if name in COUNTS and all(texts):
             return np.array([int(text) for text in texts], int)
         return np.array([float(text) if text else np.nan for text in texts],
