@@ -71,6 +71,7 @@ static void fill_with_extremes(void) {
       -TF_REAL_MAX;
   sim.simulation.report.slip.h = sim.simulation.report.slip.g = -TF_REAL_MIN;
   sim.simulation.report.force = (tf_force_t){-TF_REAL_MAX, -TF_REAL_MIN};
+  sim.simulation.report.set = (1u << TF_MODES) - 1;
 }
 
 /* Ticks as the loop gives them. Returns: how many records were at a tick that
@@ -168,7 +169,7 @@ TEST(csv_has_its_header_again) {
     const unsigned length = csv_other(text);
     CHECK((length > 0) == (beat % 10 == 0));
     if (length > 0)
-      CHECK(length == 34 && !memcmp(text, "t,r,v,omega,h,g,F,M,mode,", 25));
+      CHECK(length == 38 && !memcmp(text, "t,r,v,omega,h,g,F,M,mode,", 25));
     CHECK(csv_other(text) == 0);
   }
   sim.simulation.state.tick = (uint64_t)4294967295 * RATE + 7;
@@ -179,7 +180,7 @@ TEST(csv_has_its_header_again) {
   CHECK(!memcmp(text, "4294967295.007000,-", 19));
   unsigned commas = 0;
   for (unsigned i = 0; i < length; i++) commas += text[i] == ',';
-  CHECK(commas == 9 && !memcmp(text + length - 2, "\r\n", 2));
+  CHECK(commas == 10 && !memcmp(text + length - 2, "\r\n", 2));
 }
 
 /* Half a second of the board's clock is that, however many of its ticks get a
