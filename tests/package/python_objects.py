@@ -141,6 +141,13 @@ def words_stand_for_members():
             got = getattr(one, name)
             got = sum(1 << mode for mode in got) if name == "set" else got
             assert got == rows[-1][name], name
+    for name in ("slip+", "stick+", "pinned"):
+        assert ((rows["mode"] == name) == (rows.words("mode") == name)).all()
+        assert ((rows["mode"] != Mode(name)) != (rows["mode"] == name)).all()
+    refusal(ValueError, rows["mode"].__eq__, "slip")
+    for held, name in ((machine, "r"), (machine, "kappa"), (machine, "mode"),
+                       (machine.state, "omega"), (machine.input(), "forse")):
+        refusal(AttributeError, setattr, held, name, 0.2)
     assert "omega0=-1 rad/s" in repr(machine.input())
     assert "r=0.18 m" in repr(Machine().state) and "mode=slip+" in repr(
         Machine().state)

@@ -6,8 +6,7 @@ rule. Results have the bits of the command line `twofold`.
 
     import twofold
     rows = twofold.simulate("chaos", t_end=2.0, every=10, kappa=0.3)
-    rows["t"], rows["r"], rows["mode"] == twofold.Mode.PINNED
-    rows.words("mode") == "pinned"              # the same in words
+    rows["t"], rows["r"], rows["mode"] == "pinned", rows.words("set")
     rows.to_pandas(), rows.to_xarray()
     rows.plot("r", "omega"), rows.strips()      # by matplotlib
     machine = twofold.Machine("chaos", omega=-1.02, h=0)

@@ -24,7 +24,8 @@ QUANTITIES = "r v omega phi h g F M delassus"
 
 
 class Struct(ctypes.Structure):
-    """One that shows its fields with their units."""
+    """One that shows its fields with their units, and has no others."""
+    __slots__ = ()
 
     def __repr__(self):
         shown = []
@@ -56,7 +57,7 @@ class Core:
 
     def _struct(self, reals, *others, name="Struct", first=()):
         """A struct of the core; fields of its real type before others."""
-        return type(name, (Struct,), {"_fields_": [
+        return type(name, (Struct,), {"__slots__": (), "_fields_": [
             *first, *((one, self.real) for one in reals.split()), *others]})
 
     def _structs(self):

@@ -119,8 +119,8 @@ class Machine:
     A method that is called while another thread, or what a signal interrupts,
     is in one of the same machine raises RuntimeError. Each may have a copy().
     """
-    t, r, v, omega, phi, h, g, F, M, delassus = (
-        _Quantity() for _ in ["t", *QUANTITIES.split()])
+    _fixed = "t", *QUANTITIES.split()
+    t, r, v, omega, phi, h, g, F, M, delassus = (_Quantity() for _ in _fixed)
 
     def __init__(self, scene: str | os.PathLike = "chaos", real: str = "double",
                  law: Law | str | None = None, rule: Rule | str | None = None,
@@ -192,6 +192,13 @@ class Machine:
     @property
     def status(self) -> Status:
         return Status(self._row().status)
+
+    def __setattr__(self, name, value):
+        if name in (*self._fixed, *CORES["double"].ranges):
+            raise AttributeError(
+                f"{name} is not set so: give parameters to Machine(), and a "
+                "state by place() or in `state`")
+        super().__setattr__(name, value)
 
     def _given(self, values):
         """A start; NaN where the scene gives it."""

@@ -40,17 +40,37 @@ def _cell(name, value):
     return f"{value:.6g}" if isinstance(value, np.floating) else str(value)
 
 
+class _Members(np.ndarray):
+    """Numbers of modes or the like, which may be compared with words."""
+
+    def __array_finalize__(self, of):
+        self.kind = getattr(of, "kind", None)
+
+    def __eq__(self, other):
+        return self.view(np.ndarray) == (
+            self.kind(other) if isinstance(other, str) else other)
+
+    def __ne__(self, other):
+        return ~(self == other)
+
+
 class Table(np.ndarray):
-    """A structured array of numpy: table["r"] is a column, a plain array. It
-    shows the first and the last rows, with units and names; in a notebook, as
-    a table."""
+    """A structured array of numpy: table["r"] is a column, a plain array; one
+    of modes may be compared with words. It shows the first and the last rows,
+    with units and names; in a notebook, as a table."""
 
     def __getitem__(self, key):
         if isinstance(key, str) and self.dtype.names:
             word("name of a column", key, self.dtype.names)
         got = super().__getitem__(key)
-        plain = isinstance(got, Table) and got.dtype.names is None
-        return got.view(np.ndarray) if plain else got
+        if not isinstance(got, Table) or got.dtype.names is not None:
+            return got
+        if not isinstance(key, str) or key not in MEMBERS or \
+                got.dtype.kind not in "iu":
+            return got.view(np.ndarray)
+        got = got.view(_Members)
+        got.kind = MEMBERS[key]
+        return got
 
     def _cells(self):
         flat, half = self.reshape(-1), SHOWN // 2
