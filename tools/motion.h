@@ -102,6 +102,30 @@ static inline tf_status_t motion_step(motion_t *motion, motion_scheme_t scheme,
       &k->machine, &motion->state, input, &motion->report);
 }
 
+/// The changes of the contact within steps, which MOTION_LOCATED alone finds;
+/// those that have no room are left out.
+#define MOTION_CHANGES 32
+typedef struct {
+  size_t count;
+  tf_located_change_t list[MOTION_CHANGES];
+} motion_changes_t;
+
+/// motion_step, which adds the changes within the step to the others.
+static inline tf_status_t motion_step_changes(motion_t *motion,
+                                              motion_scheme_t scheme,
+                                              const tf_input_t *input,
+                                              motion_changes_t *changes) {
+  const size_t room = MOTION_CHANGES - changes->count;
+  size_t count = 0;
+  if (scheme != MOTION_LOCATED) return motion_step(motion, scheme, input);
+  motion->low = (tf_compensation_t){0, 0, 0, 0};
+  const tf_status_t status = tf_step_located_changes(
+      &motion->machine.machine, &motion->state, input, &motion->report,
+      changes->list + changes->count, room, &count);
+  changes->count += count < room ? count : room;
+  return status;
+}
+
 /// A step that ends in a mode: the rule's own, or one from that mode on, or by
 /// one of many draws that end a rest, as at the h = g = 0 that a step comes to.
 /// Where the mode is possible only within the step, it ends in stick or rest,

@@ -44,6 +44,26 @@ TF_API tf_status_t tf_step_located(const tf_machine_t *machine,
                                    tf_state_t *state, const tf_input_t *input,
                                    tf_report_t *report);
 
+/// A change of the contact within a step: of its mode, or a stick passes
+/// through a two-fold.
+typedef struct {
+  tf_real_t time;     ///< since the step began [s]
+  tf_state_t state;   ///< there, in the mode that follows; tick: of the start
+  tf_report_t report; ///< likewise: force at its begin, g of its sign, delassus
+                      ///< 0 at a two-fold; set: that mode alone, residual 0
+} tf_located_change_t;
+
+/// tf_step_located, to the bit, with the changes within the step in their
+/// order. A step that tf_step takes or finishes has none from there on.
+/// machine, input: in. state: in/out, likewise. report: out.
+/// list: out, [room]. count: out; how many there were: what is beyond room is
+///   not in the list.
+/// Returns: as tf_step_located.
+#define tf_step_located_changes TF_LINK(tf_step_located_changes)
+TF_API tf_status_t tf_step_located_changes(
+    const tf_machine_t *machine, tf_state_t *state, const tf_input_t *input,
+    tf_report_t *report, tf_located_change_t *list, size_t room, size_t *count);
+
 TF_END_C
 
 #endif

@@ -122,7 +122,7 @@ static bool is_at_codim2(const trajectory_t *path, span_t span) {
 
 // One segment, up to its first event, and the choice of the next one; false
 // where there is none.
-static bool integrate_segment(trajectory_t *path) {
+TF_INLINE bool integrate_segment(trajectory_t *path) {
   // Expand: (13), (14) with (15) or (16).
   if (!tf_begin_series(path)) return false;
   if (!(path->remaining > 0)) return end_in_new_segment(path);
@@ -161,6 +161,71 @@ static bool integrate_segment(trajectory_t *path) {
   return path->is_over || tf_next_segment(path, event);
 }
 
+static end_state_t end_of(const trajectory_t *path) {
+  const tf_real_t z = path->now.z;
+  return (end_state_t){path->now.r,
+                       slider_velocity(path->motion.machine, path->now.p, z),
+                       z + path->omega};
+}
+
+// The name of the mode at the end. Where no event decides, it goes by the signs
+// there: of h without contact, of g in a stick without a moment.
+static unsigned mode_at_end(const trajectory_t *path, tf_slip_t slip) {
+  if (path->segment.kind == SEGMENT_FREE && slip.h != 0)
+    return slip_with(sign_of(slip.h));
+  if (path->segment.kind == SEGMENT_STICK && slip.g != 0 &&
+      path->motion.machine->contact.stick_kappa == 0)
+    return stick_with(sign_of(slip.g));
+  return path->mode;
+}
+
+// The changes that a step has met, for whom asks for them.
+typedef struct {
+  tf_located_change_t *list;
+  size_t room, count;
+  unsigned mode; // before the next one
+} changes_t;
+
+// Notes the contact from here on, where it is another one, or a stick passes
+// through a two-fold. g has the sign that follows, also where it is 0.
+static void note_change(changes_t *changes, trajectory_t *path) {
+  const tf_machine_t *k = path->motion.machine;
+  const bool passes = is_stick(path->mode) && path->segment.A_starts_at_zero;
+  const bool is_new = path->mode != changes->mode || passes;
+  changes->mode = path->mode;
+  if (!is_new || changes->count++ >= changes->room) return;
+  const end_state_t at = end_of(path);
+  tf_slip_t slip = trajectory_slip(path);
+  const unsigned mode = mode_at_end(path, slip);
+  tf_located_change_t *change = &changes->list[changes->count - 1];
+  change->time = k->dt - path->remaining;
+  change->state = *path->state;
+  change->state.r = at.r;
+  change->state.v = at.v;
+  change->state.w = at.w;
+  change->state.mode = (uint8_t)mode;
+  if (k->with_angle) change->state.phi += path->angle;
+  if (slip.g == 0 && mode != TF_PINNED)
+    slip.g = with_sign(path->segment.sign_g, TF_REAL_MIN);
+  const bool contact = k->contact.tyre.law != TF_TYRE_NONE;
+  const tf_real_t A = contact && !passes
+                          ? delassus_at(k, at.r * k->cos_gamma, sign_of(slip.g),
+                                        inertia_at(k, at.r))
+                          : 0;
+  const bool has_force = tf_begin_series(path);
+  const tf_force_t none = {0, 0};
+  change->report = (tf_report_t){
+      .force = has_force
+                   ? (tf_force_t){path->motion.F.c[0], path->motion.M.c[0]}
+                   : none,
+      .slip = slip,
+      .delassus = A,
+      .mode = (uint8_t)mode,
+      .set = (uint8_t)TF_MODE_BIT(mode),
+      .choices = 1,
+      .status = TF_OK};
+}
+
 // How far the segments of the budget come.
 typedef enum {
   PROGRESS_NONE, // not from the start of the step
@@ -168,11 +233,15 @@ typedef enum {
   PROGRESS_WHOLE // to its end
 } progress_t;
 
-static progress_t integrate_step(trajectory_t *path) {
+TF_INLINE progress_t integrate_step(trajectory_t *path, changes_t *changes) {
   const tf_machine_t *k = path->motion.machine;
   bool goes_on = tf_first_segment(path);
-  while (goes_on && !path->is_over)
+  if (changes != NULL && goes_on) note_change(changes, path);
+  while (goes_on && !path->is_over) {
     goes_on = path->spent++ < k->segments && integrate_segment(path);
+    if (changes != NULL && goes_on && !path->is_over)
+      note_change(changes, path);
+  }
   if (goes_on) return PROGRESS_WHOLE;
   return path->remaining < k->dt ? PROGRESS_PART : PROGRESS_NONE;
 }
@@ -185,13 +254,6 @@ static tf_status_t fall_back(const tf_machine_t *k, tf_state_t *state,
   if (status != TF_OK) return status;
   report->status = TF_FELL_BACK;
   return TF_FELL_BACK;
-}
-
-static end_state_t end_of(const trajectory_t *path) {
-  const tf_real_t z = path->now.z;
-  return (end_state_t){path->now.r,
-                       slider_velocity(path->motion.machine, path->now.p, z),
-                       z + path->omega};
 }
 
 // What is left of the step by one of tf_step, from where the segments have come
@@ -225,7 +287,7 @@ static tf_status_t finish_by_fixed_step(const trajectory_t *path,
 }
 
 // How far the force at the end is from the law there, by the law itself.
-static tf_real_t residual_at_end(const trajectory_t *path, tf_slip_t slip) {
+TF_INLINE tf_real_t residual_at_end(const trajectory_t *path, tf_slip_t slip) {
   const tf_machine_t *k = path->motion.machine;
   const outcome_t stick = {.mode = path->mode};
   if (!is_slip(path->mode)) return mode_residual(k, &stick, path->force, slip);
@@ -233,19 +295,9 @@ static tf_real_t residual_at_end(const trajectory_t *path, tf_slip_t slip) {
                            slip);
 }
 
-// The name of the mode at the end. Where no event decides, it goes by the signs
-// there: of h without contact, of g in a stick without a moment.
-static unsigned mode_at_end(const trajectory_t *path, tf_slip_t slip) {
-  if (path->segment.kind == SEGMENT_FREE && slip.h != 0)
-    return slip_with(sign_of(slip.h));
-  if (path->segment.kind == SEGMENT_STICK && slip.g != 0 &&
-      path->motion.machine->contact.stick_kappa == 0)
-    return stick_with(sign_of(slip.g));
-  return path->mode;
-}
-
-static tf_status_t commit_located(trajectory_t *path, const tf_input_t *input,
-                                  tf_state_t *state, tf_report_t *report) {
+TF_INLINE tf_status_t commit_located(trajectory_t *path,
+                                     const tf_input_t *input, tf_state_t *state,
+                                     tf_report_t *report) {
   const tf_machine_t *k = path->motion.machine;
   // At the end the turntable has the speed of the input.
   path->omega = input->omega0;
@@ -285,18 +337,38 @@ static void name_stick(trajectory_t *path) {
   path->set = (path->set & ~sticks) | TF_MODE_BIT(path->mode);
 }
 
-TF_API tf_status_t tf_step_located(const tf_machine_t *machine,
+TF_INLINE tf_status_t step_located(const tf_machine_t *machine,
                                    tf_state_t *state, const tf_input_t *input,
-                                   tf_report_t *report) {
+                                   tf_report_t *report, changes_t *changes) {
   const tf_status_t status = validate_located(machine, state, input);
   if (status != TF_OK) return refuse_step(report, status);
   trajectory_t path;
   begin_trajectory(&path, machine, state, input);
-  const progress_t progress = integrate_step(&path);
+  const progress_t progress = integrate_step(&path, changes);
+  if (changes != NULL && progress == PROGRESS_NONE) changes->count = 0;
   if (progress == PROGRESS_NONE)
     return fall_back(machine, state, input, report);
   if (progress == PROGRESS_PART)
     return finish_by_fixed_step(&path, state, report);
   name_stick(&path);
   return commit_located(&path, input, state, report);
+}
+
+TF_API tf_status_t tf_step_located(const tf_machine_t *machine,
+                                   tf_state_t *state, const tf_input_t *input,
+                                   tf_report_t *report) {
+  return step_located(machine, state, input, report, NULL);
+}
+
+TF_API tf_status_t tf_step_located_changes(const tf_machine_t *machine,
+                                           tf_state_t *state,
+                                           const tf_input_t *input,
+                                           tf_report_t *report,
+                                           tf_located_change_t *list,
+                                           size_t room, size_t *count) {
+  changes_t changes = {list, room, 0, state->mode};
+  const tf_status_t status =
+      step_located(machine, state, input, report, &changes);
+  *count = status < 0 ? 0 : changes.count;
+  return status;
 }

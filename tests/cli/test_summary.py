@@ -146,6 +146,27 @@ atlas chaos --r 0.1:0.2:100000 --omega=-1:1:99 --out
 run chaos --t-end 1e6 --every 1000000 --out""".splitlines()
 
 
+def test_events_within_a_step():
+    """Under scheme located each has its own time, whatever dt is; a sweep
+    counts the same ones."""
+    seen = []
+    for dt in 0.7, 0.35, 0.1, 0.01:
+        words = ["coulomb", "--scheme", "located", "--dt", dt]
+        said = call("run", *words, "--t-end", "1.4", "--summary", "json",
+                    "--out", "rows")[1]
+        events = json.loads(said.splitlines()[-1])["events"]
+        same((events["slip_to_stick"], events["stick_to_slip"],
+              events["codim2"]), (2, 1, 0))
+        seen.append([(one["from"], one["to"]) for one in events["list"]])
+        for one, time_ in zip(events["list"], (0.3176, 0.5936, 0.8759)):
+            check(abs(one["t"] - time_) < 1e-4, str(events))
+        rows = call("sweep", *words, "--t-end", "1.4", "--over", "mu=1:2:2",
+                    "--outcome", "modes,changes")[0].splitlines()
+        same(rows[1].split(",")[-2:], ["slip+|stick+|stick-", "3"])
+    same(seen, [[("slip+", "stick+"), ("stick+", "slip+"),
+                 ("slip+", "stick-")]] * 4)
+
+
 def test_time_left():
     """On a terminal, of all long work, and nowhere else. It comes two seconds
     after the beginning, for which the processor is left to others; where

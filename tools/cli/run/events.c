@@ -80,6 +80,14 @@ void cli_events_begin(cli_events_t *events, uint64_t limit,
                            .set = choices > 1 ? start->set : 0};
 }
 
+tf_report_t cli_before_change(const tf_report_t *before,
+                              const tf_located_change_t *change) {
+  const tf_real_t g = change->report.slip.g;
+  tf_report_t report = *before;
+  report.slip.g = g > TF_REAL_MIN || g < -TF_REAL_MIN ? g : -g;
+  return report;
+}
+
 void cli_events_observe(cli_events_t *events, const tf_report_t *before,
                         const tf_report_t *after, const tf_state_t *state,
                         double t) {

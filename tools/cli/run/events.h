@@ -50,6 +50,11 @@ typedef struct {
 void cli_events_begin(cli_events_t *events, uint64_t limit,
                       const tf_report_t *start);
 
+/// The report before a change within a step: g changes its sign there only at g
+/// = 0, whatever it did since.
+tf_report_t cli_before_change(const tf_report_t *before,
+                              const tf_located_change_t *change);
+
 /// Looks for events between two consecutive reports.
 /// state, t: after the step that gave `after`.
 void cli_events_observe(cli_events_t *events, const tf_report_t *before,

@@ -56,7 +56,15 @@ static void show(const cli_run_t *run) {
 
 static void observe(cli_run_t *run, const tf_report_t *before) {
   const tf_report_t *after = &run->system.report;
+  const motion_changes_t *changes = &run->drive.changes;
   const double t = cli_run_time(run, run->done);
+  for (size_t i = 0; i < changes->count; i++) {
+    const tf_located_change_t *at = &changes->list[i];
+    const tf_report_t from = cli_before_change(before, at);
+    cli_events_observe(&run->events, &from, &at->report, &at->state,
+                       cli_run_time(run, run->done - 1) + (double)at->time);
+    before = &at->report;
+  }
   cli_events_observe(&run->events, before, after, &run->system.state, t);
   tf_tally_count(&run->tally, run->done, after->status);
   const double h = fabs((double)after->slip.h);
@@ -73,6 +81,7 @@ static bool take_step(cli_run_t *run) {
       !run->replays && run->replay.simulation.source == TF_INPUT_SCENE;
   if (!drives && !next_input(run, &input)) return false;
   const tf_report_t before = run->system.report;
+  run->drive.changes.count = 0;
   run->status =
       drives ? cli_drive_take(&run->drive, run->setup, &run->system, &input)
              : cli_step(&run->drive, run->setup->scheme, &run->system, &input);

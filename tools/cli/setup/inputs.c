@@ -406,7 +406,8 @@ static tf_real_t next_row(const cli_drive_t *drive, const cli_span_t *span) {
 
 tf_status_t cli_step(cli_drive_t *drive, motion_scheme_t scheme,
                      motion_t *motion, const tf_input_t *input) {
-  if (!(drive->accuracy > 0)) return motion_step(motion, scheme, input);
+  if (!(drive->accuracy > 0))
+    return motion_step_changes(motion, scheme, input, &drive->changes);
   tf_real_t error;
   const tf_status_t status =
       tf_step_estimated(&motion->machine.machine, &motion->state, input,
@@ -422,8 +423,9 @@ tf_status_t cli_step(cli_drive_t *drive, motion_scheme_t scheme,
 #define PART_OF_TICK UINT64_C(0x6A09E667F3BCC909)
 
 static tf_status_t take_parts(cli_drive_t *drive, const cli_setup_t *setup,
-                              cli_span_t rest, motion_t *motion,
+                              cli_span_t whole, motion_t *motion,
                               tf_input_t *input) {
+  cli_span_t rest = whole;
   const motion_scheme_t scheme = setup->scheme;
   const tf_state_t before = motion->state;
   tf_report_t *report = &motion->report;
@@ -438,8 +440,11 @@ static tf_status_t take_parts(cli_drive_t *drive, const cli_setup_t *setup,
     params.dt = span.dt;
     (void)motion_prepare(motion, scheme, &params, NULL);
     motion->state.tick = before.tick + part * PART_OF_TICK;
+    const size_t known = drive->changes.count;
     if (cli_step(drive, scheme, motion, input) >= 0 && met.status > TF_OK)
       report->status = met.status;
+    for (size_t i = known; i < drive->changes.count; i++)
+      drive->changes.list[i].time += span.from - whole.from;
     if (met.choices > report->choices) {
       report->choices = met.choices;
       report->set = met.set;
@@ -449,15 +454,18 @@ static tf_status_t take_parts(cli_drive_t *drive, const cli_setup_t *setup,
     rest.dt -= span.dt;
   }
   motion->machine.machine = setup->machine;
-  if (met.status < 0)
+  if (met.status < 0) {
     motion->state = before;
-  else
+    drive->changes.count = 0;
+  } else {
     motion->state.tick = before.tick + 1;
+  }
   return met.status;
 }
 
 tf_status_t cli_drive_take(cli_drive_t *drive, const cli_setup_t *setup,
                            motion_t *motion, tf_input_t *input) {
+  drive->changes.count = 0;
   if (drive->profile.count + drive->table.count == 0) {
     *input = setup->input;
   } else {

@@ -76,6 +76,7 @@ typedef struct {
   cli_inputs_t profile, table;
   tf_real_t accuracy; ///< of a step of moreau; 0: its error is not estimated
   tf_real_t error;    ///< the largest estimate
+  motion_changes_t changes; ///< of the last step; time: since its start
 } cli_drive_t;
 
 /// Reads both. drive: out; to be freed by cli_drive_free, whatever is returned.
@@ -97,7 +98,8 @@ void cli_drive_notes(const cli_drive_t *drive, const cli_setup_t *setup,
 tf_input_t cli_drive_over(cli_drive_t *drive, const tf_machine_t *machine,
                           const cli_span_t *span);
 
-/// One step, which is taken as two halves, too, where drive->accuracy is not 0.
+/// One step, whose changes are added; as two halves, too, where drive->accuracy
+/// is not 0.
 /// Returns: as motion_step.
 tf_status_t cli_step(cli_drive_t *drive, motion_scheme_t scheme,
                      motion_t *motion, const tf_input_t *input);

@@ -98,11 +98,26 @@ static void pass(point_t *point, uint64_t to, const tf_report_t *report) {
   point->report = *report;
 }
 
+// What follows another report, at a time.
+static void meet(point_t *point, const tf_report_t *before,
+                 const tf_report_t *report, const tf_state_t *state, double t) {
+  const uint64_t arrivals = point->events.counts[CLI_TWO_FOLD];
+  cli_events_observe(&point->events, before, report, state, t);
+  if (point->events.counts[CLI_TWO_FOLD] > arrivals) {
+    point->first_arrival = arrivals == 0 ? t : point->first_arrival;
+    point->last_arrival = t;
+  }
+  if (report->mode == TF_PINNED && before->mode != TF_PINNED)
+    point->pinned_since = t;
+  point->modes |= TF_MODE_BIT(report->mode);
+  point->changes += report->mode != before->mode;
+}
+
 // Looks at step i, behind one with the report `before`.
 static void see(point_t *point, uint64_t i, const tf_input_t *input,
                 const tf_report_t *before, const tf_report_t *report) {
-  const double t = (double)i * (double)point->setup.machine.dt;
-  const uint64_t arrivals = point->events.counts[CLI_TWO_FOLD];
+  const double dt = (double)point->setup.machine.dt;
+  const motion_changes_t *within = &point->drive.changes;
   pass(point, i - 1, before);
   if (report->status < 0) {
     (void)snprintf(point->reason, REASON_ROOM, "step %" PRIu64 ": %s", i,
@@ -112,18 +127,16 @@ static void see(point_t *point, uint64_t i, const tf_input_t *input,
     return;
   }
   tf_tally_count(&point->tally, i, report->status);
-  cli_events_observe(&point->events, before, report, &point->setup.motion.state,
-                     t);
-  if (point->events.counts[CLI_TWO_FOLD] > arrivals) {
-    point->first_arrival = arrivals == 0 ? t : point->first_arrival;
-    point->last_arrival = t;
+  for (size_t n = 0; n < within->count; n++) {
+    const tf_located_change_t *at = &within->list[n];
+    const tf_report_t from = cli_before_change(before, at);
+    meet(point, &from, &at->report, &at->state,
+         (double)(i - 1) * dt + (double)at->time);
+    before = &at->report;
   }
-  if (report->mode == TF_PINNED && before->mode != TF_PINNED)
-    point->pinned_since = t;
+  meet(point, before, report, &point->setup.motion.state, (double)i * dt);
   point->steps = i;
   point->input = *input;
-  point->modes |= TF_MODE_BIT(report->mode);
-  point->changes += report->mode != before->mode;
   point->stuck += !tf_mode_is_slip(report->mode);
   point->report = *report;
 }

@@ -25,6 +25,7 @@ PLAIN = re.compile(r"""tf_(?:\w+_name|wire_\w+|send_\w+|read_\w+|slip|energy|
     decoder_init|link_open|link_(?:add_entropy|begin_session)|params_hash|
     mode_is_slip|is_vouched_for|run_hash|line_\w+|frame_chain|
     tyre_is_set_valued|contacts?_(?:prepare|modes|choose|force)|philox|
+    step_located_changes|
     input_default|turntable_to|speed_for_slip(?:_compensated)?|tally_count|
     ensemble_(?:run|put|get|report)|arithmetic|design_two_fold|
     begin_with_slip|scene_start|
