@@ -38,17 +38,18 @@ static bool none_of(const mask_t mask[TF_LANES]) {
   return all == 0;
 }
 
+// Whether the bit of a mode is that of one of two.
+TF_INLINE mask_t is_either(mask_t bit, unsigned one, unsigned other) {
+  return ~(((bit >> one | bit >> other) & 1u) - 1u);
+}
+
 // The kinds of the modes, from their bits.
 static void kinds_all(work_t *restrict work) {
   for (int i = 0; i < TF_LANES; i++) {
     const mask_t bit = work->bit[i];
-    const mask_t slip_plus = bit >> TF_SLIP_PLUS,
-                 slip_minus = bit >> TF_SLIP_MINUS,
-                 stick_plus = bit >> TF_STICK_PLUS,
-                 stick_minus = bit >> TF_STICK_MINUS;
-    work->slips[i] = ~(((slip_plus | slip_minus) & 1u) - 1u);
-    work->rolls[i] = ~(((stick_plus | stick_minus) & 1u) - 1u);
-    work->minus[i] = ~(((slip_minus | stick_minus) & 1u) - 1u);
+    work->slips[i] = is_either(bit, TF_SLIP_PLUS, TF_SLIP_MINUS);
+    work->rolls[i] = is_either(bit, TF_STICK_PLUS, TF_STICK_MINUS);
+    work->minus[i] = is_either(bit, TF_SLIP_MINUS, TF_STICK_MINUS);
   }
 }
 
@@ -126,11 +127,7 @@ TF_INLINE change_t lane_change(const work_t *work, int i, tf_real_t x,
 TF_INLINE end_state_t lane_end(const tf_machine_t *k, const work_t *work,
                                tf_real_t omega0, int i, tf_real_t x,
                                tf_real_t y) {
-  const linear_t l = {.omega0 = omega0,
-                      .p = work->p[i],
-                      .z = work->z[i],
-                      .free = {work->free_p[i], work->free_z[i]},
-                      .r_explicit = work->r_explicit[i]};
+  const linear_t l = linear_of(work, omega0, i);
   return end_after(k, &l, lane_change(work, i, x, y));
 }
 
@@ -138,9 +135,7 @@ TF_INLINE tf_slip_t lane_theta_slip(const tf_machine_t *k,
                                     const tf_state_block_t *b,
                                     const tf_input_t *u, const work_t *work,
                                     int i, tf_real_t x, tf_real_t y) {
-  const linear_t l = {.p = work->p[i],
-                      .z = work->z[i],
-                      .free = {work->free_p[i], work->free_z[i]}};
+  const linear_t l = linear_of(work, u->omega0, i);
   return slip_at_theta(k, &l, turn_after_theta(k, u),
                        r_at_theta(k, b->r[i], b->v[i]),
                        lane_change(work, i, x, y));

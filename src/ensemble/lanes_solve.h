@@ -295,10 +295,10 @@ static void sticks_of(const tf_machine_t *restrict k, int from,
 
 // enumerate_both_signs() for a group of lanes that are done at once; lanes of
 // one sign keep what they have.
-static void enumerate_both(const tf_machine_t *restrict k,
-                           const tf_state_block_t *restrict b,
-                           const tf_input_t *restrict u, int from,
-                           work_t *restrict work) {
+TF_INLINE void enumerate_both(const tf_machine_t *restrict k,
+                              const tf_state_block_t *restrict b,
+                              const tf_input_t *restrict u, int from,
+                              work_t *restrict work) {
   group_t group;
   shares_of(k, b, u, from, work, &group);
   slips_of(from, &group, work);

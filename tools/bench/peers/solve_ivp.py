@@ -11,6 +11,7 @@ or no tolerance would reach 1e-6.
 """
 import ctypes
 import math
+import os
 import sys
 import time
 
@@ -92,6 +93,8 @@ class Motion:
 
 
 def main() -> None:
+    rows = os.fdopen(os.dup(1), "w")
+    os.dup2(2, 1)  # LSODA's remarks go to standard output
     for line in sys.stdin:
         problem, method, tol = line.split()
         begin, error = time.perf_counter(), math.inf
@@ -102,7 +105,8 @@ def main() -> None:
         except (GaveUp, ArithmeticError, ValueError):
             pass
         print(f"{error:.3e},{1e9 * (time.perf_counter() - begin):.0f},"
-              f"{'ok' if error < math.inf else 'refused'}", flush=True)
+              f"{'ok' if error < math.inf else 'refused'}",
+              file=rows, flush=True)
 
 
 if __name__ == "__main__":
