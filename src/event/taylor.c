@@ -43,29 +43,23 @@ typedef struct {
   tf_real_t turn; // what one of p_n q_0 - p_0 q_n adds to T_n
 } slip_angle_t;
 
-// Term n of p' q - q' p where both begin with t.
-TF_INLINE tf_real_t cross_term(const taylor_t *motion, int n) {
+// Term n of psi' where p and q begin with t.
+TF_INLINE tf_real_t psi_rate_term(const taylor_t *motion,
+                                  const slip_angle_t *angle, int n) {
+  const tf_real_t *p = motion->p.c, *q = motion->q.c;
   tf_real_t sum = 0;
-  for (int i = 1; i <= n; i++)
-    sum +=
-        (tf_real_t)(2 * i - (n + 1)) * motion->p.c[i] * motion->q.c[n + 1 - i];
-  return sum;
-}
-
-// Term n of psi' from that term of its numerator.
-TF_INLINE tf_real_t psi_rate_term(slip_angle_t *angle, int n,
-                                  tf_real_t numerator) {
-  for (int i = 1; i <= n; i++)
-    numerator -= angle->R2.c[i] * angle->psi_rate.c[n - i];
-  return numerator * angle->inverse_R2;
+  for (int i = 1; i <= n + 2; i++)
+    sum += (tf_real_t)(2 * i - (n + 3)) * p[i] * q[n + 3 - i];
+  for (int i = 1; i <= n; i++) sum -= angle->R2.c[i] * angle->psi_rate.c[n - i];
+  return sum * angle->inverse_R2;
 }
 
 // Term n >= 1 of T from T' = a (1 + T^2) psi'.
-TF_INLINE tf_real_t T_term(const slip_angle_t *angle, tf_real_t a, int n) {
+TF_INLINE tf_real_t T_term(const slip_angle_t *angle, int n) {
   tf_real_t sum = angle->psi_rate.c[n - 1];
   for (int i = 0; i < n; i++)
     sum += angle->T2.c[i] * angle->psi_rate.c[n - 1 - i];
-  return a * sum * reciprocal[n];
+  return angle->a * sum * reciprocal[n];
 }
 
 // (force), (moment): the series of T has the sign of g h, so that F1 goes by
@@ -173,7 +167,7 @@ static tf_real_t limit_direction_gain(const taylor_t *motion,
                                       const friction_t *by_T,
                                       const slip_angle_t *angle) {
   const tf_real_t T = angle->T.c[0], dq = motion->r.c[0] * by_T->z;
-  return motion->machine->contact.tyre.T_series[0] * (1 + T * T) *
+  return angle->a * (1 + T * T) *
          (by_T->p * motion->q.c[1] - motion->p.c[1] * dq) / angle->R2.c[0];
 }
 
@@ -202,15 +196,12 @@ static void taylor_codim2_slip(taylor_t *motion, const segment_t *segment) {
   for (int n = 1; n < highest_order(motion); n++) {
     const next_terms_t next = next_terms(motion, n);
     set_terms(motion, n, &next, &none, 0);
-    angle.psi_rate.c[n - 1] =
-        psi_rate_term(&angle, n - 1, cross_term(motion, n + 1));
+    angle.psi_rate.c[n - 1] = psi_rate_term(motion, &angle, n - 1);
     angle.T2.c[n - 1] = square_term(&angle.T, n - 1);
-    const tf_real_t T =
-        T_term(&angle, tyre->T_series[0], n) / (1 - gain * reciprocal[n + 1]);
+    const tf_real_t T = T_term(&angle, n) / (1 - gain * reciprocal[n + 1]);
     angle.T.c[n] = T;
     set_terms(motion, n, &next, &by_T, T);
-    angle.psi_rate.c[n - 1] =
-        psi_rate_term(&angle, n - 1, cross_term(motion, n + 1));
+    angle.psi_rate.c[n - 1] = psi_rate_term(motion, &angle, n - 1);
     tf_real_t R2 = 0;
     for (int i = 1; i <= n + 1; i++)
       R2 += motion->p.c[i] * motion->p.c[n + 2 - i] +
