@@ -33,6 +33,10 @@ def test_whole_files():
          "--set c2=0 --dt 1 --t-end 10 --every 5 --out stop".split())
     same(Path("stop.part").read_text().splitlines()[2].split(",")[0], "1")
     check(not Path("stop").exists(), "a file of a run that was refused a step")
+    size = Path("stop.part").stat().st_size
+    says(0, f"note: stop.part: the rows of a command that was stopped, {size} "
+         "bytes, are written over", *ROWS, "--out", "stop")
+    is_whole("stop", want)
 
 
 def test_links():

@@ -78,6 +78,15 @@ def test_a_pipe_is_read_until_the_signal():
             run.terminate()
             same(run.wait(), 0)
     same(Path("live").read_text(), rows)
+    for option in "--out", "--record":
+        Path("kept.part").write_text("of a board")
+        done = subprocess.run([TWOFOLD, "monitor", "-", "--format", "csv",
+                               option, "kept"], input=stream, check=False,
+                              capture_output=True)
+        same(done.returncode, 3)
+        check(b"kept.part has the rows of a command that" in done.stderr,
+              str(done.stderr))
+        same(Path("kept.part").read_text(), "of a board")
 
 
 def test_streams_that_a_line_broke():

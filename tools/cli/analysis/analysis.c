@@ -305,7 +305,8 @@ static int write_rows(row_t row, cli_progress_t *progress) {
 // units: of the columns, for --provenance.
 static int write_grid(const char *header, const char *units, row_t row) {
   char lines[CLI_PROVENANCE_ROOM];
-  CLI_TRY(cli_output_begin(&job.output, "--out", job.args->out, false));
+  CLI_TRY(
+      cli_output_begin(&job.output, "--out", job.args->out, CLI_WRITE_OVER));
   if (job.args->provenance) {
     const size_t length =
         cli_provenance(&job.setup, "inputs at t = 0, no motion", units, lines);

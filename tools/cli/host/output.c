@@ -106,7 +106,7 @@ static bool has_its_name(const cli_output_t *to) {
 // in between: then the name is another file's, or nobody's.
 // mode: in, that of the file that it replaces, which is as private; < 0: none.
 // Returns: 0 or an errno.
-static int take_part(const cli_output_t *to, int mode, bool keep) {
+static int take_part(cli_output_t *to, int mode, bool keep) {
   struct stat found;
   if (fstat(to->descriptor, &found) != 0 || !S_ISREG(found.st_mode))
     return EEXIST;
@@ -115,6 +115,7 @@ static int take_part(const cli_output_t *to, int mode, bool keep) {
   if (flock(to->descriptor, LOCK_EX | LOCK_NB) != 0)
     return errno == EWOULDBLOCK ? EBUSY : errno;
   if (!has_its_name(to)) return EBUSY;
+  to->there = (size_t)found.st_size;
   return (!keep && ftruncate(to->descriptor, 0) != 0) ||
                  (mode >= 0 && fchmod(to->descriptor, (mode_t)mode) != 0)
              ? errno
@@ -191,6 +192,7 @@ bool cli_output_open(cli_output_t *output, const char *path, bool keep) {
   output->name = standard ? "standard output" : path;
   output->descriptor = STDOUT_FILENO;
   output->beside = output->left = false;
+  output->there = 0;
   output->error = standard ? 0 : open_path(output, path, keep);
   return output->error == 0;
 }
@@ -279,12 +281,26 @@ void cli_output_tell_part(const cli_output_t *output) {
   }
 }
 
+int cli_output_note_over(const cli_output_t *output) {
+  return cli_message(CLI_DONE,
+                     "note: %s: the rows of a command that was stopped, %zu "
+                     "bytes, are written over",
+                     output->part, output->there);
+}
+
 int cli_output_begin(cli_output_t *output, const char *option, const char *path,
-                     bool keep) {
+                     cli_begin_t how) {
   cli_catch_signals();
-  if (cli_output_open(output, path, keep)) return CLI_DONE;
-  return cli_message(CLI_STOPPED, "%s %s: %s", option, path,
-                     cli_output_reason(output));
+  if (!cli_output_open(output, path, how != CLI_WRITE_OVER))
+    return cli_message(CLI_STOPPED, "%s %s: %s", option, path,
+                       cli_output_reason(output));
+  if (output->there == 0 || how == CLI_GO_ON) return CLI_DONE;
+  if (how == CLI_WRITE_OVER) return cli_output_note_over(output);
+  (void)cli_output_close(output, false);
+  return cli_message(CLI_REFUSED,
+                     "%s %s: %s has the rows of a command that was stopped: "
+                     "give them another name, or remove them",
+                     option, path, output->part);
 }
 
 void cli_output_go_on(cli_output_t *output, size_t kept) {
@@ -306,7 +322,7 @@ int cli_output_end(cli_output_t *output, int code) {
 
 int cli_output_write(cli_output_t *output, const char *option, const char *path,
                      const char *text, size_t length) {
-  CLI_TRY(cli_output_begin(output, option, path, false));
+  CLI_TRY(cli_output_begin(output, option, path, CLI_WRITE_OVER));
   (void)cli_output_lines(output, text, length);
   return cli_output_end(output, CLI_DONE);
 }

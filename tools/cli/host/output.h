@@ -25,6 +25,7 @@ typedef struct {
   bool beside; ///< rows go to `part`, which becomes `path`
   bool left;   ///< after closing: `part` has rows and was not renamed
   char path[CLI_PATH_ROOM], part[CLI_PATH_ROOM];
+  size_t there;   ///< bytes that were in `part` when it was opened
   int error;      ///< errno of the first failure, 0 while there was none
   double flushed; ///< cli_now() of the last flush
   char last;      ///< byte that ends a row: newline unless set otherwise
@@ -32,15 +33,25 @@ typedef struct {
   char buffer[CLI_OUTPUT_ROOM];
 } cli_output_t;
 
+/// What becomes of rows in the part, which a program left that was stopped.
+typedef enum {
+  CLI_WRITE_OVER, ///< they are noted, and written over
+  CLI_WRITE_ONCE, ///< nothing has them again: the file is refused
+  CLI_GO_ON       ///< they stay until cli_output_go_on says how many bytes
+} cli_begin_t;
+
 /// Opens a file for writing, or standard output where path is NULL or "-".
-/// keep: rows in its part stay until cli_output_go_on says how many bytes.
+/// keep: whether what is in its part stays for now.
 /// Returns: whether it is open; otherwise error is set.
 bool cli_output_open(cli_output_t *output, const char *path, bool keep);
 
 /// Opens it for a command: from now on signals are caught as by
 /// cli_catch_signals. option: the option that gave the path, for the message.
 int cli_output_begin(cli_output_t *output, const char *option, const char *path,
-                     bool keep);
+                     cli_begin_t how);
+
+/// Notes that the rows in its part are written over. Returns: CLI_DONE.
+int cli_output_note_over(const cli_output_t *output);
 
 /// Keeps so many bytes of the part, if there is one, removes the others, and
 /// goes on behind them.

@@ -170,7 +170,9 @@ static int open_all(cli_sheets_t *sheets) {
     cli_sheet_t *sheet = &sheets->sheet[sheets->count];
     const cli_output_t *to = &sheet->output;
     if (sheet->path == NULL) break;
-    CLI_TRY(cli_output_begin(&sheet->output, sheet->option, sheet->path, true));
+    CLI_TRY(cli_output_begin(&sheet->output, sheet->option, sheet->path,
+                             CLI_GO_ON));
+    if (to->there > 0 && !sheets->noted) (void)cli_output_note_over(to);
     sheets->noted = sheets->noted && to->beside;
     sheets->chain = cli_crc(sheets->chain, sheet->begin, strlen(sheet->begin));
     if (to->beside && !in_part && size_of(name_of(sheet)) > 0) {

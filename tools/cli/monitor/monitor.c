@@ -195,12 +195,16 @@ static int open_both(monitor_t *monitor) {
     return cli_message(CLI_STOPPED,
                        "--key: %s is no device, which could answer",
                        monitor->source.name);
+  const cli_begin_t how = cli_is_regular(monitor->source.descriptor)
+                              ? CLI_WRITE_OVER
+                              : CLI_WRITE_ONCE;
   if (monitor->as != NULL)
-    CLI_TRY(cli_output_begin(&monitor->output, "--out", args->out, false));
+    CLI_TRY(cli_output_begin(&monitor->output, "--out", args->out, how));
   if (args->format == CLI_FORMAT_FRAMES) monitor->output.last = '\0';
   if (monitor->as != NULL && !args->provenance) begin_rows(monitor);
-  return args->record != NULL ? cli_session_open(&monitor->record, args->record)
-                              : CLI_DONE;
+  return args->record != NULL
+             ? cli_session_open(&monitor->record, args->record, how)
+             : CLI_DONE;
 }
 
 // What is wrong with the stream as a whole, NULL: nothing. Where all frames are

@@ -229,7 +229,8 @@ static int write_lateness(cli_run_t *run) {
 
 static int open_files(cli_run_t *run, const cli_args_t *args) {
   if (args->save != NULL) {
-    CLI_TRY(cli_output_begin(&run->saved, "--save", args->save, false));
+    CLI_TRY(
+        cli_output_begin(&run->saved, "--save", args->save, CLI_WRITE_OVER));
     if (!cli_is_regular(run->output.descriptor)) {
       cli_say(
           "twofold: note: --save %s: rows go to %s, which is no file: "
@@ -240,11 +241,11 @@ static int open_files(cli_run_t *run, const cli_args_t *args) {
   return args->lateness == NULL
              ? CLI_DONE
              : cli_output_begin(&run->late_rows, "--lateness", args->lateness,
-                                false);
+                                CLI_WRITE_OVER);
 }
 
 static int perform(cli_run_t *run, const cli_args_t *args) {
-  CLI_TRY(cli_output_begin(&run->output, "--out", args->out, false));
+  CLI_TRY(cli_output_begin(&run->output, "--out", args->out, CLI_WRITE_OVER));
   int code = open_files(run, args);
   if (code != CLI_DONE) return cli_output_end(&run->output, code);
   run->live = args->live ? cli_live_open(cli_run_time(run, run->steps)) : NULL;

@@ -48,11 +48,12 @@ static void put_row(cli_session_file_t *file, const cli_session_row_t *row,
   file->state.length = 0;
 }
 
-int cli_session_open(cli_session_file_t *file, const char *path) {
+int cli_session_open(cli_session_file_t *file, const char *path,
+                     cli_begin_t how) {
   static const char head[] =
       "# Record of a board's session, for 'twofold run SCENE "
       "--replay'.\n" HEADER "\n";
-  CLI_TRY(cli_output_begin(&file->output, "--record", path, false));
+  CLI_TRY(cli_output_begin(&file->output, "--record", path, how));
   file->is_open = true;
   put_line(file, head, sizeof head - 1);
   return CLI_DONE;

@@ -23,7 +23,8 @@ typedef struct {
   cli_session_row_t state; ///< the last one since the last command, or length 0
 } cli_session_file_t;
 
-int cli_session_open(cli_session_file_t *file, const char *path);
+int cli_session_open(cli_session_file_t *file, const char *path,
+                     cli_begin_t how);
 
 /// Takes note of a frame from the board.
 void cli_session_frame(cli_session_file_t *file, const tf_frame_t *frame);
