@@ -24,10 +24,13 @@ def test_board_on_a_line():
       const rows = [], asked = [];
       const writable = new WritableStream({{
         write(bytes) {{ asked.push(...bytes); }} }});
+      const isHeld = () => document.getElementById('side').inert;
+      let held = true;
       const counters = await twofold.connect({{ readable, writable }},
-        (row) => rows.push(Array.from(row)));
-      return {{ counters, rows, asked }};
+        (row) => {{ held &&= isHeld(); rows.push(Array.from(row)); }});
+      return {{ counters, rows, asked, held: held && !isHeld() }};
     }})()""")
+    check(got["held"], "the motion that is not shown can be acted on")
     documented = re.search(r"```hex describe\n([0-9A-F ]+)\n",
                            (ROOT / "docs/PROTOCOL.md").read_text())[1]
     check(bytes(got["asked"][:23]) == bytes.fromhex(documented),

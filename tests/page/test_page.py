@@ -13,6 +13,7 @@ import test_board
 import test_futures
 import test_looks
 import test_motion
+import test_owners
 import test_scene
 import test_setup
 import test_tour
@@ -24,8 +25,8 @@ def main():
         print("missing: chromium (apt-get install chromium)")
         return 3
     return run([(name[5:], page.alone(test)) for room in (
-        test_motion, test_futures, test_setup, test_scene, test_looks,
-        test_tour, test_board) for name, test in vars(room).items()
+        test_motion, test_owners, test_futures, test_setup, test_scene,
+        test_looks, test_tour, test_board) for name, test in vars(room).items()
         if name.startswith("test_")], jobs=len(os.sched_getaffinity(0)))
 
 

@@ -55,7 +55,8 @@ def test_tour_has_the_numbers_of_the_command_line():
     step(tab, 1)
     mu = re.search(r"^mu\s+(\S+)", command("scene", "chaos"), re.M)[1]
     force = abs(float(rows_of("--t-end", "0.2")[-1]["F"]))
-    says(tab, f"with {figure(force, 2)} N now; it has {figure(mu)} N")
+    says(tab, f"with {figure(force, 2)} N now; it can hold "
+              f"{figure(mu)} N")
     fold = json.loads(command("singularities", "chaos"))["two_folds"][0]
     step(tab, 2)
     says(tab, f"past r = {figure(fold['r'])} m", "asks")

@@ -1,7 +1,8 @@
 // The set-up and what was done to the motion as the part of the address behind
 // #, to the bit: numbers are the shortest that read back to the same bits, by
 // the command line's own reader. The last word is `end`, so that an
-// address that was cut off on its way is known.
+// address that was cut off on its way is known; people who only name a scene
+// need not write it.
 import { exact } from './decimal.mjs';
 import { isStep } from './tour.mjs';
 
@@ -138,7 +139,8 @@ function setNumber(core, got, once, { name, value, word }) {
 // names: of the numbers that the address sets.
 export function read(core, text) {
   const got = { scene: 0, log: [], tick: 0, tour: null, told: [], names: [] };
-  const words = text === '' ? [END] : text.split('&');
+  const words = text === '' ? [] : text.split('&');
+  if (text === '' || /^scene=[^&]+$/.test(text)) words.push(END);
   const isWhole = words.at(-1) === END, before = new Map();
   // What is wrong with a word is told, and the word is left out.
   const each = (list, use) => list.flatMap((given) => {

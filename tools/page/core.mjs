@@ -46,6 +46,7 @@ export class Core {
       this.parameters.push({
         name: this.text(exports.parameter_name(i)),
         unit: this.text(exports.parameter_unit(i)),
+        words: this.text(exports.parameter_words(i)), // what it is
         low: exports.parameter_low(i),
         high: exports.parameter_high(i),
         isWhole: !exports.parameter_fits(i, 0.5),
@@ -56,10 +57,14 @@ export class Core {
     }
     const limit = exports.state_limit();
     this.ranges = new Map(this.parameters.map((p) => [p.name, p]));
-    for (const [name, unit] of
-      [['r', 'm'], ['omega', 'rad/s'], ['h', 'm/s'], ['v', 'm/s']])
-      this.ranges.set(name, { name, unit, low: -limit, high: limit });
+    for (const [name, unit, words] of [
+      ['r', 'm', 'displacement of the slider at the start'],
+      ['omega', 'rad/s', 'speed of the disc at the start'],
+      ['h', 'm/s', 'lateral slip of the wheel at the start'],
+      ['v', 'm/s', 'speed of the slider at the start']])
+      this.ranges.set(name, { name, unit, words, low: -limit, high: limit });
     this.ranges.set('seed', { name: 'seed', unit: '1', low: 0,
+      words: 'of the random numbers that the rule draws',
       high: 2 ** 32 - 1, isWhole: true });
     this.names = [...this.parameters.map((p) => p.name), 'law', 'rule', 'rest',
       'r', 'omega', 'h', 'v', 'v is given', 'seed'];

@@ -56,7 +56,8 @@ export class Sheet {
     ctx.textAlign = 'left';
     ctx.textBaseline = 'middle';
     ctx.words = [];
-    ctx.room = { left: 0, right: this.width, top: 0, bottom: this.height };
+    ctx.room = { left: 0, right: this.width, top: 0, bottom: this.height,
+      disc: null };
     return ctx;
   }
 
@@ -112,8 +113,12 @@ function boxOf(ctx, words, x, y) {
 
 const GAP = 3; // least space between words in a row
 
+const isInDisc = ({ left, right, top, bottom }, { x, y, radius }) =>
+  Math.hypot(Math.max(x - left, right - x), Math.max(y - top, bottom - y)) <=
+  radius;
 const isWithin = (box, room) => box.left >= room.left &&
-  box.right <= room.right && box.top >= room.top && box.bottom <= room.bottom;
+  box.right <= room.right && box.top >= room.top &&
+  box.bottom <= room.bottom && (!room.disc || isInDisc(box, room.disc));
 const isApart = (a, b) => a.right + GAP <= b.left || b.right + GAP <= a.left ||
   a.bottom <= b.top || b.bottom <= a.top;
 

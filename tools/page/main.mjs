@@ -1,5 +1,5 @@
 // The page: one motion, one clock, and what looks at them or acts on them.
-import { AT, Core } from './core.mjs';
+import { Core } from './core.mjs';
 import { read, sceneWord, whole, write } from './address.mjs';
 import { Line, Record, openSerial } from './board.mjs';
 import { short } from './decimal.mjs';
@@ -28,17 +28,16 @@ const calm = matchMedia('(prefers-reduced-motion: reduce)');
 readColours();
 const mechanism = new Mechanism(), space = new Space(), strips = new Strips();
 const views = [mechanism, space, strips];
-const hand = new Hand(push);
+const hand = new Hand(motion, push);
 const panel = new Panel(core, change, refuse);
 const far = new Far(stop);
 const fan = new Fan(motion, choose);
-const page = { motion, play, seek, showFan, openAt, push, showHand,
+const page = { motion, play, seek, showFan, openAt, push,
   isLive: () => live !== null };
 const pull = holdMachine(mechanism, page);
 const tour = new Tour(motion, goTo);
 
 let scene = 0;
-let own = {};            // the scene's values
 let isPlaying = false;
 let goal = 0;            // the tick that the motion is to reach
 let part = 0;            // of a step, left over from the last frame
@@ -134,12 +133,11 @@ function open(text) {
   const got = begin(text === '' ? whole(stepWords(0)) : text);
   say('');
   scene = got.scene;
-  own = got.own;
   if (core.file) $('scene').options[core.ownScene] =
     new Option(core.scenes[core.ownScene]);
   $('scene').selectedIndex = scene;
   $('shows').textContent = core.text(core.c.scene_shows(scene));
-  panel.show(own);
+  panel.show(got.own);
   refuse(got.told.length ? `address: ${got.told.join('; ')}` : null);
   views.forEach((view) => view.begin(core));
   goal = got.tick;
@@ -160,7 +158,7 @@ function change(name, value) {
   let refusal = core.refusal(name, value), given = '';
   if (!refusal) {
     core.set(name, value);
-    if (name === 'law') given = core.fill(own);
+    if (name === 'law') given = core.fill(panel.own);
     refusal = motion.begin(motion.log);
   }
   isStale = true;
@@ -208,7 +206,6 @@ function play(on) {
 function seek(tick) {
   goal = Math.max(0, Math.round(tick));
   motion.seek(Math.min(goal, Math.max(motion.last, motion.tick)));
-  showHand();
   remember();
 }
 
@@ -235,12 +232,7 @@ function push(force, torque) {
   goal = motion.tick;
   showFan(null);
   remember();
-  hand.show({ force, torque });
   if (tour.number !== null) play(true);
-}
-
-function showHand() {
-  hand.show({ force: motion.now[AT.force], torque: motion.now[AT.torque] });
 }
 
 // Steps of a frame: towards the goal, for as long as the budget lasts.
@@ -325,11 +317,19 @@ function offerBoard() {
     say(error.message));
 }
 
+// What acts on the motion does so only where the motion is shown.
+function watch(record) {
+  live = record;
+  isStale = true;
+  for (const id of ['scene', 'open', 'tourgo', 'save', 'share', 'csv',
+    'transport', 'row', 'side']) $(id).inert = live !== null;
+}
+
 // Shows what a board sends in place of the motion, until its line ends.
 // line: { readable, writable }, as WebSerial opens a port. tell: may be absent;
 // gets each row. Returns: the counters of the decoder.
 async function connect(line, tell) {
-  live = new Record(core);
+  watch(new Record(core));
   const reader = new Line(compiled, (row) => {
     live.take(row);
     tell?.(row);
@@ -347,8 +347,7 @@ async function connect(line, tell) {
     say(`the board's line has failed: ${error.message}`);
   }
   offerBoard();
-  live = null;
-  isStale = true;
+  watch(null);
   return reader.counters;
 }
 
@@ -370,6 +369,7 @@ function draw() {
   space.draw(shown, span() / 2, futures, fan.exits);
   strips.draw(shown, span(), futures, fan.tick);
   tour.tell();
+  hand.show();
   showState(shown.now, core.modes);
   tellTime(strips.sheet.canvas, shown.now, shown.last * shown.dt, core.modes);
   $('pace').textContent = `× ${short(speed(), 2)}`;
@@ -377,10 +377,16 @@ function draw() {
     $('command').textContent = commandLine(core, scene, motion, csvSteps());
 }
 
+// A slider keeps the keys that move it, another field all keys but Escape, by
+// which one leaves it.
 function keys(event) {
-  const isField = /^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName);
-  if (event.ctrlKey || event.metaKey || event.altKey ||
-    (isField && event.key !== 'Escape')) return;
+  const { target } = event, key = event.key.length > 1 ? event.key
+    : event.key.toLowerCase();
+  const isField = /^(INPUT|SELECT)$/.test(target.tagName);
+  if (event.ctrlKey || event.metaKey || event.altKey || live) return;
+  if (isField && key === 'Escape') target.blur();
+  else if (isField && (target.type !== 'range' ||
+    /^(Arrow|Home|End)/.test(key))) return;
   const steps = event.shiftKey ? 100 : 1;
   const actions = {
     ' ': () => play(!isPlaying),
@@ -394,10 +400,9 @@ function keys(event) {
     '?': () => say($('askkeys').title),
     Escape: () => (showFan(null), stop()),
   };
-  const future = fan.futures[Number(event.key) - 1];
-  const action = future ? () => choose(future.mode) : actions[event.key];
-  if (!action || (event.key === ' ' && event.target.tagName === 'BUTTON'))
-    return;
+  const future = fan.futures[Number(key) - 1];
+  const action = future ? () => choose(future.mode) : actions[key];
+  if (!action || (key === ' ' && target.tagName === 'BUTTON')) return;
   event.preventDefault();
   action();
 }

@@ -6,8 +6,8 @@
 // -sin gamma), and slips along (sin gamma, cos gamma), which is the direction
 // of the force F.
 import { AT } from './core.mjs';
-import { Sheet, TAU, arrow, circle, colour, dot, label, path, roundUp, text }
-  from './draw.mjs';
+import { Sheet, TAU, arrow, circle, colour, dot, fillShape, label, path,
+  roundUp, text } from './draw.mjs';
 import { short } from './decimal.mjs';
 
 export class Mechanism {
@@ -177,8 +177,12 @@ export class Mechanism {
     ctx.globalAlpha = 1;
     ctx.stroke();
     this.#wheel(ctx, px, y, 0, lens * 0.24, row[AT.mode]);
+    fillShape(ctx, [[px - 4, y + lens * 0.26], [px + 4, y + lens * 0.26],
+      [px, y + lens * 0.34]], colour.ink);
+    ctx.room.disc = { x, y, radius: lens };
     this.#forces(ctx, row, px, y);
     this.#railNames(ctx, k);
+    ctx.room.disc = null;
     ctx.restore();
     circle(ctx, x, y, lens, colour.ink, 1.2);
     this.#scaleBar(ctx, k);
@@ -221,15 +225,15 @@ export class Mechanism {
     }
   }
 
-  // Behind the forces, which name themselves where they are.
+  // Of the long marks; behind the forces, which name themselves where they are.
   #railNames(ctx, k) {
     const { lensX: x, lensY: y, lens, middle, reach } = this;
     for (let i = Math.ceil((middle - reach) / reach);
       i * reach < middle + reach; i++) {
       const at = x + k * (i * reach - middle);
       if (Math.abs(at - x) < lens * 0.75)
-        label(ctx, `r = ${short(i * reach)} m`, [0.62, 0.76, -0.62, -0.76]
-          .map((part) => [at, y + lens * part, 'center']));
+        label(ctx, `${short(i * reach)} m`, [0.54, 0.7, 0.84].map(
+          (part) => [at, y + lens * part, 'center']));
     }
   }
 
@@ -242,14 +246,17 @@ export class Mechanism {
       colour.ink);
     const tip = size + Math.sign(size) * 10;
     if (Math.abs(size) > 14)
-      label(ctx, 'F', [[x + tip * Math.sin(gamma), y - tip * Math.cos(gamma),
-        'center']], colour.ink);
+      label(ctx, 'F', [[tip, 0], [0.6 * size, 12], [0.6 * size, -12]]
+        .map(([a, b]) => [x + a * Math.sin(gamma) + b * Math.cos(gamma),
+          y - a * Math.cos(gamma) + b * Math.sin(gamma), 'center']),
+      colour.ink);
     const turn = kappa > 0 ? -0.75 * Math.PI * row[AT.M] / (kappa * mu) : 0;
     if (Math.abs(turn) > 0.15) {
       this.#arc(ctx, x, y, lens * 0.4, -0.3, turn, colour.soft);
-      label(ctx, 'M', [0.5, 0.3, 0.7].map((part) => -0.3 + part * turn)
-        .map((at) => [x + lens * 0.5 * Math.cos(at), y + lens * 0.5 *
-          Math.sin(at), 'center']));
+      label(ctx, 'M', [0.5, 0.3, 0.28].flatMap((away) =>
+        [0.5, 0.3, 0.7].map((part) => [away * lens, -0.3 + part * turn]))
+        .map(([away, at]) => [x + away * Math.cos(at),
+          y + away * Math.sin(at), 'center']));
     }
     if (row[AT.force] !== 0)
       arrow(ctx, x, y - lens * 0.33, x + Math.sign(row[AT.force]) *

@@ -44,6 +44,8 @@ export class Motion {
   get now() { return this.core.row; }
   get tick() { return this.core.row[AT.tick]; }
   get last() { return (this.count - 1) * this.every; }
+  // The force and the torque by hand from the present on.
+  get held() { return this.#held(this.tick); }
 
   row(i) { return this.rows.subarray(i * COLUMNS, (i + 1) * COLUMNS); }
   value(i, column) { return this.rows[i * COLUMNS + column]; }
@@ -147,7 +149,7 @@ export class Motion {
 
   // A force and a torque by hand from the present on.
   drive(force, torque) {
-    const held = this.#held(this.tick);
+    const { held } = this;
     if (held.force === force && held.torque === torque) return;
     this.#cut();
     this.log.push({ tick: this.tick, force, torque });

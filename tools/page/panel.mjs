@@ -7,6 +7,9 @@ import { decimal } from './decimal.mjs';
 import { $, element } from './draw.mjs';
 
 const STEPS = 400;
+const LISTS = { law: 'force and moment of the tyre over its slip',
+  rule: 'which one of several possible modes the motion takes',
+  rest: 'force and moment that are possible at h = g = 0' };
 const SPREAD = { r: 0.2, omega: 1, h: 0.5, v: 0.5 };
 
 // Position 0 to STEPS and back, over what the slider spans.
@@ -56,7 +59,7 @@ export class Panel {
       const select = element('select', { id: `list-${name}`, onchange: () =>
         this.#tell(name, select.selectedIndex) },
       ...words.map((word) => element('option', {}, word)));
-      const title = element('span', {}, name);
+      const title = element('span', { title: LISTS[name] }, name);
       const label = element('label', {}, title, select);
       this.rows[name] = { title, label, list: select };
       this.lists.append(label);
@@ -76,11 +79,14 @@ export class Panel {
   #number(about, place, isPlain = false) {
     const { name, low, high } = about;
     const unit = about.unit === '1' ? '' : about.unit;
-    const range = `${name}: ${low} to ${high} ${unit}`;
+    const range = `${name}: ${about.words}; ${low} to ${high} ${unit}`;
     const title = element('span', { title: range }, name);
     const field = element('input', { type: 'text', inputMode: 'decimal',
       title: range, autocomplete: 'off',
       onfocus: () => { field.value = decimal(this.core.get(name)); },
+      onkeydown: ({ key }) => { // what was typed is not taken
+        if (key === 'Escape') field.value = decimal(this.core.get(name));
+      },
       onblur: () => { field.value = brief(this.core.get(name)); },
       onchange: () => this.#read(name, field) });
     field.setAttribute('aria-label', range);
@@ -145,36 +151,35 @@ export class Panel {
   }
 }
 
-// Two sliders that push while they are not at their middle.
+// Two sliders that push while they are not at their middle. What they show is
+// the motion's.
 export class Hand {
-  constructor(push) {
-    this.push = push;
-    this.values = { force: 0, torque: 0 };
-    const place = $('hand');
-    for (const [name, unit, most] of
-      [['force', 'N', 5], ['torque', 'N m', 2]]) {
+  // push(force, torque): from the present on.
+  constructor(motion, push) {
+    this.motion = motion;
+    for (const [name, unit, most, words] of [
+      ['force', 'N', 5, 'by hand on the slider, along its rail'],
+      ['torque', 'N m', 2, 'by hand on the disc, about its axis']]) {
+      const title = `${name}: ${words} [${unit}]`;
       const slider = element('input', { type: 'range', min: -most, max: most,
-        step: most / 100, value: 0, ariaLabel: `${name} by hand [${unit}]` });
-      const told = element('output', {}, '0');
-      slider.oninput = () => this.#set(name, Number(slider.value));
-      slider.ondblclick = () => this.#set(name, 0);
+        step: most / 100, title, ariaLabel: title });
+      const told = element('output');
+      const set = (value) => {
+        const { force, torque } = { ...motion.held, [name]: value };
+        push(force, torque);
+      };
+      slider.oninput = () => set(Number(slider.value));
+      slider.ondblclick = () => set(0);
       this[name] = { slider, told };
-      place.append(element('span', {}, name), slider, told,
+      $('hand').append(element('span', { title }, name), slider, told,
         element('span', { className: 'unit' }, unit));
     }
   }
 
-  #set(name, value) {
-    this.values[name] = value;
-    this.show(this.values);
-    this.push(this.values.force, this.values.torque);
-  }
-
-  show(values) {
-    this.values = { force: values.force, torque: values.torque };
+  show() {
     for (const name of ['force', 'torque']) {
-      this[name].slider.value = values[name];
-      this[name].told.textContent = values[name].toFixed(2);
+      this[name].slider.value = this.motion.held[name];
+      this[name].told.textContent = this.motion.held[name].toFixed(2);
     }
   }
 }

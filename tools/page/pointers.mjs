@@ -77,7 +77,6 @@ export function holdMachine(mechanism, page) {
         HAND.torque));
       held.turn *= 0.7;
     }
-    page.showHand();
   };
 }
 

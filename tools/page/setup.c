@@ -144,6 +144,9 @@ const char *EXPORT(parameter_name)(uint32_t i) {
     return tf_parameter_ranges[i].member;       \
   }
 COLUMN(const char *, unit)
+const char *EXPORT(parameter_words)(uint32_t i) {
+  return cli_parameter_about[i];
+}
 COLUMN(double, low)
 COLUMN(double, high)
 COLUMN(uint32_t, laws)

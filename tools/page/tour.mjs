@@ -13,14 +13,17 @@ const taken = ({ log }) => log.findLast((entry) => entry.mode !== undefined);
 const CHOICE = { lends: 'choices', met: (motion) => taken(motion)?.tick,
   then: (motion) => `You chose: ${WORDS[taken(motion).mode]}. Nothing in the ` +
     'laws did.' };
-const turns = ({ changes }) => changes.filter(([tick, before, mode]) =>
-  tick > TWO_FOLD && before < 2 && mode < 2 && before !== mode).length;
-const instant = ({ now }) => `t = ${short(now[AT.t], 5)} s`;
+const slips = ({ now }) => now[AT.mode] < 2;
+const turns = ({ changes }, row) => changes.filter(([tick, before, mode]) =>
+  tick > TWO_FOLD && tick <= row[AT.tick] && before < 2 && mode < 2 &&
+  before !== mode).length;
+const instant = (row) => `t = ${short(row[AT.t], 5)} s`;
 
 // fan: the tick whose futures are out, for `reach` seconds. asks: for the
 // gesture; `lends` is what of the page it needs, which stands in the tour
-// meanwhile. met(motion): the tick at which it was done; then `then` is told
-// and, where `stops`, the motion stops there.
+// meanwhile. met(motion): the tick at which it was done; then `then` is told,
+// with the row of that instant, and where `stops`, the motion stops there.
+// isSpatial: it is about the space, which on a phone comes next.
 const TOUR = [
   {
     title: 'One start, three futures',
@@ -32,21 +35,26 @@ const TOUR = [
   }, {
     title: 'What sticks',
     address: 'tick=2000', speed: -0.7, span: 1, plays: true,
-    says: ({ now, core }) => 'The wheel rolls and does not slip sideways. ' +
-      `Friction holds it with ${short(Math.abs(now[AT.F]), 2)} N now; it has ` +
-      `${short(core.get('mu'))} N at most.`,
+    says: (motion) => {
+      const force = short(Math.abs(motion.now[AT.F]), 2);
+      return slips(motion) ? 'The wheel slips sideways. Friction acts against ' +
+        `that with ${force} N.` : 'The wheel rolls and does not slip ' +
+        `sideways. Friction holds it with ${force} N now; it can hold ` +
+        `${short(motion.core.get('mu'))} N.`;
+    },
     asks: () => 'Push it with a force, or pull it in the lens, until it slips.',
     lends: 'hand',
     met: ({ log, changes }) => log.length
       ? changes.find(([tick, , mode]) => mode < 2 && tick > log[0].tick)?.[0]
       : undefined,
-    then: () => 'It slips: that was more than friction has. Let go, and it ' +
-      'sticks again.',
+    then: (motion) => (slips(motion) ? 'It slips: that was more than ' +
+      'friction can hold. Let go, and later it sticks again.'
+      : 'It has slipped, and sticks again.'),
   }, {
     title: 'Where force and moment balance',
     address: 'r=0.19&omega=-1.03&h=0', speed: -0.7, span: 1,
     says: ({ core, now }) => {
-      const brake = 1000 * core.c.delassus_at(now[AT.r], core.get('omega'));
+      const brake = 1000 * core.c.delassus_at(now[AT.r], now[AT.omega]);
       return 'Friction pushes the wheel sideways, and its moment turns the ' +
         `disc against that. At r = ${short(now[AT.r])} m, 1 N of friction ` +
         `${brake < 0 ? 'speeds a slip up' : 'brakes a slip'} by ` +
@@ -55,25 +63,25 @@ const TOUR = [
     asks: (motion, fold) => `Move the wheel past r = ${short(fold.r)} m, ` +
       'where the two balance.',
     lends: 'starts',
-    met: (motion) => (motion.core.c.delassus_at(motion.now[AT.r],
-      motion.core.get('omega')) < 0 ? 0 : undefined),
+    met: ({ core, now }) =>
+      (core.c.delassus_at(now[AT.r], now[AT.omega]) < 0 ? 0 : undefined),
     then: () => 'Here friction drives the slip that it should brake.',
   }, {
     title: 'The two-fold',
     address: `tick=${ROLLS}`, speed: -1.5, span: 0.2, stops: true,
-    lends: 'play',
+    lends: 'play', isSpatial: true,
     says: (motion, { r, omega }) => 'Where it is blue, friction holds the ' +
       'wheel; where it is striped, it may let go to either side. Both meet ' +
       `in the two-fold: r = ${short(r)} m, ω = ${short(omega)} rad/s.`,
     asks: () => 'Play: let the wheel roll.',
     met: ({ changes }) => changes.find(([tick, , mode, , choices]) =>
       tick > ROLLS && mode === 2 && choices > 1)?.[0],
-    then: (motion) => `It ran into the two-fold: at ${instant(motion)} it ` +
-      `has ${motion.now[AT.choices]} futures.`,
+    then: (motion, row) => `It ran into the two-fold: at ${instant(row)} it ` +
+      `has ${row[AT.choices]} futures.`,
   }, {
     title: 'The choice',
     address: `tick=${TWO_FOLD}`, speed: -1.5, span: 0.2, fan: TWO_FOLD,
-    reach: 0.04,
+    reach: 0.04, isSpatial: true,
     says: () => 'It may slip to either side at once. It may as well roll on ' +
       'and slip later, at any instant: the thin lines are some of all these ' +
       'motions.',
@@ -81,14 +89,14 @@ const TOUR = [
   }, {
     title: 'The return',
     address: `tick=${TWO_FOLD}`, speed: -1.4, span: 0.2, stops: true,
-    lends: 'play',
+    lends: 'play', isSpatial: true,
     says: () => 'The slip winds around the two-fold, from side to side and ' +
       'wider each time.',
     asks: () => 'Play: let it wind.',
     met: ({ changes }) => changes.find(([tick, , mode]) =>
       tick > TWO_FOLD && mode === 3)?.[0],
-    then: (motion) => `At ${instant(motion)}, after ${turns(motion)} changes ` +
-      `of side, it sticks again, at r = ${short(motion.now[AT.r], 5)} m. ` +
+    then: (motion, row) => `At ${instant(row)}, after ${turns(motion, row)} ` +
+      `changes of side, it sticks again, at r = ${short(row[AT.r], 5)} m. ` +
       'Sooner or later it is back at the two-fold, and has to choose again.',
   },
 ];
@@ -127,8 +135,10 @@ export class Tour {
   show(number) {
     this.number = number;
     this.isDone = false;
-    const { title, lends, speed, span } = this.step;
+    this.row = null;
+    const { title, lends, speed, span, isSpatial } = this.step;
     document.body.classList.toggle('touring', number !== null);
+    document.body.classList.toggle('spatial', isSpatial === true);
     LENT.forEach((id, i) => (id === lends ? $('grip').append($(id))
       : this.homes[i].after($(id))));
     if (number === null) return;
@@ -161,6 +171,7 @@ export class Tour {
     const { says, asks, then } = this.step;
     put('says', says(this.motion, this.fold));
     put('asks', asks(this.motion, this.fold));
-    put('then', this.isDone ? then(this.motion) : '');
+    this.row = this.isDone ? this.row ?? this.motion.now.slice() : null;
+    put('then', this.isDone ? then(this.motion, this.row) : '');
   }
 }
