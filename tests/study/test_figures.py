@@ -2,9 +2,11 @@
 two-folds of random machines."""
 import csv
 import os
+import re
+from pathlib import Path
 
 import numpy as np
-from tap import TWOFOLD, call, check
+from tap import ROOT, TWOFOLD, call, check
 from test_finer import near, study
 
 os.environ["TWOFOLD"] = str(TWOFOLD)
@@ -39,5 +41,33 @@ def two_folds(_):
         near(found[column][n] / 20000, want, 4.5 * spread, f"{column} {n}")
 
 
-TESTS = [("figures: the surface h = 0 is the core's", surface),
+def channels(colour):
+    return np.array([int(colour[i:i + 2], 16) for i in (1, 3, 5)])
+
+
+def palette(_):
+    """Where a mode is drawn, its colour is the page's, and none is like it."""
+    modes = {colour: name for name, colour in study("pictures").MODES.items()
+             if name != "pinned"}  # which has that of ink
+    for path in [ROOT / "docs/futures.svg", *ROOT.glob("docs/figures/*.svg")]:
+        found = set(re.findall("#[0-9a-f]{6}", path.read_text("utf-8")))
+        for colour in found - {*modes} if found & {*modes} else ():
+            for mode, name in modes.items():
+                off = np.abs(channels(colour) - channels(mode)).max()
+                check(off > 50, f"{path}: {colour} is like {name}")
+
+
+def labels(folder):
+    """Numbers that are read keep their digits."""
+    pictures, path = study("pictures"), Path(folder, "a.svg")
+    figure, axes = pictures.pyplot.subplots()
+    axes.plot([0.18123, 0.18389], [0, 1])
+    axes.set(xticks=(0.182, 0.183), title="r = 0.1859 m")
+    pictures.save(figure, path)
+    for words in ("0.182", "0.183", "r = 0.1859 m"):
+        check(f">{words}<" in path.read_text("utf-8"), words)
+
+
+TESTS = [("figures: one palette", palette), ("figures: numbers", labels),
+         ("figures: the surface h = 0 is the core's", surface),
          ("statistics: two-folds of machines are the core's", two_folds)]

@@ -19,7 +19,8 @@ from pictures import INK, LINE, MODES, REGIONS, SERIES, SOFT, colors, \
 
 WINDOW = (0.10, 0.28), (-1.16, -0.88)  # r, omega of the regions
 CORNER = 0.17  # r of the portrait
-BLUE, ORANGE, GREEN, RED, SKY, PINK = SERIES[:6]
+# Without a mode in the picture: BLUE, GREEN and RED are like colours of modes.
+BLUE, _, GREEN, RED, SKY, PINK = SERIES[:6]
 
 
 def draw(axes, x, y, **style) -> None:
@@ -91,22 +92,22 @@ def fold_at(axes) -> None:
 def surface():
     """Slip next to h = 0 at three places, over 2 ms."""
     figure, axes = panels(1, 3, (9, 3.8), [
-        *mode_keys("slip+", "slip-"), ("stick", {"color": SOFT, "lw": 4})],
-        sharey=True)
+        *mode_keys("slip+", "slip-"), *mode_keys("stick+", lw=4)], sharey=True)
     steps = range(-4, 5)
     starts = {
         "(a) crossing": [(0.183, -1.058, -i * 2e-6 - 6e-6, 0) for i in steps],
-        "(b) sliding": [(0.188, -1.059, i * 2e-6, 0) for i in steps if i],
-        # One after the other, off either side.
-        "(c) escaping": [(0.1838, -1.016, math.copysign(OFF, i),
-                          (abs(i) - 1) * 4e-4) for i in steps if i]}
+        "(b) sliding": [(0.188, -1.059, i * 2e-6, 0) for i in steps],
+        # Stick, and one after the other, off either side.
+        "(c) escaping": [(0.1838, -1.016, math.copysign(OFF, i) if i else 0,
+                          max(abs(i) - 1, 0) * 4e-4) for i in steps]}
     for panel, (title, motions) in zip(axes, starts.items()):
-        panel.axhline(0, color=SOFT, lw=1 if "crossing" in title else 4)
+        panel.axhline(0, color=SOFT, lw=1)
         for r, omega, h, begin in motions:
             rows = trajectory(r, omega, h, 2e-3 - begin, 2e-5)
-            rows = rows[rows["mode"].str.startswith("slip")].assign(
-                t=rows.t + begin)
-            by_mode(panel, rows, "t", "h", scale=(1e3, 1e6), lw=1.5)
+            rows = rows.assign(t=rows.t + begin)
+            for modes, lw in ((("slip+", "slip-"), 1.5), (("stick+",), 4)):
+                by_mode(panel, rows, "t", "h", scale=(1e3, 1e6), lw=lw,
+                        modes=modes)
         panel.set(title=title, xlabel="time t [ms]", xlim=(0, 2),
                   ylim=(-16, 16))
     axes[0].set(ylabel="slip speed h [µm/s]")
@@ -117,9 +118,9 @@ def normal():
     """The paper's figure 3: stick next to the two-fold, and the loop."""
     J1, J2 = fold()["J1"], fold()["J2"]
     figure, (left, right) = panels(1, 2, (9, 5), [
-        ("(a) true stick", {"color": ORANGE}),
+        ("(a) true stick", {"color": MODES["stick+"]}),
         ("normal form", {"color": INK, "ls": "--"}),
-        ("its straight orbit", {"color": GREEN, "lw": 2}),
+        ("its straight orbit", {"color": PINK, "lw": 2}),
         ("f+ tangent", {"color": MODES["slip+"]}),
         ("f\u2212 tangent", {"color": MODES["slip-"]}),
         *mode_keys("slip+", "slip-", "stick+", "stick-")])
@@ -134,14 +135,15 @@ def normal():
         left.fill_between([0, sign], 0, sign, color=REGIONS[shade], lw=0)
         left.annotate(name, (0.7 * sign, 0.92 * sign), ha="center")
         left.annotate("C crossing", (-0.75 * sign, 0.92 * sign), ha="center")
-    for way, style in ((chart.stick(xi, eta), {"color": ORANGE}), (
+    for way, style in ((chart.stick(xi, eta), {
+            "color": MODES["stick+"]}), (
             np.sign(xi + eta) * np.array([J1 * xi + eta, xi + J2 * eta]),
             {"color": INK, "ls": "--", "lw": 0.8})):
         u, v = np.where(inside, way / np.hypot(*way), np.nan)
         streams(left, grid, grid, u, v, broken=False, density=0.35, **style)
     value = fold()["eigenvalues"][0] - J2
     end = np.array([value, 1]) / max(abs(value), 1)
-    draw(left, *np.array([-end, end]).T, color=GREEN, lw=2)
+    draw(left, *np.array([-end, end]).T, color=PINK, lw=2)
     left.axhline(0, color=MODES["slip+"])
     left.axvline(0, color=MODES["slip-"])
     right.set(title="(b) two motions from the two-fold: the thick one\n"
@@ -292,7 +294,7 @@ def set_of_futures():
         panel.plot(*fold_place(), on(*fold_place()), "o", color=INK, ms=4,
                    zorder=4)
         panel.view_init(tilt, turn)
-        panel.set(title=f"{title}; distance from h = 0\ndrawn {far}-fold",
+        panel.set(title=f"{title}; h is drawn {far}-fold",
                   xlabel="r [m]", ylabel="ω [rad/s]", zlabel="v [mm/s]",
                   xlim=(r_low, r_high), ylim=(w_low, w_high), zlim=(-52, 25),
                   xticks=(0.182, 0.184, 0.186, 0.188))
@@ -376,7 +378,7 @@ def returns():
         ("by slip\u2212", points(MODES["slip-"], "s")),
         ("sampled, with rests", points(SOFT, size=2)),
         ("r of rest", {"color": INK, "ls": "--"}),
-        ("(b) 1 landing", points(GREEN)), ("2 landings", points(ORANGE, "s")),
+        ("(b) 1 landing", points(SKY)), ("2 landings", points(INK, "s")),
         ("3 or more", points(PINK, "^"))])
     left.set(title="(a) from the exit to the first landing", xlim=(0, 0.4),
              ylim=(0.1816, 0.1836), ylabel="landing on upper sliding at r [m]",
@@ -396,8 +398,8 @@ def returns():
         here = ends[(ends["mode"] == mode) & (ends.stick_time < 0.4)]
         draw(left, here.stick_time, here.end_r, rasterized=True,
              **points(MODES[mode], marker, 2.5))
-    for low, high, style in ((1, 1, points(GREEN, size=2.5)),
-                             (2, 2, points(ORANGE, "s", 2.5)),
+    for low, high, style in ((1, 1, points(SKY, size=2.5)),
+                             (2, 2, points(INK, "s", 2.5)),
                              (3, 99, points(PINK, "^", 3))):
         here = both[both.landings.between(low, high)]
         draw(right, here.landing_r, here.time, **style, rasterized=True)
@@ -409,10 +411,10 @@ def returns():
 def portrait():
     """Slip next to h = g = 0, where the direction of the force depends on the
     direction of slip alone."""
-    kinds = {("falls in, attracts"): (True, True, BLUE, "o"),
-             ("falls in, repels"): (True, False, BLUE, "x"),
-             ("leaves, attracts"): (False, True, RED, "o"),
-             ("leaves, repels"): (False, False, RED, "x")}
+    kinds = {("falls in, attracts"): (True, True, INK, "o"),
+             ("falls in, repels"): (True, False, INK, "x"),
+             ("leaves, attracts"): (False, True, PINK, "o"),
+             ("leaves, repels"): (False, False, PINK, "x")}
     figure, (left, right) = panels(1, 2, (10, 5.4), [
         *mode_keys("stick-", "stick+", lw=4),
         *((name, points(colour, marker)) for name, (_, _, colour, marker)

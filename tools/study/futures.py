@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """A moving picture of what is not deterministic: three copies of one machine,
-which start alike, each with another of the modes that are possible there.
+which start alike, each with another of the modes that are possible there. A
+colour is the mode at that time, by which a future changes its colour.
 
     futures.py TWOFOLD OUT.svg
 
@@ -26,7 +27,7 @@ HOLD, MOVE, REST = 1.0, 4.5, 1.5
 LOOP = HOLD + MOVE + REST
 WIDTH, HEIGHT, RADIUS = 960, 506, 128
 D, GAMMA, OMEGA0, R0 = 1.0, -3 * math.pi / 4, -1.0, 0.1
-PLOT = {"left": 66, "right": 940, "top": 388, "bottom": 474}
+PLOT = {"left": 66, "right": 926, "top": 388, "bottom": 474}
 
 
 def motion(program, rule):
@@ -52,6 +53,10 @@ def motion(program, rule):
 def number(x):
     text = f"{x:.2f}".rstrip("0").rstrip(".")
     return "0" if text == "-0" else text
+
+
+def signed(mode):
+    return mode.replace("-", "\u2212")
 
 
 def share(t):
@@ -131,6 +136,17 @@ transform="rotate({wheel})"/>
 """
 
 
+def parts(rows):
+    """(mode, its rows with the one that it begins from) in the order of time.
+    The mode of a row is that of the step which ends there."""
+    found = []
+    for before, row in zip(rows, rows[1:]):
+        if not found or found[-1][0] != row[3]:
+            found.append((row[3], [before]))
+        found[-1][1].append(row)
+    return found
+
+
 def plot(motions):
     """r over time, with a point for each machine."""
     left, right = PLOT["left"], PLOT["right"]
@@ -156,14 +172,19 @@ def plot(motions):
                      f'text-anchor="end">{tick:g}{" m" if tick else ""}</text>')
     text += (f'<text x="{left - 8}" y="{top - 10}" text-anchor="end" '
              f'fill="{INK}">r</text>')
-    for number_, rows in enumerate(motions):
-        colour = COLOURS[rows[1][3]]
-        path = "M" + "L".join(f"{number(x(row[0]))} {number(y(row[1]))}"
-                              for row in rows)
-        text += (f'<path d="{path}" stroke="{colour}" stroke-width="2" '
-                 'fill="none" stroke-linejoin="round"/>'
-                 f'<circle class="point{number_}" r="5" fill="{colour}" '
-                 'stroke="#fffefb" stroke-width="1.5"/>')
+    place = -math.inf  # of a number at the end of a path
+    for number_, rows in sorted(enumerate(motions),
+                                key=lambda item: -item[1][-1][1]):
+        place = max(y(rows[-1][1]) + 4, place + 13)
+        for mode, part in parts(rows):
+            path = "M" + "L".join(f"{number(x(row[0]))} {number(y(row[1]))}"
+                                  for row in part)
+            text += (f'<path d="{path}" stroke="{COLOURS[mode]}" '
+                     'stroke-width="2" fill="none" stroke-linejoin="round"/>')
+        text += (f'<text x="{right + 8}" y="{number(place)}" '
+                 f'fill="{INK}">{number_ + 1}</text><g class="point{number_}">'
+                 f'<circle class="mode{number_}" r="5" stroke="#fffefb" '
+                 'stroke-width="1.5"/></g>')
         rules += keyframes(f"point{number_}", [
             (row[0], f"transform:translate({number(x(row[0]))}px,"
                      f"{number(y(row[1]))}px)") for row in rows])
@@ -182,12 +203,18 @@ def main(program, out):
     drawings = ""
     for i, (_, words) in enumerate(RULES):
         x = 166 + 314 * i
-        name = motions[i][1][3].replace("-", "\u2212")
+        name = signed(motions[i][1][3])
         drawings += machine(i, x, 222, scale, size, half)
         drawings += (f'<text x="{x}" y="72" text-anchor="middle" '
-                     f'fill="{COLOURS[motions[i][1][3]]}" font-weight="600">'
-                     f'{name}<tspan fill="{SOFT}" font-weight="400" dx="8">'
-                     f'{words}</tspan></text>')
+                     f'fill="{INK}" font-weight="600">{i + 1}  {name}<tspan '
+                     f'font-weight="400" dx="8">{words}</tspan></text>')
+    modes = {row[3] for rows in motions for row in rows}
+    keys = "".join(
+        f'<rect x="{x}" y="362" width="22" height="8" rx="2" fill="{colour}"/>'
+        f'<text x="{x + 28}" y="370" font-size="12">'
+        f'{signed(mode)}</text>'
+        for x, (mode, colour) in zip(range(640, 960, 74), (
+            item for item in COLOURS.items() if item[0] in modes)))
     text = f"""<svg xmlns="http://www.w3.org/2000/svg" \
 viewBox="0 0 {WIDTH} {HEIGHT}" font-family="system-ui,'Segoe UI','DejaVu Sans',\
 sans-serif" font-size="14" fill="{SOFT}" role="img">
@@ -201,7 +228,7 @@ start, three futures<tspan font-size="14" font-weight="400" fill="{SOFT}" \
 dx="14">\
 r = {START["r"]} m, ω = \u22121.3 rad/s, h = 0, κ = {START["kappa"]} m; \
 {MOVE / T_END:g} times slower</tspan></text>
-{drawings}{graph}
+{drawings}{graph}{keys}
 </svg>
 """
     with open(out, "w", encoding="utf-8") as file:

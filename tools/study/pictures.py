@@ -36,15 +36,17 @@ matplotlib.rcParams.update({
 
 
 def save(figure: pyplot.Figure, path: Path, dpi: int = 90) -> None:
-    """Writes a PNG with a palette, or an SVG without a date and without digits
-    and blanks that nobody sees. The keys of a figure stand above its panels."""
+    """Writes a PNG with a palette, or an SVG without a date, and without blanks
+    and digits of coordinates that nobody sees. The keys of a figure stand above
+    its panels."""
     rows = sum(math.ceil(len(key.get_texts()) / key._ncols) * 0.2 + 0.1
                for key in figure.legends)  # [inch]
     figure.tight_layout(rect=(0, 0, 1, 1 - rows / figure.get_figheight()))
     drawn = io.BytesIO()
     if path.suffix == ".svg":
         figure.savefig(drawn, format="svg", dpi=110, metadata={"Date": None})
-        text = re.sub(r"(\d\.\d)\d+", r"\1", drawn.getvalue().decode())
+        text = re.sub("<[^<>]*>", lambda tag: re.sub(
+            r"(\d\.\d)\d+", r"\1", tag[0]), drawn.getvalue().decode())
         path.write_text(re.sub(r"\s*\n\s*", "\n", text), "utf-8")
     else:
         figure.savefig(drawn, format="png", dpi=dpi)
