@@ -19,6 +19,7 @@ LEVELS = 1e-3, 1e-6, 1e-9
 STIFF_LEVELS = 1e-2, 1e-3, 1e-4, 1e-6
 OWN = "moreau|compensated|located"
 RIVALS = f"(?!{OWN})"
+HAND, LIBRARIES = "events", f"(?!{OWN}|events)"
 FIXED = "moreau"
 STABLE = "ok", "degraded"
 # Steps of section `kilohertz`, and how the page tells them apart.
@@ -133,15 +134,31 @@ class Page:
         return whole(table.reindex(rows.scene.unique()).reset_index())
 
     def races(self) -> pd.DataFrame:
-        """The best of this project beside the best peer, a row a problem."""
-        return beside(self.section("peers"), SWITCHED, LEVELS, {
-            "this project": OWN, "best peer": RIVALS}, "instructions")
+        """The least time of this project as a share of the best peers'."""
+        rows, lines = self.section("peers"), []
+        for problem in SWITCHED:
+            own, hand, library = (least(rows, problem, of, LEVELS)
+                                  for of in (OWN, HAND, LIBRARIES))
+            lines.append({
+                "problem": problem,
+                "of the best by hand": joined(own.ns / hand.ns, ".2f"),
+                "which": names(hand),
+                "of the best library": joined(own.ns / library.ns, ".2f"),
+                "which one": names(library)})
+        return pd.DataFrame(lines)
 
     def stiff(self) -> pd.DataFrame:
-        """The fixed step, the located one and the best peer."""
-        return beside(self.section("peers"), STIFF, STIFF_LEVELS, {
-            "fixed step": FIXED, "located step": "located",
-            "best peer": RIVALS}, "ns")
+        """The fixed step, the located one and the best peer [us]."""
+        rows, lines = self.section("peers"), []
+        for problem in STIFF:
+            fixed, located, peer = (least(rows, problem, of, STIFF_LEVELS)
+                                    for of in (FIXED, "located", RIVALS))
+            lines.append({
+                "problem": problem, "fixed step": joined(fixed.ns / 1e3),
+                "located step": joined(located.ns / 1e3),
+                "best peer": joined(peer.ns / 1e3), "which": names(peer),
+                "fixed / peer": joined(fixed.ns / peer.ns, ".2g")})
+        return pd.DataFrame(lines)
 
     def kilohertz(self) -> pd.DataFrame:
         """A step of 1 ms: instructions and error."""
@@ -154,8 +171,7 @@ class Page:
             ["problem", "solver"]).pivot(
             index="problem", columns="solver", values="text")
         return wide.loc[[*SWITCHED, "rolling"], [
-            "moreau", "moreau in three", "located segments=1",
-            "located segments=2", "located segments=8", "located 1 kHz"]
+            "moreau", "moreau in three", "located segments=1", "located 1 kHz"]
             ].reset_index()
 
     def phases(self) -> pd.DataFrame:
@@ -189,54 +205,27 @@ class Page:
         """What `chaos` needs on a board, in float / in double."""
         rows = self.table("sizes")
         rows = whole(rows[(rows.scene == "chaos") & (rows.board != "host")])
-        return rows.drop(columns=["scene", "real"]).groupby("board").agg(
+        return rows.drop(columns=["scene", "real", "painted", "least"]).groupby(
+            "board").agg(
             " / ".join).reset_index()
 
     def worst(self) -> pd.DataFrame:
         """The dearest steps that a search found."""
         rows = self.table("worst")
         boards = rows.filter(like="stack ").drop(columns="stack x86-64")
-        rows = rows.drop(columns=boards).assign(
+        rows = rows.drop(columns=[*boards, *rows.filter(like="M7")]).assign(
             **{"stack of boards": boards.max(axis=1)})
         return whole(rows[rows.function.str.fullmatch(
             "tf_step(_located|_compensated)?")])
 
 
-def cheapest(rows: pd.DataFrame, unit: str) -> pd.DataFrame:
-    """The least cost of a side to an error, and whose it is."""
-    return rows.dropna(subset=unit).sort_values(unit, kind="stable").groupby(
-        ["problem", "side", "error"])[["solver", unit]].first()
-
-
-def beside(rows: pd.DataFrame, problems: list[str],
-           levels: tuple[float, ...], sides: dict[str, str], unit: str
-           ) -> pd.DataFrame:
-    """What sides, patterns of solvers, cost in thousands of a unit to each
-    error, and by whom; and the first as a share of the last, in the unit and in
-    time. What nobody reaches costs nan."""
-    rows = rows.assign(side=np.select(
-        [rows.solver.str.match(one) for one in sides.values()], list(sides)))
-    found = {name: cheapest(rows, name) for name in (unit, "ns")}
-    own, *_, rivals = sides
-    lines = []
-    for problem in problems:
-        line = {"problem": problem}
-
-        def to(side, name, problem=problem):
-            return found[name].reindex(
-                [(problem, side, level) for level in levels])
-
-        for side in sides:
-            of = to(side, unit)
-            line[side] = joined(of[unit] / 1e3)
-            line[f"{side} by"] = names(of)
-        for name in found:
-            line["in time" if name == "ns" else "ratio"] = joined(
-                to(own, name)[name].to_numpy() / to(rivals, name)[name], ".2g")
-        if unit != "ns":  # not counted is not the same as never there
-            line["of"] = names(to(rivals, "ns"))
-        lines.append(line)
-    return pd.DataFrame(lines)
+def least(rows: pd.DataFrame, problem: str, solvers: str,
+          levels: tuple[float, ...]) -> pd.DataFrame:
+    """The least time to each error of solvers, a pattern, and whose it is; what
+    nobody reaches costs nan."""
+    rows = rows[(rows.problem == problem) & rows.solver.str.match(solvers)]
+    return rows.dropna(subset="ns").sort_values("ns", kind="stable").groupby(
+        "error")[["solver", "ns"]].first().reindex(levels)
 
 
 def names(of: pd.DataFrame) -> str:

@@ -235,6 +235,6 @@ def ensemble() -> pd.DataFrame:
                       of.step.median()],
                      [name, "ensemble" + tail, "256 states", None,
                       of.lanes.median(), None,
-                      f"ratio {ratio:.2f} ({low:.2f} to {high:.2f}), "
-                      f"alone {of.alone.iloc[0]:.6f}"]]
+                      f"{ratio:.2f} ({low:.2f} to {high:.2f}), "
+                      f"{of.alone.iloc[0]:.2%}"]]
     return pd.DataFrame(rows, columns=COLUMNS)

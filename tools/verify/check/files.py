@@ -41,7 +41,7 @@ docs/PORTS.md         2500
 docs/PROTOCOL.md      3500
 DESIGN.md             7620
 docs/SCHEMES.md       2000
-docs/BENCH.md         2020
+docs/BENCH.md         1800
 docs/VERIFICATION.md  1800
 docs/PAPER.md         3500
 docs/FINDINGS.md      2500
