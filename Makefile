@@ -194,7 +194,10 @@ $(foreach r,$(REALS),$(eval $(call rules,$(r))))
 run: ## simulate scene chaos for 10 s, write build/chaos.csv
 run: $(BUILD)/double/twofold
 	@$< run chaos --t-end 10 --dt 1e-4 --every 10 --out $(BUILD)/chaos.csv
-	@echo 'The trajectory is in $(BUILD)/chaos.csv.'
+	@echo 'The trajectory is in $(BUILD)/chaos.csv. To see it:'
+	@echo '  $< run chaos --realtime --live'
+	@echo '  docs/page/index.html#scene=chaos in a browser'
+	@echo '  python3 -m twofold plot $(BUILD)/chaos.csv (docs/USE.md, Python)'
 
 # The tests that start the command line have it in double.
 TWOFOLD := $(BUILD)/double/twofold
