@@ -51,6 +51,7 @@ EMPTY = """[...document.querySelectorAll('section, aside')].filter((e) =>
   .map((e) => e.id)"""
 
 
+STRIPS = {"r [m]", "ω [rad/s]", "h [m/s]", "g [m/s]", "F [N]", "M [N m]"}
 NEXT = """(() => {
   const [card, map] = ['tour', 'map'].map((id) =>
     document.getElementById(id).getBoundingClientRect());
@@ -69,6 +70,8 @@ def test_steps_of_the_tour_are_seen():
                 tab.value("twofold.draw()")
                 name = f"{options['width']}{'-dark' * dark}-{number}.png"
                 (PAGE.parent / name).write_bytes(tab.picture())
+                missing = STRIPS - {*words_of(tab, 2)}
+                check(not missing, f"{name}: strips without {missing}")
                 for found in (CROWDED, CUT, EMPTY):
                     check(not tab.value(found), [name, tab.value(found)])
                 if options["width"] < 400 and number in (3, 4, 5):

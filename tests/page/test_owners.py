@@ -3,6 +3,7 @@ scene."""
 from page import (arrived, check, command, leads_there, opened, settled, shown,
                   step)
 from tap import until
+from test_setup import ENTER
 
 # What is shown and does not act. The hand's numbers are held against those of
 # the next step, which is taken for it.
@@ -24,6 +25,9 @@ UNLIKE = """(() => {
     const name = field.ariaLabel.split(':')[0];
     same(name, Number(field.value), Number(core.get(name).toPrecision(6)));
   }
+  same('pace', Number($('pace').value.slice(2)),
+    Number((10 ** $('speed').value).toPrecision(2)));
+  same('window', twofold.views[2].span, Number($('span').value));
   same('dt', motion.dt, core.get('dt'));
   for (const name of ['law', 'rule', 'rest'])
     same(name, $(`list-${name}`).selectedIndex, core.get(name));
@@ -50,6 +54,15 @@ SLIDE = """((name, value) => {
 })"""
 
 
+SET = """((name, value) => {
+  const control = document.getElementById(name);
+  if (control.options) control.selectedIndex = value;
+  else control.value = value;
+  for (const kind of ['input', 'change'])
+    control.dispatchEvent(new Event(kind));
+})"""
+
+
 def click(name):
     return f"document.getElementById('{name}').click()"
 
@@ -59,7 +72,10 @@ SCENE = """(({ scene }) => { scene.selectedIndex = 2; scene.onchange(); })(
 WAYS = [click("after"), click("before"), click("again"), click("leave"), SCENE,
         click("home"), click("back"), click("next"), click("fan"),
         f"{SLIDE}('torque', 0.4)", f"{SLIDE}('kappa', 300)",
-        f"{SLIDE}('r', 120)", "location.hash = '#scene=driven'",
+        f"{SLIDE}('r', 120)", f"({ENTER})('mu', '2')", f"{SET}('list-law', 5)",
+        f"{SET}('list-rule', 1)", f"{SET}('speed', -1)", f"{SET}('span', 3)",
+        click("fan") + "; document.querySelector('#choices button').click()",
+        "location.hash = '#scene=driven'",
         "location.hash = '#scene=chaos&hand=0:-1:0.2&tick=40&end'"]
 
 

@@ -5,7 +5,7 @@ import { Sheet, clip, colour, dot, extent, fillShape, path, steady, text,
   ticks } from './draw.mjs';
 import { short } from './decimal.mjs';
 
-const LEFT = 118, RIGHT = 14, RIBBON = 73, MARKS = 18, AXIS = 22;
+const LEFT = 134, RIGHT = 14, RIBBON = 73, MARKS = 18, AXIS = 22;
 const STRIPS = [
   { names: ['r'], labels: ['r [m]'] },
   { names: ['omega'], labels: ['ω [rad/s]'] },
