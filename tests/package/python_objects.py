@@ -18,7 +18,7 @@ import numpy as np
 import pandas
 
 import twofold
-from twofold import Ensemble, Machine, Mode, _check, _core
+from twofold import Ensemble, Machine, Mode, _check, _core, _table
 
 matplotlib.use("agg")
 PLACE = Path(sys.argv[1])
@@ -234,6 +234,9 @@ def pictures_show_modes():
                     "--out", file], check=True, capture_output=True)
     subprocess.run([*program, "plot", file, "-o", picture], check=True)
     assert picture.read_bytes().startswith(b"\x89PNG")
+    page = (Path(__file__).parents[2] / "tools/page/page.css").read_text()
+    for mode, colour in zip(Mode, _table.COLOURS):
+        assert f"--{mode.name.lower().replace('_', '-')}: {colour};" in page
     rows = twofold.read_csv(file)
     figure = rows.strips()
     modes = len(np.unique(rows["mode"]))

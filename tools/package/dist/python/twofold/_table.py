@@ -23,9 +23,9 @@ UNITS = {"t": "s", "r": "m", "v": "m/s", "omega": "rad/s", "phi": "rad",
 # What numbers of a column stand for.
 MEMBERS = {"mode": Mode, "final": Mode, "status": Status, "region": Region,
            "type": Folds}
-# Okabe and Ito's colours, by mode as in docs/PAPER.md.
 STRIPS = "r", "v", "omega", "h"
-COLOURS = ("#d55e00", "#e69f00", "#0072b2", "#009e73", "#000000")
+# Of modes, as on the page and in docs/PAPER.md.
+COLOURS = ("#b84900", "#b57d00", "#0068b0", "#00876a", "#1b1f24")
 SHOWN = 10
 # Columns of the command line that are whole numbers; set: of words.
 COUNTS = {"choices", "tick", "point", "changes", "arrivals", "sample", "cycle",
