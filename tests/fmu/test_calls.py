@@ -289,6 +289,18 @@ def test_limits(fmu):
         refused(ERROR, "not a state of this FMU", wheel.deserialize, bad)
 
 
+def test_events_within_a_step(fmu):
+    """Under scheme located each counts and is told with its time."""
+    counts = []
+    for dt in 0.7, 0.1:
+        fmu = Fmu(fmu.version, "coulomb")
+        wheel = fmu.instance(logging=True).begin(scheme=1, dt=dt)
+        for n in range(round(1.4 / dt)):
+            wheel.step(n * dt, dt)
+        counts.append(wheel.get("events"))
+    check(counts == [3, 3], f"{counts}")
+
+
 def test_numbers_in_messages(fmu):
     """A message has the number that was given, with all its digits."""
     draw, wheel = random.Random(1), fmu.instance()

@@ -228,12 +228,15 @@ static fmu_status_t refuse_step(fmu_t *fmu, tf_status_t status) {
 }
 
 // One step, into the mode that is wanted where there is one. input: out.
+// changes: out, those within the step.
 static tf_status_t step_once(fmu_motion_t *motion, uint64_t end, unsigned mode,
-                             tf_input_t *input) {
+                             tf_input_t *input, motion_changes_t *changes) {
   const motion_scheme_t scheme = scheme_of(motion);
   *input = input_at(motion, motion->now.state.tick + 1, end);
-  return mode < TF_MODES ? motion_take(&motion->now, scheme, input, mode)
-                         : motion_step(&motion->now, scheme, input);
+  changes->count = 0;
+  return mode < TF_MODES
+             ? motion_take(&motion->now, scheme, input, mode)
+             : motion_step_changes(&motion->now, scheme, input, changes);
 }
 
 // The report of the last step does not tell: its set is that of its end or of
@@ -246,7 +249,8 @@ fmu_status_t fmu_check_open(fmu_t *fmu, fmu_status_t status, unsigned mode,
   for (unsigned other = 0; other < TF_MODES; other++) {
     fmu_motion_t motion = fmu->motion;
     tf_input_t input;
-    if (step_once(&motion, end, other, &input) < 0) continue;
+    motion_changes_t changes;
+    if (step_once(&motion, end, other, &input, &changes) < 0) continue;
     if (other == mode) return FMU_OK;
     fmu_say(message, "%s%s", comma, tf_mode_name(other));
     comma = ", ";
@@ -254,12 +258,12 @@ fmu_status_t fmu_check_open(fmu_t *fmu, fmu_status_t status, unsigned mode,
   return fmu_refuse_so(fmu, status);
 }
 
-static void log_event(fmu_t *fmu) {
+static void add_event(fmu_t *fmu, double time, const tf_report_t *report) {
+  fmu->motion.events++;
   if (fmu->emit == NULL || (fmu->logs & FMU_LOG_EVENTS) == 0) return;
   fmu_message_t *message = fmu_begin_message(fmu);
-  fmu_say(message, "t = %g s, mode %s, choices %u", fmu_time(&fmu->motion),
-          tf_mode_name(fmu->motion.now.report.mode),
-          (unsigned)fmu->motion.now.report.choices);
+  fmu_say(message, "t = %g s, mode %s, choices %u", time,
+          tf_mode_name(report->mode), (unsigned)report->choices);
   fmu->emit(fmu, FMU_OK, fmu_categories[0], message->text);
 }
 
@@ -267,11 +271,15 @@ static void log_event(fmu_t *fmu) {
 // whether mode or set changed.
 static fmu_status_t advance(fmu_t *fmu, uint64_t end, bool *event) {
   fmu_motion_t *motion = &fmu->motion;
-  const unsigned mode = motion->now.report.mode, set = motion->now.report.set;
+  unsigned mode = motion->now.report.mode;
+  const unsigned set = motion->now.report.set;
+  const double time = fmu_time(motion);
+  const uint64_t events = motion->events;
+  motion_changes_t changes;
   const unsigned wanted = (unsigned)motion->values[FMU_TAKE];
   tf_input_t input;
-  const tf_status_t status =
-      step_once(motion, end, motion->takes ? wanted : TF_NO_MODE, &input);
+  const tf_status_t status = step_once(
+      motion, end, motion->takes ? wanted : TF_NO_MODE, &input, &changes);
   if (motion->takes && status == TF_BAD_PARAMETER) {
     go_back(fmu);
     return fmu_check_open(fmu, fmu->refusal, wanted, end);
@@ -280,12 +288,17 @@ static fmu_status_t advance(fmu_t *fmu, uint64_t end, bool *event) {
   motion->takes = false;
   motion->values[FMU_TURNTABLE] = (double)input.omega0;
   tf_tally_count(&motion->tally, motion->now.state.tick, status);
-  *event = motion->now.report.mode != mode || motion->now.report.set != set;
-  if (*event) {
-    motion->events++;
-    motion->event_tick = motion->now.state.tick;
-    log_event(fmu);
+  for (size_t i = 0; i < changes.count; i++) {
+    const tf_report_t *report = &changes.list[i].report;
+    if (report->mode != mode)
+      add_event(fmu, time + changes.list[i].time, report);
+    mode = report->mode;
   }
+  const tf_report_t *last = &motion->now.report;
+  if (last->mode != mode || (last->set != set && motion->events == events))
+    add_event(fmu, fmu_time(motion), last);
+  *event = motion->events != events;
+  if (*event) motion->event_tick = motion->now.state.tick;
   return FMU_OK;
 }
 
