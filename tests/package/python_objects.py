@@ -145,6 +145,9 @@ def words_stand_for_members():
         assert ((rows["mode"] == name) == (rows.words("mode") == name)).all()
         assert ((rows["mode"] != Mode(name)) != (rows["mode"] == name)).all()
     refusal(ValueError, rows["mode"].__eq__, "slip")
+    assert type(rows["mode"].max()) is np.uint8
+    assert (rows == rows).all() is np.True_ and type(np.diff(
+        rows["mode"])) is np.ndarray
     for held, name in ((machine, "r"), (machine, "kappa"), (machine, "mode"),
                        (machine.state, "omega"), (machine.input(), "forse")):
         refusal(AttributeError, setattr, held, name, 0.2)

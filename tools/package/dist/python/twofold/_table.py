@@ -40,7 +40,14 @@ def _cell(name, value):
     return f"{value:.6g}" if isinstance(value, np.floating) else str(value)
 
 
-class _Members(np.ndarray):
+class _Plain(np.ndarray):
+    """An array of which functions of numpy make plain ones, and numbers."""
+
+    def __array_wrap__(self, array, *_):
+        return array.view(np.ndarray)[() if array.ndim == 0 else ...]
+
+
+class _Members(_Plain):
     """Numbers of modes or the like, which may be compared with words."""
 
     def __array_finalize__(self, of):
@@ -54,7 +61,7 @@ class _Members(np.ndarray):
         return ~(self == other)
 
 
-class Table(np.ndarray):
+class Table(_Plain):
     """A structured array of numpy: table["r"] is a column, a plain array; one
     of modes may be compared with words. It shows the first and the last rows,
     with units and names; in a notebook, as a table."""
