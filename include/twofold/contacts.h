@@ -36,15 +36,17 @@ typedef struct {
 /// Every joint mode in which a step may end, in the order of their modes, of
 /// the last contact first. Of several solutions with the same modes: the slip
 /// whose g keeps its side, then the one with the least sum of |x| + |y|.
-/// Redundant contacts: forces are not unique though the motion is; reported is
-/// the one with the least sum of squares of x and y, within the law.
+/// Redundant contacts: forces are not unique though the motion is; reported are
+/// those with the least sum of squares of x and y, or, where the law forbids
+/// these, some away from its borders.
 /// n: in, 1 to TF_CONTACTS. contacts, forms, now: in, [n] each, slips before
 ///   the step [m/s]. found: out, [room]. count: out, how many there are; of
 ///   more than `room` the first `room` are in found.
 /// Returns: TF_OK; TF_COARSE: products so large that a solution may be missing;
 ///   TF_BAD_PARAMETER: n; TF_BAD_STATE: not finite (both untouched).
 /// Trust: under the hull there is always one. A solution is certain unless a
-///   change of the coefficients by 64 epsilon lets it vanish.
+///   change of the coefficients by 64 epsilon lets it vanish (in float one in
+///   200 of redundant contacts is lost).
 #define tf_contacts_modes TF_LINK(tf_contacts_modes)
 TF_API tf_status_t tf_contacts_modes(unsigned n, const tf_contact_t *contacts,
                                      const tf_real_t *forms,

@@ -11,42 +11,9 @@
 #define MOST_PARTS 512u       // for one set of modes and shares
 #define MOST_HALVES 32u       // of the stack of boxes
 #define MOST_NEWTON_STEPS 32u // of Newton's method
-#define JOINT_ROUNDING (16 * TF_REAL_EPSILON)
-
-// Share of its slopes that is added to the own one of an equation, so that
-// those of redundant contacts have an inverse. Newton's method then ends next
-// to the solution of the least sum of squares.
-#define SOFTNESS (TF_R(0x1p10) * TF_REAL_EPSILON)
-
-// The equation for a multiplier: its form (h for x, g for y) is 0, or it is
-// held, or y = +-x.
-typedef enum { FORM, HELD, RAY_PLUS, RAY_MINUS } equation_t;
-
-// The sign that a form ends with.
-typedef enum { ABOVE, BELOW, ANY } sought_t;
 
 // The sign of g that the moment of a slip stands for. OPEN: any.
 typedef enum { SHARE_PLUS, SHARE_MINUS, SHARE_ZERO, SHARES, OPEN } share_t;
-
-typedef struct {
-  tf_real_t middle[MULTIPLIERS], half[MULTIPLIERS];
-} joint_box_t;
-
-typedef struct {
-  equation_t equation[MULTIPLIERS];
-  sought_t sought[MULTIPLIERS];
-  joint_box_t box;
-} problem_t;
-
-// Forms and equations about the middle of a box: values and their rounding,
-// slopes by the multipliers, what products and the softness of an equation add
-// in the box, and the inverse of the slopes.
-typedef struct {
-  tf_real_t value[MULTIPLIERS], missed[MULTIPLIERS], rounding[MULTIPLIERS],
-      slope[MULTIPLIERS][MULTIPLIERS];
-  tf_real_t bend[MULTIPLIERS], softness[MULTIPLIERS],
-      inverse[MULTIPLIERS][MULTIPLIERS];
-} outlook_t;
 
 static void pose_one(problem_t *p, unsigned a, equation_t equation,
                      sought_t sought, tf_real_t middle, tf_real_t half) {
@@ -63,6 +30,7 @@ static void pose(const mechanism_t *k, unsigned i, unsigned mode, share_t share,
   const sign_t s = sign_in(mode);
   const sought_t side = s == PLUS ? ABOVE : BELOW;
   const bool moment = has_moment(k, i);
+  const bool is_near = ((k->near_plus >> i) & 1u) == (s == PLUS);
   pose_one(p, y, HELD, ANY, 0, 0);
   if (slips_by_law(k, i)) {
     pose_one(p, x, HELD, ANY, k->law[i].x, 0);
@@ -72,7 +40,10 @@ static void pose(const mechanism_t *k, unsigned i, unsigned mode, share_t share,
     pose_one(p, y, FORM, ANY, 0, 1);
   } else if (is_stick(mode)) {
     pose_one(p, x, FORM, ANY, 0, 1);
-    if (moment) pose_one(p, y, s == PLUS ? RAY_PLUS : RAY_MINUS, side, 0, 1);
+    if (moment)
+      pose_one(p, y, s == PLUS ? RAY_PLUS : RAY_MINUS, side, 0, 1);
+    else // g = 0 counts as the present side
+      p->sought[y] = !is_near ? side : s == PLUS ? FROM_0 : TO_0;
   } else {
     pose_one(p, x, HELD, side, unit(s), 0);
     if (moment && share >= SHARE_ZERO)
@@ -80,96 +51,6 @@ static void pose(const mechanism_t *k, unsigned i, unsigned mode, share_t share,
     else if (moment)
       pose_one(p, y, HELD, share == SHARE_PLUS ? ABOVE : BELOW,
                share == SHARE_PLUS ? unit(s) : -unit(s), 0);
-  }
-}
-
-// A form about the middle of a box, in the order of form_value: value and
-// slopes. Returns what its products add in the box.
-static tf_real_t form_at(const tf_real_t form[], unsigned count,
-                         const joint_box_t *box, tf_real_t *value,
-                         tf_real_t slope[]) {
-  const tf_real_t *m = box->middle, *product = form + 1 + count;
-  tf_real_t bend = 0;
-  *value = form[0];
-  for (unsigned j = 0; j < count; j++) {
-    tf_real_t column = form[1 + j];
-    slope[j] = column;
-    for (unsigned i = 0; i <= j; i++, product++) {
-      column += m[i] * *product;
-      slope[i] += *product * m[j];
-      slope[j] += *product * m[i];
-      bend += magnitude(*product) * box->half[i] * box->half[j];
-    }
-    *value += m[j] * column;
-  }
-  return bend;
-}
-
-static bool may_end(sought_t sought, tf_real_t value, tf_real_t reach) {
-  return sought == ANY ||
-         (sought == ABOVE ? value + reach > 0 : value - reach < 0);
-}
-
-// Looks at forms and equations about the middle of a box. Returns whether each
-// may hold in it.
-static bool look(const mechanism_t *k, const problem_t *p,
-                 const joint_box_t *box, outlook_t *out) {
-  bool may = true;
-  for (unsigned f = 0; f < k->count; f++) {
-    const tf_real_t *form = k->forms + f * k->terms;
-    const tf_real_t ray = p->equation[f] == RAY_PLUS ? -1 : 1;
-    tf_real_t *slope = out->slope[f], reach = 0, size = 0, sum = 0;
-    out->bend[f] = form_at(form, k->count, box, &out->value[f], slope);
-    for (unsigned a = 0; a < k->count; a++) {
-      const tf_real_t by = magnitude(slope[a]);
-      reach += by * box->half[a];
-      sum += by;
-      if (by > size) size = by;
-    }
-    out->rounding[f] = JOINT_ROUNDING * (magnitude(form[0]) + sum);
-    reach += out->bend[f] + out->rounding[f];
-    may = may && may_end(p->sought[f], out->value[f], reach) &&
-          (p->equation[f] != FORM || within(out->value[f], reach));
-    out->missed[f] = out->value[f];
-    out->softness[f] = SOFTNESS * size;
-    if (p->equation[f] == FORM) continue;
-    for (unsigned a = 0; a < k->count; a++) slope[a] = a == f ? 1 : 0;
-    out->missed[f] = out->bend[f] = out->softness[f] = out->rounding[f] = 0;
-    if (p->equation[f] == HELD) continue;
-    out->rounding[f] = JOINT_ROUNDING;
-    slope[f - 1] = ray;
-    out->missed[f] = box->middle[f] + ray * box->middle[f - 1];
-  }
-  return may;
-}
-
-// The inverse of the slopes, by Gauss and Jordan with partial pivoting.
-static void invert_slopes(unsigned count, outlook_t *at) {
-  tf_real_t left[MULTIPLIERS][MULTIPLIERS];
-  for (unsigned e = 0; e < count; e++)
-    for (unsigned a = 0; a < count; a++) {
-      left[e][a] = at->slope[e][a] - (e == a ? at->softness[e] : 0);
-      at->inverse[e][a] = e == a ? 1 : 0;
-    }
-  for (unsigned c = 0; c < count; c++) {
-    unsigned best = c;
-    for (unsigned e = c + 1; e < count; e++)
-      if (magnitude(left[e][c]) > magnitude(left[best][c])) best = e;
-    const tf_real_t pivot = left[best][c];
-    for (unsigned a = 0; a < count; a++) {
-      const tf_real_t l = left[best][a], i = at->inverse[best][a];
-      left[best][a] = left[c][a];
-      at->inverse[best][a] = at->inverse[c][a];
-      left[c][a] = l / pivot;
-      at->inverse[c][a] = i / pivot;
-    }
-    for (unsigned e = 0; e < count; e++) {
-      const tf_real_t by = left[e][c];
-      for (unsigned a = 0; a < count && e != c && by != 0; a++) {
-        left[e][a] -= by * left[c][a];
-        at->inverse[e][a] -= by * at->inverse[c][a];
-      }
-    }
   }
 }
 
@@ -191,7 +72,7 @@ static bool comes_to_zero(const mechanism_t *k, const problem_t *p,
       point->middle[a] = clip(point->middle[a] + newton_step(at, k->count, a),
                               p->box.middle[a] - p->box.half[a],
                               p->box.middle[a] + p->box.half[a]);
-    look(k, p, point, at);
+    (void)look(k, p, point, at);
     invert_slopes(k->count, at);
     is_zero = n > 0;
     for (unsigned f = 0; f < k->count; f++)
@@ -204,6 +85,160 @@ static bool comes_to_zero(const mechanism_t *k, const problem_t *p,
                           rests_under(k->contacts[i].rest, point->middle[2 * i],
                                       point->middle[2 * i + 1]));
   return is_zero;
+}
+
+// Redundant contacts leave forces free. Of those that hold, one is sought that
+// is far from every border: the largest distance t, by a barrier of all sides
+//   side(m) >= t,  weight t + sum of log(side(m) - t) -> max,  equations = 0
+// with Newton's method from anywhere, for a weight that grows.
+#define MOST_SIDES (8 * TF_CONTACTS)
+#define MOST_BARRIER_STEPS 64u
+
+typedef struct {
+  tf_real_t value, slope[MULTIPLIERS];
+} side_t;
+
+// constant + by_x x + by_y y of contact i.
+static void add_side(side_t sides[], unsigned *count, unsigned i,
+                     const tf_real_t m[], tf_real_t constant, tf_real_t by_x,
+                     tf_real_t by_y) {
+  side_t *side = &sides[(*count)++];
+  *side = (side_t){.value = constant + by_x * m[2 * i] + by_y * m[2 * i + 1]};
+  side->slope[2 * i] = by_x;
+  side->slope[2 * i + 1] = by_y;
+}
+
+// All sides of the laws, and the forms that end with a sign, in units of their
+// slopes. halves: the contacts that rest under x < 0 of a law that is not
+// convex. Returns how many.
+static unsigned sides_at(const mechanism_t *k, const problem_t *p,
+                         const unsigned mode[], unsigned halves,
+                         const joint_box_t *point, side_t sides[]) {
+  const tf_real_t *m = point->middle;
+  unsigned count = 0;
+  for (unsigned a = 0; a < k->count; a++) {
+    const rest_bounds_t of = rest_bounds(k->contacts[a / 2].rest);
+    const bool is_y = a % 2 != 0, is_pinned = mode[a / 2] == TF_PINNED;
+    const tf_real_t along = (halves >> (a / 2)) & 1u ? -of.y1 : of.y1;
+    for (int s = -1; s <= 1; s += 2) {
+      const tf_real_t sign = (tf_real_t)s;
+      if (is_pinned && is_y) {
+        add_side(sides, &count, a / 2, m, of.y0, along, sign);
+      } else if (is_pinned) {
+        add_side(sides, &count, a / 2, m, of.x0, sign, of.x1);
+        add_side(sides, &count, a / 2, m, of.x0, sign, -of.x1);
+      } else if (p->box.half[a] > 0) {
+        add_side(sides, &count, a / 2, m, 1, is_y ? 0 : sign, is_y ? sign : 0);
+      }
+    }
+    if (p->sought[a] == ANY) continue;
+    side_t *side = &sides[count++];
+    tf_real_t size = 0;
+    (void)form_at(k->forms + a * k->terms, k->count, point, &side->value,
+                  side->slope);
+    for (unsigned b = 0; b < k->count; b++) size += magnitude(side->slope[b]);
+    size = (p->sought[a] == ABOVE || p->sought[a] == FROM_0 ? 1 : -1) *
+           (size > 0 ? 1 / size : 1);
+    side->value *= size;
+    for (unsigned b = 0; b < k->count; b++) side->slope[b] *= size;
+  }
+  return count;
+}
+
+// Newton's equations of the barrier for (m, t), and the multipliers of the
+// equations behind them.
+static void pose_middle(unsigned n, const outlook_t *at, const side_t sides[],
+                        unsigned count, tf_real_t t, tf_real_t weight,
+                        tf_real_t w[ROWS][ROWS + 1]) {
+  const unsigned rows = 2 * n + 1;
+  for (unsigned i = 0; i < rows; i++)
+    for (unsigned j = 0; j <= rows; j++) w[i][j] = 0;
+  w[n][rows] = weight;
+  for (unsigned s = 0; s < count; s++) {
+    const tf_real_t near = 1 / (sides[s].value - t);
+    for (unsigned i = 0; i <= n; i++) {
+      const tf_real_t by = near * (i < n ? sides[s].slope[i] : -1);
+      for (unsigned j = 0; j <= n; j++)
+        w[i][j] += by * near * (j < n ? sides[s].slope[j] : -1);
+      w[i][rows] += by;
+    }
+  }
+  for (unsigned e = 0; e < n; e++) {
+    tf_real_t size = 0;
+    for (unsigned a = 0; a < n; a++) size += magnitude(at->slope[e][a]);
+    size = inverse_or_0(size);
+    for (unsigned a = 0; a < n; a++)
+      w[a][n + 1 + e] = w[n + 1 + e][a] = size * at->slope[e][a];
+    w[n + 1 + e][n + 1 + e] = -TF_REAL_EPSILON;
+    w[n + 1 + e][rows] = -size * at->missed[e];
+  }
+}
+
+static bool comes_to_middle(const mechanism_t *k, const problem_t *p,
+                            const unsigned mode[], unsigned halves,
+                            joint_box_t *point, outlook_t *at) {
+  const unsigned n = k->count, last = 2 * n + 1;
+  tf_real_t t = 0, weight = 1, gap = TF_REAL_MAX, share = 0, before = 0,
+            first = 0;
+  *point = (joint_box_t){{0}, {0}};
+  for (unsigned a = 0; a < n; a++) point->middle[a] = p->box.middle[a];
+  for (unsigned turn = 0; turn < MOST_BARRIER_STEPS; turn++) {
+    side_t sides[MOST_SIDES];
+    tf_real_t w[ROWS][ROWS + 1], least = TF_REAL_MAX, missed = 0, most = 0;
+    bool is_zero = true;
+    (void)look(k, p, point, at);
+    const unsigned count = sides_at(k, p, mode, halves, point, sides);
+    for (unsigned s = 0; s < count; s++)
+      if (sides[s].value < least) least = sides[s].value;
+    for (unsigned e = 0; e < n; e++) {
+      missed += magnitude(at->missed[e]);
+      is_zero = is_zero && within(at->missed[e], at->rounding[e]);
+    }
+    if (is_zero && least > 0) {
+      invert_slopes(n, at);
+      return true;
+    }
+    if (turn == 0) first = missed;
+    if (turn == 0) t = least - 1;
+    const bool is_close = missed <= TF_R(0x1p-10) * first;
+    const bool ends = is_close && least > 0;
+    if (share == 1 && (t + gap < 0 || !(is_close || missed < before / 2)))
+      return false;
+    pose_middle(n, at, sides, ends ? 0 : count, t, weight, w);
+    for (unsigned i = 0; i <= n && ends; i++) w[i][i] = 1;
+    eliminate(last, last + 1, w);
+    for (unsigned s = 0; s < count && !ends; s++) {
+      tf_real_t by = -w[n][last];
+      for (unsigned a = 0; a < n; a++) by += sides[s].slope[a] * w[a][last];
+      by = magnitude(by) / (sides[s].value - t);
+      if (by > most) most = by;
+    }
+    share = most > 1 ? TF_R(0.9) / most : 1;
+    for (unsigned a = 0; a < n; a++)
+      if (p->box.half[a] > 0) point->middle[a] += share * w[a][last];
+    if (!ends) t += share * w[n][last];
+    before = missed;
+    gap = (tf_real_t)(2 * count) / weight;
+    if (share == 1) weight *= 8;
+  }
+  return false;
+}
+
+// The same for each half of the laws that are not convex.
+static bool comes_to_a_middle(const mechanism_t *k, const problem_t *p,
+                              const unsigned mode[], joint_box_t *point,
+                              outlook_t *at) {
+  bool holds = false;
+  for (unsigned halves = 0; halves < 1u << (k->count / 2) && !holds; halves++) {
+    bool is_one = true;
+    for (unsigned i = 0; i < k->count / 2; i++)
+      is_one =
+          is_one &&
+          (((halves >> i) & 1u) == 0 ||
+           (mode[i] == TF_PINNED && rest_bounds(k->contacts[i].rest).y1 > 0));
+    holds = is_one && comes_to_middle(k, p, mode, halves, point, at);
+  }
+  return holds;
 }
 
 // Writes a zero into the joint mode unless that has one that is smaller.
@@ -224,9 +259,6 @@ static void take_zero(const mechanism_t *k, const unsigned mode[],
     joint->y[i] = m[y];
     joint->h[i] = p->equation[x] == FORM ? 0 : at->value[x];
     joint->g[i] = p->equation[y] == FORM ? 0 : at->value[y];
-    if (mode[i] == TF_STICK_PLUS && !has_moment(k, i) &&
-        !has_sign_of_g(joint->g[i], PLUS, (k->near_plus >> i) & 1u))
-      joint->mode[i] = TF_STICK_MINUS;
     if (is_stick(mode[i]) && at->inverse[x][x] < 0)
       joint->attracting |= (uint8_t)(1u << i);
   }
@@ -247,6 +279,7 @@ static bool add_zeros(const mechanism_t *k, const unsigned mode[],
     if (!look(k, p, &box, &at)) continue;
     invert_slopes(k->count, &at);
     bool misses = false, alone = true, soft = false, inside = true;
+    bool is_affine = true;
     unsigned widest = 0;
     for (unsigned a = 0; a < k->count; a++) {
       tf_real_t bent = 0, softened = 0, rounded = JOINT_ROUNDING;
@@ -258,20 +291,24 @@ static bool add_zeros(const mechanism_t *k, const unsigned mode[],
       }
       misses = misses || magnitude(newton_step(&at, k->count, a)) >
                              box.half[a] + bent + softened + rounded;
+      is_affine = is_affine && at.bend[a] == 0;
       alone = alone && 4 * bent <= box.half[a] + JOINT_ROUNDING;
       soft = soft || !(4 * softened <= box.half[a] + JOINT_ROUNDING);
       if (box.half[a] > box.half[widest]) widest = a;
     }
     if (misses) continue;
-    const bool holds = comes_to_zero(k, p, mode, &point, &at);
+    bool holds = comes_to_zero(k, p, mode, &point, &at);
+    const bool is_middle = soft && !holds && looked == 0;
+    if (is_middle) holds = comes_to_a_middle(k, p, mode, &point, &at);
     for (unsigned a = 0; a < k->count; a++)
       inside = inside && within(point.middle[a] - box.middle[a],
                                 box.half[a] + JOINT_ROUNDING);
+    const bool is_last = soft ? holds || is_affine : alone;
     if (holds && inside) {
       take_zero(k, mode, p, point.middle, &at, &least, joint);
-      if (joint->points < UINT8_MAX) joint->points++;
+      if (is_last && joint->points < UINT8_MAX) joint->points++;
     }
-    if ((alone && !soft) || (soft && holds)) continue;
+    if (is_last) continue;
     for (unsigned n = 0; n < 2; n++, depth++) {
       stack[depth] = box;
       stack[depth].half[widest] /= 2;
@@ -279,6 +316,7 @@ static bool add_zeros(const mechanism_t *k, const unsigned mode[],
           n == 0 ? stack[depth].half[widest] : -stack[depth].half[widest];
     }
   }
+  if (joint->points == 0 && least < TF_REAL_MAX) joint->points = 1;
   return depth == 0;
 }
 
@@ -297,7 +335,7 @@ TF_API bool tf_solve_modes(const mechanism_t *k, const unsigned mode[],
   for (unsigned i = 0; i < k->count / 2; i++) {
     const bool by_law = slips_by_law(k, i);
     if (by_law ? mode[i] != (k->law[i].x > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS)
-               : !has_moment(k, i) && mode[i] > TF_STICK_PLUS)
+               : !has_moment(k, i) && mode[i] == TF_PINNED)
       return true;
     pose(k, i, mode[i], OPEN, &p);
     if (has_shares(k, mode, i)) shares *= SHARES;

@@ -3,21 +3,7 @@
 #ifndef TF_JOINT_H
 #define TF_JOINT_H
 
-#include "inclusion.h"
-#include "mode_set.h"
-#include "twofold/contacts.h"
-#include "tyre_law.h"
-
-#define MULTIPLIERS TF_MULTIPLIERS(TF_CONTACTS)
-
-typedef struct {
-  unsigned count, terms; // multipliers, numbers of a form
-  const tf_contact_t *contacts;
-  const tf_real_t *forms;
-  unsigned slips;                 // bit i: contact i slips by `law`
-  unsigned near_plus;             // bit i: g_i > 0 is the present side
-  multipliers_t law[TF_CONTACTS]; // of those that slip
-} mechanism_t;
+#include "outlook.h"
 
 TF_INLINE bool slips_by_law(const mechanism_t *k, unsigned i) {
   return (k->slips >> i) & 1u;
