@@ -269,9 +269,10 @@ def test_words_lie_in_the_lens():
     for options in SIZES:
         for force in (-5, 2, 5):
             tab = opened(f"hand=0:{force}:0", **options)
+            tab.value("twofold.play(false)")
             for tick in range(0, 8000, 500):
-                go(tab, tick)
-                crowded = tab.value(f"twofold.draw(), {CROWDED}")
+                crowded = tab.value(f"twofold.motion.seek({tick}), "
+                                    f"twofold.draw(), {CROWDED}")
                 check(not crowded, f"{force} N, {tick} {options}: {crowded}")
             tab.close()
 
