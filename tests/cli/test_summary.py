@@ -165,6 +165,16 @@ def test_events_within_a_step():
         same(rows[1].split(",")[-2:], ["slip+|stick+|stick-", "3"])
     same(seen, [[("slip+", "stick+"), ("stick+", "slip+"),
                  ("slip+", "stick-")]] * 4)
+    for dt in 0.2, 0.01:
+        said = call("run", "chaos", "--scheme", "located", "--dt", dt,
+                    "--t-end", "2.1", "--summary", "json", "--out", "rows")[1]
+        three = json.loads(said.splitlines()[-1])["events"]["list"][2:5]
+        same([one["kinds"] for one in three],
+             [["slip_to_stick"], ["two_fold"], ["stick_to_slip"]])
+        fold, end = three[1:]
+        check(abs(fold["t"] - 2.046276) < 2e-6 and
+              abs(fold["omega"] + 1.037) < 1e-6 and
+              abs(abs(end["lambda"]) - 1) < 1e-9, str(three))
 
 
 def test_time_left():

@@ -82,9 +82,11 @@ void cli_events_begin(cli_events_t *events, uint64_t limit,
 
 tf_report_t cli_before_change(const tf_report_t *before,
                               const tf_located_change_t *change) {
-  const tf_real_t g = change->report.slip.g;
+  const tf_report_t *after = &change->report;
+  const bool away = fabs((double)after->slip.g) > (double)TF_REAL_MIN;
   tf_report_t report = *before;
-  report.slip.g = g > TF_REAL_MIN || g < -TF_REAL_MIN ? g : -g;
+  report.slip.g = away ? after->slip.g : -after->slip.g;
+  if (away && tf_mode_is_slip(after->mode)) report.force = after->force;
   return report;
 }
 
@@ -128,6 +130,7 @@ void cli_events_observe(cli_events_t *events, const tf_report_t *before,
   event->r = (double)state->r;
   event->omega = (double)state->w;
   event->g = (double)after->slip.g;
+  if (fabs(event->g) <= (double)TF_REAL_MIN) event->g = 0;
   event->lambda = !tf_mode_is_slip(after->mode)    ? (double)after->force.F
                   : !tf_mode_is_slip(before->mode) ? (double)before->force.F
                                                    : (double)NAN;

@@ -51,7 +51,8 @@ void cli_events_begin(cli_events_t *events, uint64_t limit,
                       const tf_report_t *start);
 
 /// The report before a change within a step: g changes its sign there only at g
-/// = 0, whatever it did since.
+/// = 0, whatever it did since, and a stick that ends elsewhere ends with the
+/// force of the slip that begins.
 tf_report_t cli_before_change(const tf_report_t *before,
                               const tf_located_change_t *change);
 
