@@ -53,15 +53,14 @@ $(PEER_LIBRARY): tools/bench/peers/shared.c tools/bench/problem.c \
 	@$(CC) -shared -fPIC -Wl,-Bsymbolic $(PEER_FLAGS) -Wno-missing-prototypes \
 	  -Wno-missing-declarations $^ -lm -o $@
 
-# For the cells of stability: the Python package, in place.
-BENCH_PYTHON := $(BUILD)/python/twofold/_twofold.so
-PYTHON_PARTS := $(wildcard $(addprefix tools/package/dist/python/,*.[ch] \
-  twofold/*.py))
-$(BENCH_PYTHON): $(BUILD)/dist/c/twofold.c $(PYTHON_PARTS) tools/motion.h
-	@echo '  LINK  $@'
-	@mkdir -p $(@D) && cp $(filter %.py,$^) $(@D)
-	@$(CC) -shared -fPIC -std=c99 -O3 -fno-math-errno -Itools -I$(<D) \
-	  $(filter-out $<,$(filter %.c,$^)) -lm -o $@
+# For the cells of stability: the Python package.
+BENCH_PYTHON := $(BUILD)/python/twofold/_f64.so
+$(BENCH_PYTHON): $(DIST)/c/twofold.c \
+    $(wildcard tools/package/dist/python/*.[ch])
+	@$(MAKE) -s --no-print-directory dist
+	@cd $(DIST)/python/twofold-$(TF_VERSION) && /usr/bin/python3 setup.py -q \
+	  build -b $(abspath $(BUILD))/python-build \
+	  --build-lib $(abspath $(BUILD))/python
 
 BENCH_NEEDS := $(BENCHES) $(if $(filter double,$(VARIANTS)),$(PEERS) \
   $(PEER_LIBRARY) $(BUILD)/double/twofold)

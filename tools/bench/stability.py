@@ -183,7 +183,8 @@ def leaves(machine: twofold.Machine, settings: dict, scheme: str, k: dict
     finer.state.r, finer.state.v, finer.state.w, finer.state.mode = (
         machine.state.r, machine.state.v, machine.state.w, machine.state.mode)
     finer.state.tick = machine.state.tick * FINER
-    status = finer._rows(FINER * finer["dt"], FINER, scheme, None)[2]
+    status = finer._rows(FINER * finer["dt"], FINER, scheme, None,
+                         None)[2]
     r, v, w = finer.state.r, finer.state.v, finer.state.w
     pull = k["k2"] * (k["r0"] - r) - k["c2"] * v + k["m"] * r * w * w
     turn = -k["c1"] * w - 2 * k["m"] * r * w * v + k["d"] * pull
@@ -199,7 +200,8 @@ def cell(settings: dict, scheme: str, theta: float, dt: float
     verdict."""
     try:
         machine = machine_of(settings, theta=theta, dt=dt)
-        rows, _, status = machine._rows(STEPS * machine["dt"], 1, scheme, None)
+        rows, _, status = machine._rows(STEPS * machine["dt"], 1, scheme,
+                                        None, None)
     except ValueError:
         return 0, "bad_parameter"
     k = {name: machine[name] for name in twofold.parameters()}
