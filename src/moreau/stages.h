@@ -62,19 +62,26 @@ TF_INLINE tf_slip_t slip_by_increment(const tf_machine_t *k,
 TF_INLINE free_motion_t free_motion(const tf_machine_t *k,
                                     const tf_state_t *state,
                                     const tf_input_t *input, start_t start) {
-  free_motion_t c; // without friction nothing reads what it lacks
-  c.machine = k;
-  c.state = state;
-  c.input = input;
-  c.start = start;
-  c.linear = linearise(k, state, input, (change_t){start.p, start.z});
-  if (!has_friction(k)) return c;
-  c.end = free_end(k, &c.linear);
-  c.slip = start.incremental
-               ? slip_by_increment(k, state, &c.start, turn_of_step(k, input),
-                                   c.linear.free)
-               : slip_from_pq(k, c.end.p, c.end.r * c.end.z);
-  return c;
+  const linear_t linear =
+      linearise(k, state, input, (change_t){start.p, start.z});
+  if (!has_friction(k))
+    return (free_motion_t){.machine = k,
+                           .state = state,
+                           .input = input,
+                           .start = start,
+                           .linear = linear};
+  const free_end_t end = free_end(k, &linear);
+  return (free_motion_t){
+      .machine = k,
+      .state = state,
+      .input = input,
+      .start = start,
+      .linear = linear,
+      .end = end,
+      .slip = start.incremental
+                  ? slip_by_increment(k, state, &start, turn_of_step(k, input),
+                                      linear.free)
+                  : slip_from_pq(k, end.p, end.r * end.z)};
 }
 
 TF_INLINE tf_slip_t start_slip(const free_motion_t *c) {
