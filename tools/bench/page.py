@@ -216,7 +216,8 @@ class Page:
         rows = rows.drop(columns=[*boards, *rows.filter(like="M7")]).assign(
             **{"stack of boards": boards.max(axis=1)})
         return whole(rows[rows.function.str.fullmatch(
-            "tf_step(_located|_compensated)?")])
+            "tf_step(_located|_compensated)?") & ~rows.of.isin(
+                ["n = 2", "n = 4"])])
 
 
 def least(rows: pd.DataFrame, problem: str, solvers: str,
