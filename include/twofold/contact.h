@@ -127,7 +127,8 @@ TF_API tf_status_t tf_contact_prepare(tf_contact_t *contact, tf_tyre_law_t law,
 /// Every mode in which a step may end.
 /// h, g: in. now, mode: in, before the step, or TF_NO_MODE. modes: out.
 /// reaches_codim2: out, or NULL: h = g = 0 is within reach (tf_contact_leave).
-/// Returns: TF_OK; TF_BAD_STATE: not finite, or no mode (both untouched).
+/// Returns: TF_OK; TF_BAD_STATE: not finite, or no mode; TF_BAD_PARAMETER: of
+///   COULOMB, h.cx > 0, or 0 where cy is not: F > 0 lowers h (both untouched).
 /// Trust: all of them; may be empty. Pinned is one of up to four points where h
 ///   and g vanish together. It is certain unless a change of coefficients by
 ///   64 epsilon moves that point out of the law of rest, or lets it vanish; or

@@ -43,7 +43,8 @@ typedef struct {
 ///   the step [m/s]. found: out, [room]. count: out, how many there are; of
 ///   more than `room` the first `room` are in found.
 /// Returns: TF_OK; TF_COARSE: products so large that a solution may be missing;
-///   TF_BAD_PARAMETER: n; TF_BAD_STATE: not finite (both untouched).
+///   TF_BAD_PARAMETER: n, or h_i of a COULOMB contact grows with x_i (see
+///   tf_contact_modes); TF_BAD_STATE: not finite (both untouched).
 /// Trust: under the hull there is always one. A solution is certain unless a
 ///   change of the coefficients by 64 epsilon lets it vanish (in float one in
 ///   200 of redundant contacts is lost).

@@ -161,6 +161,7 @@ TF_API tf_status_t tf_contact_modes(const tf_contact_t *contact,
                                     bool *reaches_codim2) {
   inclusion_t in = inclusion_under(contact, h, g, now.g);
   if (mode > TF_NO_MODE || !is_finite(&in, now)) return TF_BAD_STATE;
+  if (drives_itself(contact, h->cx, h->cy)) return TF_BAD_PARAMETER;
   const unsigned signs = signs_of(&in.g);
   if (in.has_moment && signs == BOTH_SIGNS) {
     const multipliers_t pin = pin_of(&in);

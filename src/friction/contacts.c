@@ -62,6 +62,10 @@ TF_API tf_status_t tf_contacts_modes(unsigned n, const tf_contact_t *contacts,
   bool all = true;
   if (n - 1 >= TF_CONTACTS) return TF_BAD_PARAMETER;
   if (!set_up(&k, n, contacts, forms, now)) return TF_BAD_STATE;
+  for (unsigned i = 0; i < n; i++) {
+    const tf_real_t *own = forms + 2 * i * k.terms + 1 + 2 * i;
+    if (drives_itself(&contacts[i], own[0], own[1])) return TF_BAD_PARAMETER;
+  }
   if (n == 1) return modes_of_one(&k, now[0], found, room, count);
   for (unsigned i = 0; i < n; i++)
     if (!tf_comes_to_h_0(&k, i, now[i].h))

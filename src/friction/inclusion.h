@@ -393,6 +393,14 @@ TF_API multipliers_t tf_mode_multipliers(const tf_contact_t *contact,
                                          const tf_contact_modes_t *modes,
                                          unsigned mode);
 
+// Whether a form of h is not one of a contact without a moment, whose force
+// lowers h: of the wrong sign, or the force of x stands in the place of y.
+TF_INLINE bool drives_itself(const tf_contact_t *contact, tf_real_t by_x,
+                             tf_real_t by_y) {
+  return contact->tyre.law == TF_TYRE_COULOMB &&
+         (by_x > 0 || (by_x == 0 && by_y != 0));
+}
+
 // The force under multipliers.
 TF_INLINE tf_force_t force_under(const tf_contact_t *contact, multipliers_t m) {
   return (tf_force_t){m.x * contact->tyre.mu, m.y * contact->kappa_mu};

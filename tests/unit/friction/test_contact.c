@@ -78,9 +78,11 @@ TEST(choice_and_force_are_of_rule_and_law) {
   unsigned held = 0, left = 0;
   for (int n = 0; n < samples(4000); n++) {
     const tf_contact_t k = any_contact(n);
-    const tf_form_t h = any_form(1), g = any_form(3);
+    tf_form_t h = any_form(1);
+    const tf_form_t g = any_form(3);
     const tf_slip_t now = {uniform(-2, 2), uniform(-2, 2)};
     const real mu = wide(k.tyre.mu), kappa_mu = wide(k.kappa_mu);
+    if (k.tyre.law == TF_TYRE_COULOMB && h.cx > 0) h.cx = -h.cx;
     tf_contact_modes_t is;
     tf_force_t f;
     CHECK(tf_contact_modes(&k, &h, &g, now, TF_NO_MODE, &is, NULL) == TF_OK);
@@ -177,6 +179,25 @@ TEST(machine_by_its_contact) {
     if (sticks) CHECK(f.F == report.force.F && f.M == report.force.M);
   }
   CHECK(near > 0 && free > 0 && rests > 0);
+}
+
+/* A force that raises h, or that stands in the place of a moment. */
+TEST(forms_that_drive_a_block_are_refused) {
+  const tf_contact_t block = any_contact(0), wheel = any_contact(1);
+  const tf_form_t g = {0, 0, 0, 0, 0, 0};
+  const tf_real_t wrong[3][2] = {{1, 0}, {TF_REAL_MIN, -1}, {0, -1}};
+  for (unsigned i = 0; i < 3; i++) {
+    tf_form_t h = {TF_R(0.5), wrong[i][0], wrong[i][1], 0, 0, 0};
+    tf_contact_modes_t is;
+    CHECK(tf_contact_modes(&block, &h, &g, (tf_slip_t){0, 0}, TF_NO_MODE, &is,
+                           NULL) == TF_BAD_PARAMETER);
+    CHECK(tf_contact_modes(&wheel, &h, &g, (tf_slip_t){0, 0}, TF_NO_MODE, &is,
+                           NULL) == TF_OK);
+    h.cx = i < 2 ? -h.cx : 0;
+    h.cy = 0;
+    CHECK(tf_contact_modes(&block, &h, &g, (tf_slip_t){0, 0}, TF_NO_MODE, &is,
+                           NULL) == TF_OK);
+  }
 }
 
 TEST(what_leaves_h_0_without_a_moment) {

@@ -264,8 +264,17 @@ TEST(what_is_out_of_range_is_refused) {
     CHECK(count == all);
     CHECK(memcmp(few[0].mode, found[0].mode, sizeof few[0].mode) == 0);
   }
-  k.forms[7] = (tf_real_t)NAN;
   count = 77;
+  for (unsigned wrong = 0; wrong < 2; wrong++) {
+    mechanism_t other = any_mechanism(2, 0, 1);
+    CHECK(tf_contact_prepare(&other.contact[1], TF_TYRE_COULOMB, 1, 1,
+                             TF_REST_HULL, TF_RULE_PERSIST, 0) == TF_OK);
+    form(&other, 2)[3] = wrong ? 0 : TF_R(0.1);
+    form(&other, 2)[4] = -1;
+    CHECK(tf_contacts_modes(2, other.contact, other.forms, other.now, found,
+                            ROOM, &count) == TF_BAD_PARAMETER);
+  }
+  k.forms[7] = (tf_real_t)NAN;
   CHECK(tf_contacts_modes(2, k.contact, k.forms, k.now, found, ROOM, &count) ==
         TF_BAD_STATE);
   CHECK(tf_contacts_force(2, k.contact, k.forms, found, k.now, force) ==

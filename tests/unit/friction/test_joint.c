@@ -119,7 +119,8 @@ static void draw(class_t class, unsigned n, system_t *k) {
   }
   for (unsigned f = 0; f < 2 * n; f++) {
     for (unsigned t = 0; t <= 2 * n; t++) form(k, f)[t] = uniform(-2, 2);
-    if (class == INDEFINITE || f % 2) continue;
+    const bool is_coulomb = k->contact[f / 2].tyre.law == TF_TYRE_COULOMB;
+    if ((class == INDEFINITE && !is_coulomb) || f % 2) continue;
     form(k, f)[1 + f] -= 2;
     if (class == FAR) form(k, f)[0] += k->now[f / 2].h;
   }
