@@ -275,6 +275,9 @@ static void finish_all(const tf_machine_t *restrict k,
                        tf_state_block_t *restrict b,
                        const work_t *restrict work,
                        tf_report_block_t *restrict out) {
+  if (k->with_angle) // (12)
+    for (int i = 0; i < TF_LANES; i++)
+      b->phi[i] += angle_change(k, b->w[i], work->w[i]);
   for (int i = 0; i < TF_LANES; i++) {
     const tf_force_t force = {work->F[i], work->M[i]};
     const tf_slip_t slip = {work->end_h[i], work->end_g[i]};
@@ -291,14 +294,6 @@ static void finish_all(const tf_machine_t *restrict k,
     out->residual[i] =
         lane_residual(k, work->slips[i], work->minus[i], force, slip);
   }
-}
-
-// (12)
-static void angles_all(const tf_machine_t *restrict k,
-                       tf_state_block_t *restrict b,
-                       const work_t *restrict work) {
-  for (int i = 0; i < TF_LANES; i++)
-    b->phi[i] += angle_change(k, b->w[i], work->w[i]);
 }
 
 // Lanes that have left r as it was may stall: the last test of tf_step as well.
@@ -374,7 +369,6 @@ static size_t step_block(const tf_machine_t *k, tf_state_block_t *b,
     before = *b;
     last = *out;
   }
-  if (k->with_angle) angles_all(k, b, &work);
   finish_all(k, b, &work, out);
   record_all(b, &work, out);
   if (!none_of(work.stays)) judge_stalls(k, b, u, &work, out);

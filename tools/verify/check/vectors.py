@@ -12,8 +12,9 @@ SOURCES = ("src/ensemble/ensemble.c", "src/ensemble/lanes_solve.h")
 VECTORS = dict.fromkeys(
     "linearise_all forms_all enumerate_all shares_of slips_of sticks_of "
     "kinds_all near_codim2_all all_continue none_of stick_all ends_all "
-    "balance_lanes finish_all angles_all".split(), [32])
-VECTORS |= dict(slip_all=[32] * 3, modes_all=[16] * 2, record_all=[16] * 3)
+    "balance_lanes".split(), [32])
+VECTORS |= dict(slip_all=[32] * 3, finish_all=[32] * 2, modes_all=[16] * 2,
+                record_all=[16] * 3)
 FLAGS = ("-std=c99 -O3 -ffp-contract=off -fno-math-errno -ffreestanding "
          "-Iinclude -fopt-info-vec-optimized -c src/ensemble/ensemble.c -o")
 FUNCTION = re.compile(r"^(?:static|TF_\w+) (?:__a\S+ )?[^;{(]*?(\w+)\(", re.M)
