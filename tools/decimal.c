@@ -91,11 +91,12 @@ static uint64_t shortest(uint64_t c, int q, bool irregular, int *k) {
 // Digits with a point behind `before` of them; zeros stand where none are.
 static char *write_digits(char *at, const char *digit, int n, int before) {
   if (before < 1) {
-    memcpy(at, "0.000", 5);
-    at += 2 - before;
+    *at++ = '0';
+    *at++ = '.';
+    for (; before < 0; before++) *at++ = '0';
     before = n;
   }
-  for (int i = 0; i < before; i++) *at++ = i < n ? digit[i] : '0';
+  for (int i = 0; i < before; i++) *at++ = (char)(i < n ? digit[i] : '0');
   if (n > before) *at++ = '.';
   for (int i = before; i < n; i++) *at++ = digit[i];
   return at;

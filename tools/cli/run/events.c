@@ -74,10 +74,11 @@ static unsigned kinds_between(const tf_report_t *before,
 void cli_events_begin(cli_events_t *events, uint64_t limit,
                       const tf_report_t *start) {
   const double choices = start != NULL ? start->choices : (double)NAN;
-  *events = (cli_events_t){.limit = limit,
-                           .choices_at_start = choices,
-                           .ambiguous_since = choices > 1 ? 0 : (double)NAN,
-                           .set = choices > 1 ? start->set : 0};
+  *events =
+      (cli_events_t){.limit = limit,
+                     .choices_at_start = choices,
+                     .ambiguous_since = choices > 1 ? 0 : (double)NAN,
+                     .set = start != NULL && choices > 1 ? start->set : 0};
 }
 
 tf_report_t cli_before_change(const tf_report_t *before,
