@@ -63,8 +63,8 @@ static tf_real_t newton_step(const outlook_t *at, unsigned count, unsigned a) {
 // Newton's method from a point on, within the law. Returns whether it comes to
 // a zero that holds.
 static bool comes_to_zero(const mechanism_t *k, const problem_t *p,
-                          const unsigned mode[], joint_box_t *point,
-                          outlook_t *at) {
+                          const unsigned mode[], bool is_affine,
+                          joint_box_t *point, outlook_t *at) {
   bool is_zero = false;
   for (unsigned a = 0; a < k->count; a++) point->half[a] = 0;
   for (unsigned n = 0; n < MOST_NEWTON_STEPS && !is_zero; n++) {
@@ -72,9 +72,9 @@ static bool comes_to_zero(const mechanism_t *k, const problem_t *p,
       point->middle[a] = clip(point->middle[a] + newton_step(at, k->count, a),
                               p->box.middle[a] - p->box.half[a],
                               p->box.middle[a] + p->box.half[a]);
-    (void)look(k, p, point, at);
-    invert_slopes(k->count, at);
-    is_zero = n > 0;
+    (void)look(k, p, point, false, at);
+    if (!is_affine) invert_slopes(k->count, at);
+    is_zero = is_affine || n > 0;
     for (unsigned f = 0; f < k->count; f++)
       is_zero = is_zero && within(at->missed[f], at->rounding[f]);
   }
@@ -186,7 +186,7 @@ static bool comes_to_middle(const mechanism_t *k, const problem_t *p,
     side_t sides[MOST_SIDES];
     tf_real_t w[ROWS][ROWS + 1], least = TF_REAL_MAX, missed = 0, most = 0;
     bool is_zero = true;
-    (void)look(k, p, point, at);
+    (void)look(k, p, point, false, at);
     const unsigned count = sides_at(k, p, mode, halves, point, sides);
     for (unsigned s = 0; s < count; s++)
       if (sides[s].value < least) least = sides[s].value;
@@ -276,7 +276,7 @@ static bool add_zeros(const mechanism_t *k, const unsigned mode[],
     const joint_box_t box = stack[--depth];
     joint_box_t point = box;
     outlook_t at;
-    if (!look(k, p, &box, &at)) continue;
+    if (!look(k, p, &box, true, &at)) continue;
     invert_slopes(k->count, &at);
     bool misses = false, alone = true, soft = false, inside = true;
     bool is_affine = true;
@@ -297,7 +297,7 @@ static bool add_zeros(const mechanism_t *k, const unsigned mode[],
       if (box.half[a] > box.half[widest]) widest = a;
     }
     if (misses) continue;
-    bool holds = comes_to_zero(k, p, mode, &point, &at);
+    bool holds = comes_to_zero(k, p, mode, is_affine, &point, &at);
     const bool is_middle = soft && !holds && looked == 0;
     if (is_middle) holds = comes_to_a_middle(k, p, mode, &point, &at);
     for (unsigned a = 0; a < k->count; a++)
@@ -340,7 +340,7 @@ TF_API bool tf_solve_modes(const mechanism_t *k, const unsigned mode[],
     pose(k, i, mode[i], OPEN, &p);
     if (has_shares(k, mode, i)) shares *= SHARES;
   }
-  if (!look(k, &p, &p.box, &at)) return true;
+  if (!look(k, &p, &p.box, true, &at)) return true;
   for (unsigned n = 0; n < shares; n++) {
     for (unsigned i = 0, rest = n; i < k->count / 2; i++) {
       unsigned share = SHARE_PLUS;
@@ -380,9 +380,9 @@ TF_API bool tf_balance_contacts(const mechanism_t *k, const unsigned mode[],
     for (unsigned a = 2 * i; a < 2 * i + 2; a++)
       point.middle[a] = slips_by_law(k, i) ? p.box.middle[a] : m[a];
   }
-  (void)look(k, &p, &point, &at);
+  (void)look(k, &p, &point, false, &at);
   invert_slopes(k->count, &at);
-  if (!comes_to_zero(k, &p, mode, &point, &at)) return false;
+  if (!comes_to_zero(k, &p, mode, false, &point, &at)) return false;
   for (unsigned a = 0; a < k->count; a++) m[a] = point.middle[a];
   for (unsigned i = 0; i < k->count / 2; i++) h[i] = at.value[2 * i];
   return true;

@@ -82,11 +82,12 @@ TF_INLINE bool may_end(sought_t sought, tf_real_t value, tf_real_t reach) {
 }
 
 // Looks at forms and equations about the middle of a box. Returns whether each
-// may hold in it.
+// may hold in it. unless_one_misses: stops where one does not, with no outlook.
 TF_INLINE bool look(const mechanism_t *k, const problem_t *p,
-                    const joint_box_t *box, outlook_t *out) {
+                    const joint_box_t *box, bool unless_one_misses,
+                    outlook_t *out) {
   bool may = true;
-  for (unsigned f = 0; f < k->count; f++) {
+  for (unsigned f = 0; f < k->count && (may || !unless_one_misses); f++) {
     const tf_real_t *form = k->forms + f * k->terms;
     const tf_real_t ray = p->equation[f] == RAY_PLUS ? -1 : 1;
     tf_real_t *slope = out->slope[f], reach = 0, size = 0, sum = 0;
