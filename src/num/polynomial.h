@@ -29,7 +29,7 @@ static const tf_real_t reciprocal[] = {
     TF_R(1.0) / 7,
     TF_R(1.0) / 8,
     TF_R(1.0) / 9,
-#if SERIES_ORDER > 8
+#ifndef TF_REAL_FLOAT // SERIES_ORDER
     TF_R(1.0) / 10,
     TF_R(1.0) / 11,
 #endif

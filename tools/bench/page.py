@@ -7,7 +7,6 @@ verdict of a solver at a dial is in tables beside the rows.
 import math
 from typing import Callable, Iterable
 
-import numpy as np
 import pandas as pd
 
 import table as tables
