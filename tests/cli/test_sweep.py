@@ -258,7 +258,8 @@ def test_jobs():
 
 
 def test_a_job_that_ends():
-    child = outputs.started("x", *SLOW, "-j", "2", "--out", "x")
+    words = [word.replace(":150", ":90000") for word in SLOW]
+    child = outputs.started("x", *words, "-j", "2", "--out", "x")
     os.kill(children(child.pid)[0], signal.SIGKILL)
     said = child.communicate()[1]
     same(child.returncode, 4)
