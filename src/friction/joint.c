@@ -54,6 +54,19 @@ static void pose(const mechanism_t *k, unsigned i, unsigned mode, share_t share,
   }
 }
 
+// Out of line: its room is free again behind it.
+TF_RARE void invert_slopes(unsigned count, outlook_t *at) {
+  tf_real_t w[ROWS][ROWS + 1];
+  for (unsigned e = 0; e < count; e++)
+    for (unsigned a = 0; a < count; a++) {
+      w[e][a] = at->slope[e][a] - (e == a ? at->softness[e] : 0);
+      w[e][count + a] = e == a ? 1 : 0;
+    }
+  eliminate(count, 2 * count, w);
+  for (unsigned e = 0; e < count; e++)
+    for (unsigned a = 0; a < count; a++) at->inverse[e][a] = w[e][count + a];
+}
+
 static tf_real_t newton_step(const outlook_t *at, unsigned count, unsigned a) {
   tf_real_t sum = 0;
   for (unsigned e = 0; e < count; e++) sum -= at->inverse[a][e] * at->missed[e];
@@ -174,9 +187,9 @@ static void pose_middle(unsigned n, const outlook_t *at, const side_t sides[],
   }
 }
 
-static bool comes_to_middle(const mechanism_t *k, const problem_t *p,
-                            const unsigned mode[], unsigned halves,
-                            joint_box_t *point, outlook_t *at) {
+TF_RARE bool comes_to_middle(const mechanism_t *k, const problem_t *p,
+                             const unsigned mode[], unsigned halves,
+                             joint_box_t *point, outlook_t *at) {
   const unsigned n = k->count, last = 2 * n + 1;
   tf_real_t t = 0, weight = 1, gap = TF_REAL_MAX, share = 0, before = 0,
             first = 0;

@@ -140,16 +140,4 @@ TF_INLINE void eliminate(unsigned rows, unsigned columns,
   }
 }
 
-TF_INLINE void invert_slopes(unsigned count, outlook_t *at) {
-  tf_real_t w[ROWS][ROWS + 1];
-  for (unsigned e = 0; e < count; e++)
-    for (unsigned a = 0; a < count; a++) {
-      w[e][a] = at->slope[e][a] - (e == a ? at->softness[e] : 0);
-      w[e][count + a] = e == a ? 1 : 0;
-    }
-  eliminate(count, 2 * count, w);
-  for (unsigned e = 0; e < count; e++)
-    for (unsigned a = 0; a < count; a++) at->inverse[e][a] = w[e][count + a];
-}
-
 #endif
