@@ -31,10 +31,11 @@ def test_loop_of_the_manual():
     said = io.StringIO()
     with Firmware("double") as firmware, contextlib.redirect_stdout(said):
         exec(code.replace("PORT", firmware.name), {})
-    about, slower, rows, counts = said.getvalue().splitlines()
+    about, speeds, rows, counts = said.getvalue().splitlines()
     same(about, "chaos double 0.001")
-    first, last = (abs(float(part)) for part in slower.split(" -> "))
-    check(last < first, slower)
+    # How far the motion comes depends on the load; it stays near the turntable.
+    first, last = (float(part) for part in speeds.split(" -> "))
+    check(-1.5 < last < -0.5 and last != first, speeds)
     check(re.fullmatch(r"0\.\d+ \{.*\} \{.*\}", rows), rows)
     same(len(counts.split()), 3)
 
