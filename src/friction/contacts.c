@@ -12,7 +12,7 @@ static bool set_up(mechanism_t *k, unsigned n, const tf_contact_t *contacts,
   for (unsigned f = 0; f < 2 * n * k->terms; f++) size += magnitude(forms[f]);
   for (unsigned i = 0; i < n; i++) {
     size += magnitude(now[i].h) + magnitude(now[i].g);
-    const tf_real_t g_free = forms[(2 * i + 1) * k->terms];
+    const tf_real_t g_free = form_of(k, 2 * i + 1)[0];
     if (is_nearer_plus(now[i].g, g_free)) k->near_plus |= 1u << i;
   }
   return within(size, TF_REAL_MAX);
@@ -63,7 +63,7 @@ TF_API tf_status_t tf_contacts_modes(unsigned n, const tf_contact_t *contacts,
   if (n - 1 >= TF_CONTACTS) return TF_BAD_PARAMETER;
   if (!set_up(&k, n, contacts, forms, now)) return TF_BAD_STATE;
   for (unsigned i = 0; i < n; i++) {
-    const tf_real_t *own = forms + 2 * i * k.terms + 1 + 2 * i;
+    const tf_real_t *own = form_of(&k, 2 * i) + 1 + X_OF(i);
     if (drives_itself(&contacts[i], own[0], own[1])) return TF_BAD_PARAMETER;
   }
   if (n == 1) return modes_of_one(&k, now[0], found, room, count);
@@ -137,8 +137,8 @@ static unsigned balance(mechanism_t *k, const tf_joint_mode_t *joint,
   k->slips = 0;
   for (unsigned i = 0; i < k->count / 2; i++) {
     mode[i] = joint->mode[i];
-    m[2 * i] = joint->x[i];
-    m[2 * i + 1] = joint->y[i];
+    m[X_OF(i)] = joint->x[i];
+    m[Y_OF(i)] = joint->y[i];
     if (is_slip(mode[i])) slip_with_law(k, i, sign_in(mode[i]), at[i]);
     if ((limited >> i) & 1u)
       k->law[i] = (multipliers_t){joint->x[i], joint->y[i]};
@@ -168,7 +168,7 @@ TF_API tf_status_t tf_contacts_force(unsigned n, const tf_contact_t *contacts,
     limited |= crossed;
   }
   for (unsigned i = 0; i < n; i++) {
-    multipliers_t of = {m[2 * i], m[2 * i + 1]};
+    multipliers_t of = {m[X_OF(i)], m[Y_OF(i)]};
     if (limited == ~0u)
       of = joint == NULL ? k.law[i] : (multipliers_t){joint->x[i], joint->y[i]};
     force[i] = force_under(&contacts[i], of);

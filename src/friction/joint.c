@@ -94,9 +94,10 @@ static bool comes_to_zero(const mechanism_t *k, const problem_t *p,
   for (unsigned f = 0; f < k->count; f++)
     is_zero = is_zero && may_end(p->sought[f], at->value[f], 0);
   for (unsigned i = 0; i < k->count / 2; i++)
-    is_zero = is_zero && (mode[i] != TF_PINNED ||
-                          rests_under(k->contacts[i].rest, point->middle[2 * i],
-                                      point->middle[2 * i + 1]));
+    is_zero =
+        is_zero && (mode[i] != TF_PINNED ||
+                    rests_under(k->contacts[i].rest, point->middle[X_OF(i)],
+                                point->middle[Y_OF(i)]));
   return is_zero;
 }
 
@@ -116,9 +117,9 @@ static void add_side(side_t sides[], unsigned *count, unsigned i,
                      const tf_real_t m[], tf_real_t constant, tf_real_t by_x,
                      tf_real_t by_y) {
   side_t *side = &sides[(*count)++];
-  *side = (side_t){.value = constant + by_x * m[2 * i] + by_y * m[2 * i + 1]};
-  side->slope[2 * i] = by_x;
-  side->slope[2 * i + 1] = by_y;
+  *side = (side_t){.value = constant + by_x * m[X_OF(i)] + by_y * m[Y_OF(i)]};
+  side->slope[X_OF(i)] = by_x;
+  side->slope[Y_OF(i)] = by_y;
 }
 
 // All sides of the laws, and the forms that end with a sign, in units of their
@@ -147,8 +148,7 @@ static unsigned sides_at(const mechanism_t *k, const problem_t *p,
     if (p->sought[a] == ANY) continue;
     side_t *side = &sides[count++];
     tf_real_t size = 0;
-    (void)form_at(k->forms + a * k->terms, k->count, point, &side->value,
-                  side->slope);
+    (void)form_at(form_of(k, a), k->count, point, &side->value, side->slope);
     for (unsigned b = 0; b < k->count; b++) size += magnitude(side->slope[b]);
     size = (p->sought[a] == ABOVE || p->sought[a] == FROM_0 ? 1 : -1) *
            (size > 0 ? 1 / size : 1);
@@ -341,7 +341,7 @@ static bool has_shares(const mechanism_t *k, const unsigned mode[],
 
 TF_API bool tf_solve_modes(const mechanism_t *k, const unsigned mode[],
                            tf_joint_mode_t *joint) {
-  problem_t p;
+  problem_t p = {.box = {{0}, {0}}};
   outlook_t at;
   unsigned shares = 1;
   bool all = true;
@@ -375,8 +375,7 @@ TF_API bool tf_comes_to_h_0(const mechanism_t *k, unsigned i, tf_real_t now) {
   tf_real_t value, slope[MULTIPLIERS];
   for (unsigned a = 0; a < k->count; a++)
     most.half[a] = a % 2 == 0 ? MAX_SLIP_FORCE(TF_R(1.0)) : 1;
-  tf_real_t reach =
-      form_at(k->forms + 2 * i * k->terms, k->count, &most, &value, slope);
+  tf_real_t reach = form_at(form_of(k, 2 * i), k->count, &most, &value, slope);
   for (unsigned a = 0; a < k->count; a++)
     reach += magnitude(slope[a]) * most.half[a];
   return within(now, magnitude(value - now) + reach);
@@ -397,6 +396,6 @@ TF_API bool tf_balance_contacts(const mechanism_t *k, const unsigned mode[],
   invert_slopes(k->count, &at);
   if (!comes_to_zero(k, &p, mode, false, &point, &at)) return false;
   for (unsigned a = 0; a < k->count; a++) m[a] = point.middle[a];
-  for (unsigned i = 0; i < k->count / 2; i++) h[i] = at.value[2 * i];
+  for (unsigned i = 0; i < k->count / 2; i++) h[i] = at.value[X_OF(i)];
   return true;
 }

@@ -19,6 +19,14 @@ typedef struct {
   multipliers_t law[TF_CONTACTS]; // of those that slip
 } mechanism_t;
 
+// Where the multipliers of a contact are, and a form: h_0, g_0, h_1, ...
+#define X_OF(i) ((size_t)2 * (i))
+#define Y_OF(i) ((size_t)2 * (i) + 1)
+
+TF_INLINE const tf_real_t *form_of(const mechanism_t *k, unsigned f) {
+  return k->forms + (size_t)f * k->terms;
+}
+
 #define JOINT_ROUNDING (16 * TF_REAL_EPSILON)
 
 // Share of its slopes that is added to the own one of an equation, so that
@@ -88,7 +96,7 @@ TF_INLINE bool look(const mechanism_t *k, const problem_t *p,
                     outlook_t *out) {
   bool may = true;
   for (unsigned f = 0; f < k->count && (may || !unless_one_misses); f++) {
-    const tf_real_t *form = k->forms + f * k->terms;
+    const tf_real_t *form = form_of(k, f);
     const tf_real_t ray = p->equation[f] == RAY_PLUS ? -1 : 1;
     tf_real_t *slope = out->slope[f], reach = 0, size = 0, sum = 0;
     out->bend[f] = form_at(form, k->count, box, &out->value[f], slope);
