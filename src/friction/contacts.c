@@ -12,7 +12,7 @@ static bool set_up(mechanism_t *k, unsigned n, const tf_contact_t *contacts,
   for (unsigned f = 0; f < 2 * n * k->terms; f++) size += magnitude(forms[f]);
   for (unsigned i = 0; i < n; i++) {
     size += magnitude(now[i].h) + magnitude(now[i].g);
-    const tf_real_t g_free = form_of(k, 2 * i + 1)[0];
+    const tf_real_t g_free = numbers_of_form(k, 2 * i + 1)[0];
     if (is_nearer_plus(now[i].g, g_free)) k->near_plus |= 1u << i;
   }
   return within(size, TF_REAL_MAX);
@@ -63,7 +63,7 @@ TF_API tf_status_t tf_contacts_modes(unsigned n, const tf_contact_t *contacts,
   if (n - 1 >= TF_CONTACTS) return TF_BAD_PARAMETER;
   if (!set_up(&k, n, contacts, forms, now)) return TF_BAD_STATE;
   for (unsigned i = 0; i < n; i++) {
-    const tf_real_t *own = form_of(&k, 2 * i) + 1 + X_OF(i);
+    const tf_real_t *own = numbers_of_form(&k, 2 * i) + 1 + X_OF(i);
     if (drives_itself(&contacts[i], own[0], own[1])) return TF_BAD_PARAMETER;
   }
   if (n == 1) return modes_of_one(&k, now[0], found, room, count);

@@ -133,11 +133,11 @@ static unsigned sides_at(const mechanism_t *k, const problem_t *p,
   for (unsigned a = 0; a < k->count; a++) {
     const rest_bounds_t of = rest_bounds(k->contacts[a / 2].rest);
     const bool is_y = a % 2 != 0, is_pinned = mode[a / 2] == TF_PINNED;
-    const tf_real_t along = (halves >> (a / 2)) & 1u ? -of.y1 : of.y1;
+    const tf_real_t by_x = (halves >> (a / 2)) & 1u ? -of.y1 : of.y1;
     for (int s = -1; s <= 1; s += 2) {
       const tf_real_t sign = (tf_real_t)s;
       if (is_pinned && is_y) {
-        add_side(sides, &count, a / 2, m, of.y0, along, sign);
+        add_side(sides, &count, a / 2, m, of.y0, by_x, sign);
       } else if (is_pinned) {
         add_side(sides, &count, a / 2, m, of.x0, sign, of.x1);
         add_side(sides, &count, a / 2, m, of.x0, sign, -of.x1);
@@ -148,7 +148,8 @@ static unsigned sides_at(const mechanism_t *k, const problem_t *p,
     if (p->sought[a] == ANY) continue;
     side_t *side = &sides[count++];
     tf_real_t size = 0;
-    (void)form_at(form_of(k, a), k->count, point, &side->value, side->slope);
+    (void)form_at(numbers_of_form(k, a), k->count, point, &side->value,
+                  side->slope);
     for (unsigned b = 0; b < k->count; b++) size += magnitude(side->slope[b]);
     size = (p->sought[a] == ABOVE || p->sought[a] == FROM_0 ? 1 : -1) *
            (size > 0 ? 1 / size : 1);
@@ -375,7 +376,8 @@ TF_API bool tf_comes_to_h_0(const mechanism_t *k, unsigned i, tf_real_t now) {
   tf_real_t value, slope[MULTIPLIERS];
   for (unsigned a = 0; a < k->count; a++)
     most.half[a] = a % 2 == 0 ? MAX_SLIP_FORCE(TF_R(1.0)) : 1;
-  tf_real_t reach = form_at(form_of(k, 2 * i), k->count, &most, &value, slope);
+  tf_real_t reach =
+      form_at(numbers_of_form(k, 2 * i), k->count, &most, &value, slope);
   for (unsigned a = 0; a < k->count; a++)
     reach += magnitude(slope[a]) * most.half[a];
   return within(now, magnitude(value - now) + reach);

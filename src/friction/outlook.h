@@ -23,7 +23,7 @@ typedef struct {
 #define X_OF(i) ((size_t)2 * (i))
 #define Y_OF(i) ((size_t)2 * (i) + 1)
 
-TF_INLINE const tf_real_t *form_of(const mechanism_t *k, unsigned f) {
+TF_INLINE const tf_real_t *numbers_of_form(const mechanism_t *k, unsigned f) {
   return k->forms + (size_t)f * k->terms;
 }
 
@@ -96,7 +96,7 @@ TF_INLINE bool look(const mechanism_t *k, const problem_t *p,
                     outlook_t *out) {
   bool may = true;
   for (unsigned f = 0; f < k->count && (may || !unless_one_misses); f++) {
-    const tf_real_t *form = form_of(k, f);
+    const tf_real_t *form = numbers_of_form(k, f);
     const tf_real_t ray = p->equation[f] == RAY_PLUS ? -1 : 1;
     tf_real_t *slope = out->slope[f], reach = 0, size = 0, sum = 0;
     out->bend[f] = form_at(form, k->count, box, &out->value[f], slope);

@@ -35,11 +35,13 @@ static unsigned sink(unsigned depth) {
 
 __attribute__((unused)) static void fault_stack(void) {
   sunk = sink(0);
-  *(volatile uint8_t *)STACK_END = 0; // as one call more would leave it
+  // As one call more would leave it.
+  *(volatile uint8_t *)STACK_END = 0; // NOLINT(performance-no-int-to-ptr)
 }
 
 __attribute__((unused)) static void fault_bus(void) {
   static volatile uintptr_t nowhere = (uintptr_t)0xDFFFFFF0u;
+  // NOLINTNEXTLINE(performance-no-int-to-ptr)
   sunk = *(const volatile uint8_t *)nowhere;
 }
 

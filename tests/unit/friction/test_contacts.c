@@ -4,6 +4,8 @@
 #include "twofold/contacts.h"
 
 #define ROOM 640
+#define X_OF(i) ((size_t)2 * (i))
+#define Y_OF(i) ((size_t)2 * (i) + 1)
 #define NUMBERS (2 * TF_CONTACTS * TF_TERMS(TF_CONTACTS))
 
 /* Forms of n contacts; slips before the step, modes before it. */
@@ -16,7 +18,7 @@ typedef struct {
 } mechanism_t;
 
 static tf_real_t *form(mechanism_t *k, unsigned f) {
-  return k->forms + f * TF_TERMS(k->n);
+  return k->forms + (size_t)f * TF_TERMS(k->n);
 }
 
 /* The number of the product m_i m_j in a form. */
@@ -57,7 +59,7 @@ static unsigned modes_of(const mechanism_t *k, tf_joint_mode_t found[]) {
 }
 
 static real value(const mechanism_t *k, unsigned f, const real m[]) {
-  const tf_real_t *c = k->forms + f * TF_TERMS(k->n);
+  const tf_real_t *c = k->forms + (size_t)f * TF_TERMS(k->n);
   real sum = wide(c[0]);
   for (unsigned j = 0; j < 2 * k->n; j++) {
     sum += wide(c[1 + j]) * m[j];
@@ -141,7 +143,7 @@ static mechanism_t turned(const mechanism_t *k) {
     t.contact[i] = k->contact[from];
     t.now[i] = k->now[from];
     for (unsigned f = 0; f < 2; f++) {
-      const tf_real_t *old = k->forms + (2 * from + f) * TF_TERMS(n);
+      const tf_real_t *old = k->forms + (size_t)(2 * from + f) * TF_TERMS(n);
       tf_real_t *new = form(&t, 2 * i + f);
       new[0] = old[0];
       for (unsigned a = 0; a < 2 * n; a++) {
@@ -192,10 +194,10 @@ TEST(joint_modes_hold) {
       CHECK(tf_contacts_force(k.n, k.contact, k.forms, &found[j], k.now,
                               force) == TF_OK);
       for (unsigned i = 0; i < k.n; i++) {
-        m[2 * i] = wide(found[j].x[i]);
-        m[2 * i + 1] = wide(found[j].y[i]);
-        by_law[2 * i] = wide(force[i].F * k.contact[i].inv_mu);
-        by_law[2 * i + 1] = wide(force[i].M * k.contact[i].inv_kappa_mu);
+        m[X_OF(i)] = wide(found[j].x[i]);
+        m[Y_OF(i)] = wide(found[j].y[i]);
+        by_law[X_OF(i)] = wide(force[i].F * k.contact[i].inv_mu);
+        by_law[Y_OF(i)] = wide(force[i].M * k.contact[i].inv_kappa_mu);
       }
       for (unsigned i = 0; i < k.n; i++) {
         const unsigned mode = found[j].mode[i];
@@ -206,7 +208,7 @@ TEST(joint_modes_hold) {
                                      : law < 400 * EPSILON);
         } else {
           CHECK(fabsl(h) < 4000 * EPSILON && fabsl(law) < 4000 * EPSILON);
-          CHECK(fabsl(m[2 * i]) <= 4.0L / 3);
+          CHECK(fabsl(m[X_OF(i)]) <= 4.0L / 3);
         }
       }
     }

@@ -49,7 +49,8 @@ void cli_add_real(cli_buffer_t *buffer, tf_real_t value) {
 
 void cli_add_number(cli_buffer_t *buffer, double value, bool is_float) {
   char digits[CLI_REAL_ROOM];
-  add_bytes(buffer, digits, decimal_write(digits, value, is_float));
+  const size_t length = decimal_write(digits, value, is_float);
+  add_bytes(buffer, digits, length);
 }
 
 void cli_add_hash(cli_buffer_t *buffer, uint32_t value) {

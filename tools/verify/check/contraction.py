@@ -8,6 +8,7 @@ import os
 import re
 import shutil
 import subprocess
+from pathlib import Path
 
 from findings import (BUILD, DEFINES, FULL, ROOT, asked, build, checked,
                       files_in, in_common, need, place_of, wrong)
@@ -121,7 +122,8 @@ if not in_common("gcc", "-O1", f"{place_of('gcc', '-O1')}/double/twofold"):
 home = place_of("gcc", "-O1") / "double"
 compiled(f"{FUSED_BY} -c src/num/status.c", WORK / "status.o")
 objects = [f"{home}/{file.with_suffix('.o')}"
-           for file in files_in("tools/cli", pattern="*.c")]
+           for file in [*files_in("tools/cli", pattern="*.c"),
+                        *Path("tools").glob("*.c")]]
 compiled(f"gcc {WORK}/status.o {' '.join(objects)} {home}/help.o "
          f"{home}/lanes/avx2.o {home}/libtwofold.a -lm", WORK / "twofold")
 said, code = asked(WORK / "twofold", "scenes", stderr=subprocess.STDOUT)

@@ -167,7 +167,7 @@ def tidy():
         ("tests", sample([file for file in tests if file not in boards]),
          "-Itests -Itests/support -Itests/reference -Isrc"),
         ("a program of the boards", sample(boards),
-         "-Iport -DSTEPS=1000 -DRATE=1000 -DUPLINK")]
+         "-Iport -DSTEPS=1000 -DRATE=1000 -DUPLINK -DFAULT=fault_bus")]
     kinds = [("core in double", core, ""),
              ("core in float", sample(core), "-DTF_REAL_FLOAT"), *others]
 
