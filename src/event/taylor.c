@@ -20,15 +20,20 @@
            extend(motion, sizes, a, b, 2) || extend(motion, sizes, a, b, 3) || \
                extend(motion, sizes, a, b, 4) ||                               \
                extend(motion, sizes, a, b, 5) ||                               \
-               (USUAL_ORDER > 6 && (extend(motion, sizes, a, b, 6) ||          \
-                                    extend(motion, sizes, a, b, 7) ||          \
-                                    (highest_order(motion) > USUAL_ORDER &&    \
-                                     (extend(motion, sizes, a, b, 8) ||        \
-                                      extend(motion, sizes, a, b, 9))))));     \
+               EXTEND_FURTHER(extend, motion, sizes, a, b));                   \
   else                                                                         \
     for (int n = 1;                                                            \
          n < highest_order(motion) && !extend(motion, sizes, a, b, n); n++) {  \
     }
+
+#ifdef TF_REAL_FLOAT // no order above 6
+#define EXTEND_FURTHER(extend, motion, sizes, a, b) true
+#else
+#define EXTEND_FURTHER(extend, motion, sizes, a, b)                   \
+  extend(motion, sizes, a, b, 6) || extend(motion, sizes, a, b, 7) || \
+      (highest_order(motion) > USUAL_ORDER &&                         \
+       (extend(motion, sizes, a, b, 8) || extend(motion, sizes, a, b, 9)))
+#endif
 
 // (15). In slip the force goes with T(y) = tan(a atan y), y = |g/h|, and
 // T' = a (1 + T^2) psi' with psi' = (g' h - g h')/(h^2 + g^2). That rate is the

@@ -169,11 +169,11 @@ static void pose_middle(unsigned n, const outlook_t *at, const side_t sides[],
     for (unsigned j = 0; j <= rows; j++) w[i][j] = 0;
   w[n][rows] = weight;
   for (unsigned s = 0; s < count; s++) {
-    const tf_real_t near = 1 / (sides[s].value - t);
+    const tf_real_t inverse = 1 / (sides[s].value - t);
     for (unsigned i = 0; i <= n; i++) {
-      const tf_real_t by = near * (i < n ? sides[s].slope[i] : -1);
+      const tf_real_t by = inverse * (i < n ? sides[s].slope[i] : -1);
       for (unsigned j = 0; j <= n; j++)
-        w[i][j] += by * near * (j < n ? sides[s].slope[j] : -1);
+        w[i][j] += by * inverse * (j < n ? sides[s].slope[j] : -1);
       w[i][rows] += by;
     }
   }
@@ -212,8 +212,10 @@ TF_RARE bool comes_to_middle(const mechanism_t *k, const problem_t *p,
       invert_slopes(n, at);
       return true;
     }
-    if (turn == 0) first = missed;
-    if (turn == 0) t = least - 1;
+    if (turn == 0) {
+      first = missed;
+      t = least - 1;
+    }
     const bool is_close = missed <= TF_R(0x1p-10) * first;
     const bool ends = is_close && least > 0;
     if (share == 1 && (t + gap < 0 || !(is_close || missed < before / 2)))

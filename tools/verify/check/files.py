@@ -20,7 +20,7 @@ LARGE = {"docs/page/index.html"}
 SIZES = {name: (*map(int, numbers), 10**6)[:3] for name, *numbers in map(
     str.split, """
 room              most   goal  files
-src               11700   9700     61
+src               11720   9700     61
 include            1990   1650     17
 tools/cli         12500  10000
 tools/board        1620   1200
