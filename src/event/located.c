@@ -215,14 +215,14 @@ static void note_change(changes_t *changes, trajectory_t *path) {
   const bool has_force = tf_begin_series(path);
   const tf_force_t none = {0, 0};
   change->report = (tf_report_t){
+      .mode = (uint8_t)mode,
+      .set = (uint8_t)TF_MODE_BIT(mode),
+      .choices = 1,
       .force = has_force
                    ? (tf_force_t){path->motion.F.c[0], path->motion.M.c[0]}
                    : none,
       .slip = slip,
       .delassus = A,
-      .mode = (uint8_t)mode,
-      .set = (uint8_t)TF_MODE_BIT(mode),
-      .choices = 1,
       .status = TF_OK};
 }
 
