@@ -19,7 +19,7 @@ TF_BEGIN_C
 /// The forms of a mechanism are an array forms[n][2][TF_TERMS(n)]: h_0, g_0,
 /// h_1, g_1, ... For n = 1 a form is a tf_form_t. Products may be 0: they make
 /// a step of second order where the directions of h and g turn.
-#define TF_TERMS(n) (((n) + 1) * (2 * (n) + 1))
+#define TF_TERMS(n) (((size_t)(n) + 1) * (2 * (size_t)(n) + 1))
 
 /// A mode of each contact, all at once. Of slip the multipliers are those at
 /// h -> 0, but the law at `now` where h cannot come to 0 in this step.
@@ -28,7 +28,7 @@ typedef struct {
   uint8_t attracting; ///< bit i: contact i sticks, and a small h_i decays while
                       ///< the other contacts keep their modes
   uint8_t near_plus;  ///< bit i: g_i > 0 is the present side: decides a tie
-  uint8_t points;     ///< solutions with these modes, at most 255
+  uint16_t points;    ///< solutions with these modes
   tf_real_t x[TF_CONTACTS], y[TF_CONTACTS]; ///< multipliers F/mu, M/(kappa mu)
   tf_real_t h[TF_CONTACTS], g[TF_CONTACTS]; ///< slips at the end [m/s]
 } tf_joint_mode_t;

@@ -212,18 +212,16 @@ static void note_change(changes_t *changes, trajectory_t *path) {
                           ? delassus_at(k, at.r * k->cos_gamma, sign_of(slip.g),
                                         inertia_at(k, at.r))
                           : 0;
-  const bool has_force = tf_begin_series(path);
-  const tf_force_t none = {0, 0};
-  change->report = (tf_report_t){
-      .mode = (uint8_t)mode,
-      .set = (uint8_t)TF_MODE_BIT(mode),
-      .choices = 1,
-      .force = has_force
-                   ? (tf_force_t){path->motion.F.c[0], path->motion.M.c[0]}
-                   : none,
-      .slip = slip,
-      .delassus = A,
-      .status = TF_OK};
+  path->motion.F.c[0] = path->motion.M.c[0] = 0; // where no series begins
+  (void)tf_begin_series(path);
+  change->report =
+      (tf_report_t){.mode = (uint8_t)mode,
+                    .set = (uint8_t)TF_MODE_BIT(mode),
+                    .choices = 1,
+                    .force = {path->motion.F.c[0], path->motion.M.c[0]},
+                    .slip = slip,
+                    .delassus = A,
+                    .status = TF_OK};
 }
 
 // How far the segments of the budget come.
@@ -236,11 +234,9 @@ typedef enum {
 TF_INLINE progress_t integrate_step(trajectory_t *path, changes_t *changes) {
   const tf_machine_t *k = path->motion.machine;
   bool goes_on = tf_first_segment(path);
-  if (changes != NULL && goes_on) note_change(changes, path);
   while (goes_on && !path->is_over) {
+    if (changes != NULL) note_change(changes, path);
     goes_on = path->spent++ < k->segments && integrate_segment(path);
-    if (changes != NULL && goes_on && !path->is_over)
-      note_change(changes, path);
   }
   if (goes_on) return PROGRESS_WHOLE;
   return path->remaining < k->dt ? PROGRESS_PART : PROGRESS_NONE;

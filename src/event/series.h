@@ -42,8 +42,8 @@ typedef struct {
 
 // The order at which a segment is cut if it needs more.
 TF_INLINE int highest_order(const taylor_t *motion) {
-  return motion->machine->tolerance < FINE_TOLERANCE ? SERIES_ORDER
-                                                     : USUAL_ORDER;
+  const int is_fine = motion->machine->tolerance < FINE_TOLERANCE;
+  return USUAL_ORDER + (SERIES_ORDER - USUAL_ORDER) * is_fine;
 }
 
 // An empty sum. What is added to it keeps every bit, so that no addition is

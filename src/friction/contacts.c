@@ -6,7 +6,7 @@ static bool set_up(mechanism_t *k, unsigned n, const tf_contact_t *contacts,
                    const tf_real_t *forms, const tf_slip_t *now) {
   tf_real_t size = 0;
   *k = (mechanism_t){.count = 2 * n,
-                     .terms = TF_TERMS(n),
+                     .terms = (unsigned)TF_TERMS(n),
                      .contacts = contacts,
                      .forms = forms};
   for (unsigned f = 0; f < 2 * n * k->terms; f++) size += magnitude(forms[f]);
@@ -24,14 +24,12 @@ static tf_form_t form_of_one(const tf_real_t f[]) {
   return (tf_form_t){f[0], f[1], f[2], f[3], f[4], f[5]};
 }
 
-static tf_status_t modes_of_one(const mechanism_t *k, tf_slip_t now,
-                                tf_joint_mode_t found[], unsigned room,
-                                unsigned *count) {
+static void modes_of_one(const mechanism_t *k, tf_slip_t now,
+                         tf_joint_mode_t found[], unsigned room,
+                         unsigned *count) {
   const tf_form_t h = form_of_one(k->forms), g = form_of_one(k->forms + 6);
   tf_contact_modes_t modes;
-  const tf_status_t status =
-      tf_contact_modes(k->contacts, &h, &g, now, TF_NO_MODE, &modes, NULL);
-  if (status != TF_OK) return status;
+  (void)tf_contact_modes(k->contacts, &h, &g, now, TF_NO_MODE, &modes, NULL);
   *count = size_of(modes.set);
   for (unsigned mode = 0, at = 0; mode < TF_MODES && at < room; mode++) {
     const sign_t s = sign_in(mode);
@@ -49,7 +47,6 @@ static tf_status_t modes_of_one(const mechanism_t *k, tf_slip_t now,
         .g = {mode == TF_PINNED ? 0 : form_value(&g, m.x, m.y)}};
     at++;
   }
-  return TF_OK;
 }
 
 TF_API tf_status_t tf_contacts_modes(unsigned n, const tf_contact_t *contacts,
@@ -58,26 +55,28 @@ TF_API tf_status_t tf_contacts_modes(unsigned n, const tf_contact_t *contacts,
                                      tf_joint_mode_t *found, unsigned room,
                                      unsigned *count) {
   mechanism_t k;
-  unsigned mode[TF_CONTACTS] = {0}, next;
-  bool all = true;
+  unsigned mode[TF_CONTACTS] = {0}, next, unsure = 0;
   if (n - 1 >= TF_CONTACTS) return TF_BAD_PARAMETER;
   if (!set_up(&k, n, contacts, forms, now)) return TF_BAD_STATE;
   for (unsigned i = 0; i < n; i++) {
     const tf_real_t *own = numbers_of_form(&k, 2 * i) + 1 + X_OF(i);
     if (drives_itself(&contacts[i], own[0], own[1])) return TF_BAD_PARAMETER;
   }
-  if (n == 1) return modes_of_one(&k, now[0], found, room, count);
+  if (n == 1) {
+    modes_of_one(&k, now[0], found, room, count);
+    return TF_OK;
+  }
   for (unsigned i = 0; i < n; i++)
     if (!tf_comes_to_h_0(&k, i, now[i].h))
       slip_with_law(&k, i, sign_of(now[i].h), now[i]);
   *count = 0;
   do {
     tf_joint_mode_t joint = {.points = 0};
-    all = tf_solve_modes(&k, mode, &joint) && all;
+    unsure += tf_solve_modes(&k, mode, &joint) ? 0 : 1;
     if (joint.points > 0 && (*count)++ < room) found[*count - 1] = joint;
     for (next = 0; next < n && ++mode[next] == TF_MODES; next++) mode[next] = 0;
   } while (next < n);
-  return all ? TF_OK : TF_COARSE;
+  return unsure == 0 ? TF_OK : TF_COARSE;
 }
 
 // Whether a joint mode is admissible after the modes before, and has what the
@@ -121,8 +120,7 @@ TF_API unsigned tf_contacts_choose(unsigned n, const tf_contact_t *contacts,
     if (mode == TF_NO_MODE) return count;
     chosen[i] = mode | (has(left.attracting, mode) ? ATTRACTS : 0);
   }
-  while (choice < count && !is_left(&found[choice], n, modes, chosen, n))
-    choice++;
+  while (!is_left(&found[choice], n, modes, chosen, n)) choice++;
   return choice;
 }
 

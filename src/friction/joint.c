@@ -151,7 +151,8 @@ static unsigned sides_at(const mechanism_t *k, const problem_t *p,
     (void)form_at(numbers_of_form(k, a), k->count, point, &side->value,
                   side->slope);
     for (unsigned b = 0; b < k->count; b++) size += magnitude(side->slope[b]);
-    size = (p->sought[a] == ABOVE || p->sought[a] == FROM_0 ? 1 : -1) *
+    size = (p->sought[a] == ABOVE || p->sought[a] == FROM_0 ? TF_R(1.0)
+                                                            : TF_R(-1.0)) *
            (size > 0 ? 1 / size : 1);
     side->value *= size;
     for (unsigned b = 0; b < k->count; b++) side->slope[b] *= size;
@@ -314,15 +315,14 @@ static bool add_zeros(const mechanism_t *k, const unsigned mode[],
     }
     if (misses) continue;
     bool holds = comes_to_zero(k, p, mode, is_affine, &point, &at);
-    const bool is_middle = soft && !holds && looked == 0;
-    if (is_middle) holds = comes_to_a_middle(k, p, mode, &point, &at);
+    if (soft && !holds) holds = comes_to_a_middle(k, p, mode, &point, &at);
     for (unsigned a = 0; a < k->count; a++)
       inside = inside && within(point.middle[a] - box.middle[a],
                                 box.half[a] + JOINT_ROUNDING);
     const bool is_last = soft ? holds || is_affine : alone;
     if (holds && inside) {
       take_zero(k, mode, p, point.middle, &at, &least, joint);
-      if (is_last && joint->points < UINT8_MAX) joint->points++;
+      if (is_last) joint->points++;
     }
     if (is_last) continue;
     for (unsigned n = 0; n < 2; n++, depth++) {
@@ -346,8 +346,7 @@ TF_API bool tf_solve_modes(const mechanism_t *k, const unsigned mode[],
                            tf_joint_mode_t *joint) {
   problem_t p = {.box = {{0}, {0}}};
   outlook_t at;
-  unsigned shares = 1;
-  bool all = true;
+  unsigned shares = 1, unsure = 0;
   for (unsigned i = 0; i < k->count / 2; i++) {
     const bool by_law = slips_by_law(k, i);
     if (by_law ? mode[i] != (k->law[i].x > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS)
@@ -368,9 +367,9 @@ TF_API bool tf_solve_modes(const mechanism_t *k, const unsigned mode[],
       }
       pose(k, i, mode[i], (share_t)share, &p);
     }
-    all = add_zeros(k, mode, &p, joint) && all;
+    unsure += add_zeros(k, mode, &p, joint) ? 0 : 1;
   }
-  return all;
+  return unsure == 0;
 }
 
 TF_API bool tf_comes_to_h_0(const mechanism_t *k, unsigned i, tf_real_t now) {

@@ -131,3 +131,41 @@ TEST(located_changes_leave_the_step_as_it_is) {
   }
   CHECK_ABOVE(several, 20);
 }
+
+/* A stick through the two-fold, a motion without contact, a step that tf_step
+ * takes, and a state that is refused. */
+TEST(located_changes_of_every_end) {
+  tf_located_change_t list[MOST];
+  size_t count = 7;
+  int passes = 0;
+  sim_t s = start(scene_of("chaos"), 1e-3);
+  for (int n = 0; n < 2200; n++) {
+    const unsigned before = s.x.mode;
+    CHECK(tf_step_located_changes(&s.k, &s.x, &s.u, &s.report, list, MOST,
+                                  &count) >= TF_OK);
+    for (size_t i = 0; i < count; i++)
+      passes += list[i].report.delassus == 0 && before == TF_STICK_PLUS;
+  }
+  CHECK_ABOVE(passes, 0);
+  s = start(scene_of("frictionless"), 1e-3);
+  s.x.mode = TF_STICK_PLUS;
+  CHECK(tf_step_located_changes(&s.k, &s.x, &s.u, &s.report, list, MOST,
+                                &count) == TF_OK);
+  CHECK(count == 1 && list[0].report.force.F == 0);
+  s.x.v = (tf_real_t)NAN;
+  CHECK(tf_step_located_changes(&s.k, &s.x, &s.u, &s.report, list, MOST,
+                                &count) == TF_BAD_STATE);
+  CHECK(count == 0);
+  int fell_back = 0;
+  for (int i = 0; i < 100; i++) {
+    tf_params_t along = tf_scenes[0]->params;
+    along.gamma = 0;
+    s = sim_of(&along);
+    s.x = (tf_state_t){.v = uniform(-1, 1), .w = s.params.omega0};
+    s.x.mode = s.x.v < 0 ? TF_STICK_PLUS : TF_STICK_MINUS;
+    const tf_status_t status = tf_step_located_changes(
+        &s.k, &s.x, &s.u, &s.report, list, MOST, &count);
+    fell_back += status == TF_FELL_BACK && count == 0;
+  }
+  CHECK_ABOVE(fell_back, 0);
+}

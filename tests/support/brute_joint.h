@@ -19,7 +19,7 @@ typedef struct {
   unsigned n;
   tf_contact_t contact[MOST];
   tf_slip_t now[MOST];
-  tf_real_t forms[2 * MOST * TF_TERMS(MOST)];
+  tf_real_t forms[(size_t)2 * MOST * TF_TERMS(MOST)];
   int starts; /* of Newton's method, for each unknown; 0: no products */
   bool by_law[MOST];
 } system_t;
@@ -32,7 +32,7 @@ typedef struct {
 
 static local_t local(const system_t *k, unsigned f, const real m[]) {
   const tf_real_t *c = k->forms + f * TF_TERMS(k->n);
-  const tf_real_t *q = c + 1 + 2 * k->n;
+  const tf_real_t *q = c + 1 + (size_t)2 * k->n;
   local_t at = {wide(c[0]), {0}, fabsl(wide(c[0]))};
   for (unsigned b = 0; b < 2 * k->n; b++) {
     at.value += wide(c[1 + b]) * m[b];
@@ -170,7 +170,7 @@ static bool is_possible(const system_t *k, const branch_t *b, unsigned known) {
     if (n >= b->unknowns && c->form < 0) continue;
     const unsigned f = n < b->unknowns ? b->forms[n] : (unsigned)c->form;
     const local_t at = local(k, f, m);
-    const tf_real_t *q = k->forms + f * TF_TERMS(k->n) + 1 + 2 * k->n;
+    const tf_real_t *q = k->forms + f * TF_TERMS(k->n) + 1 + (size_t)2 * k->n;
     real reach = at.rounding;
     for (unsigned j = 0; j < 2 * k->n; j++) {
       reach += fabsl(at.slope[j]) * off[j];
@@ -277,8 +277,8 @@ static real widest(unsigned rows, unsigned free, const real b[],
   for (unsigned i = 0; i < rows; i++) low = fminl(low, b[i]);
   for (unsigned i = 0; i < rows; i++) {
     for (unsigned j = 0; j < free; j++) {
-      T[i][2 * j] = G[i][j];
-      T[i][2 * j + 1] = -G[i][j];
+      T[i][(size_t)2 * j] = G[i][j];
+      T[i][(size_t)2 * j + 1] = -G[i][j];
     }
     T[i][columns - 1] = -1;
     T[i][last] = b[i] - low;

@@ -106,6 +106,36 @@ TEST(series_of_a_stick_keeps_h_at_zero) {
   for (int i = 3; i <= SERIES_ORDER; i++) CHECK_ABOVE(of_order[i], 10);
 }
 
+/* A step in slip under a tolerance below 1e-8, with up to ten terms, ends where
+ * one of the next tolerance does. */
+TEST(series_of_a_slip_holds_its_tolerance) {
+  int fine = 0;
+  for (int n = 0; n < 3000; n++) {
+    tf_params_t params = any_params(n);
+    tf_state_t end[2] = {{.r = uniform(-1, 1),
+                          .v = uniform(-1, 1),
+                          .w = uniform(-2, 2),
+                          .mode = TF_NO_MODE}};
+    tf_status_t status = TF_OK;
+    params.dt = (tf_real_t)pow(10, (double)uniform(-4, -1));
+    end[1] = end[0];
+    for (int i = 0; i < 2 && status == TF_OK; i++) {
+      tf_report_t report;
+      params.tolerance = i ? TF_R(1e-11) : TF_R(1e-9);
+      const tf_machine_t k = prepared(&params);
+      const tf_input_t u = tf_input_default(&k);
+      status = tf_begin(&k, &end[i], &u, &report);
+      if (status == TF_OK) status = tf_step_located(&k, &end[i], &u, &report);
+      if (!tf_mode_is_slip(end[i].mode)) status = TF_COARSE;
+    }
+    if (status != TF_OK || end[0].mode != end[1].mode) continue;
+    fine++;
+    const real size = 1 + fabsl(wide(end[0].v)) + fabsl(wide(end[0].w));
+    CHECK_NEAR(wide(end[0].v), wide(end[1].v), (1e-6L + 1e3L * EPSILON) * size);
+  }
+  CHECK_ABOVE(fine, 100);
+}
+
 /* The paper's A m (beta^2 + r^2) where the series of r has come to, as a share
  * of its terms. */
 static real delassus_after(const paper_t *paper, const taylor_t *motion, real t,

@@ -6,7 +6,7 @@
 #define ROOM 640
 #define X_OF(i) ((size_t)2 * (i))
 #define Y_OF(i) ((size_t)2 * (i) + 1)
-#define NUMBERS (2 * TF_CONTACTS * TF_TERMS(TF_CONTACTS))
+#define NUMBERS ((size_t)2 * TF_CONTACTS * TF_TERMS(TF_CONTACTS))
 
 /* Forms of n contacts; slips before the step, modes before it. */
 typedef struct {
@@ -264,6 +264,11 @@ TEST(what_is_out_of_range_is_refused) {
     CHECK(tf_contacts_modes(3, many.contact, many.forms, many.now, few, 1,
                             &count) >= TF_OK);
     CHECK(count == all);
+    const mechanism_t one = any_mechanism(1, 0, 1);
+    CHECK(tf_contacts_modes(1, one.contact, one.forms, one.now, few, 0,
+                            &count) == TF_OK);
+    CHECK(count == modes_of(&one, found));
+    (void)modes_of(&many, found);
     CHECK(memcmp(few[0].mode, found[0].mode, sizeof few[0].mode) == 0);
   }
   count = 77;
@@ -282,4 +287,95 @@ TEST(what_is_out_of_range_is_refused) {
   CHECK(tf_contacts_force(2, k.contact, k.forms, found, k.now, force) ==
         TF_BAD_STATE);
   CHECK(count == 77);
+}
+
+/* Contacts choose one after another; no slip enters a stick that does not
+ * attract, and what is consistent for all goes on. */
+TEST(choice_is_admissible) {
+  unsigned none = 0, goes_on = 0;
+  for (unsigned draw = 0; draw < 4000; draw++) {
+    const mechanism_t k = any_mechanism(2 + draw % 2, 0, 1);
+    tf_joint_mode_t found[ROOM];
+    uint8_t before[TF_CONTACTS];
+    const unsigned count = modes_of(&k, found);
+    for (unsigned j = 0; j <= count; j++) { /* from each, and from any */
+      memcpy(before, j < count ? found[j].mode : k.before, sizeof before);
+      const unsigned choice =
+          tf_contacts_choose(k.n, k.contact, found, count, before, draw, 5);
+      CHECK(choice <= count);
+      none += choice == count;
+      unsigned slips = 0;
+      for (unsigned i = 0; i < k.n; i++) {
+        slips += tf_mode_is_slip(before[i]);
+        if (choice == count || !tf_mode_is_slip(before[i])) continue;
+        CHECK(tf_mode_is_slip(found[choice].mode[i]) ||
+              found[choice].mode[i] == TF_PINNED ||
+              (found[choice].attracting >> i) & 1u);
+      }
+      if (j == count || slips < k.n) continue;
+      CHECK(choice == j);
+      goes_on++;
+    }
+  }
+  CHECK(none > 0 && goes_on > 100);
+}
+
+/* h touches 0 next to the border of the law: no box shows how often. */
+TEST(form_that_touches_zero_is_coarse) {
+  mechanism_t k = any_mechanism(2, 0, 0);
+  tf_joint_mode_t found[ROOM];
+  unsigned count = 0;
+  const tf_real_t at = -1 + 64 * TF_REAL_EPSILON;
+  memset(k.forms, 0, sizeof k.forms);
+  for (unsigned i = 0; i < 2; i++) {
+    CHECK(tf_contact_prepare(&k.contact[i], TF_TYRE_COULOMB, 1, 1, TF_REST_HULL,
+                             TF_RULE_PERSIST, 0) == TF_OK);
+    form(&k, 2 * i)[1 + 2 * i] = -1;
+    form(&k, 2 * i + 1)[0] = 1;
+  }
+  form(&k, 0)[0] = -at * at;
+  form(&k, 0)[1] = 2 * at;
+  form(&k, 0)[product(2, 0, 0)] = -1;
+  CHECK(tf_contacts_modes(2, k.contact, k.forms, k.now, found, ROOM, &count) ==
+        TF_COARSE);
+}
+
+/* h = 0 exactly at the end of a slip is the stick with that force. */
+TEST(slip_that_ends_at_zero_is_a_stick) {
+  mechanism_t k = any_mechanism(2, 0, 0);
+  tf_joint_mode_t found[ROOM];
+  memset(k.forms, 0, sizeof k.forms);
+  for (unsigned i = 0; i < 2; i++) {
+    CHECK(tf_contact_prepare(&k.contact[i], TF_TYRE_COULOMB, 1, 1, TF_REST_HULL,
+                             TF_RULE_PERSIST, 0) == TF_OK);
+    form(&k, 2 * i)[0] = i ? -1 : 1;
+    form(&k, 2 * i)[1 + 2 * i] = -1;
+    form(&k, 2 * i + 1)[0] = 1;
+  }
+  form(&k, 3)[0] = 0;
+  for (int side = -1; side <= 1; side += 2) { /* and g = 0 has that before */
+    k.now[1].g = (tf_real_t)side;
+    CHECK(modes_of(&k, found) == 1);
+    CHECK(found[0].mode[1] == (side > 0 ? TF_STICK_PLUS : TF_STICK_MINUS));
+  }
+  CHECK(found[0].mode[0] == TF_STICK_PLUS && found[0].x[0] == 1);
+  CHECK(found[0].mode[1] == TF_STICK_PLUS && found[0].x[1] == -1);
+}
+
+/* Redundant contacts whose products do not cancel. */
+TEST(redundant_contacts_that_turn_end) {
+  unsigned found_some = 0;
+  for (unsigned draw = 0; draw < 300; draw++) {
+    mechanism_t k = any_mechanism(2, 1e-3, 1);
+    tf_joint_mode_t found[ROOM];
+    for (unsigned t = 0; t <= 4; t++) {
+      form(&k, 2)[t] = form(&k, 0)[t];
+      form(&k, 3)[t] = form(&k, 1)[t];
+    }
+    for (unsigned f = 0; f < 4; f++)
+      for (unsigned t = 1; t <= 2; t++) form(&k, f)[2 + t] = form(&k, f)[t];
+    for (unsigned f = 0; f < 4; f += 2) form(&k, f)[1] = form(&k, f)[3] = -1;
+    found_some += modes_of(&k, found) > 0;
+  }
+  CHECK(found_some > 0);
 }
