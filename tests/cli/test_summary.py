@@ -195,20 +195,20 @@ def test_time_left():
                   child)
             child.send_signal(signal.SIGSTOP)
     time.sleep(2)
-    for child, said, tells in running:
+    for child, said, is_tty in running:
         child.send_signal(signal.SIGCONT)
-    for child, said, tells in running:
+    for child, said, is_tty in running:
         seen = b""
-        while tells and not re.fullmatch(rb"\r\d+ %, [^\n]*, \d+ s left.*",
-                                         seen, re.S):
+        while is_tty and not re.fullmatch(rb"\r\d+ %, [^\n]*, \d+ s left.*",
+                                          seen, re.S):
             got = os.read(said, 4096)
             check(got and seen.count(b"\n") < 2, f"no time left: {seen}")
             seen += got
-    for child, said, tells in running:
+    for child, said, is_tty in running:
         child.kill()
         child.wait()
         try:
-            check(tells or not os.read(said, 1), "progress that nobody sees")
+            check(is_tty or not os.read(said, 1), "progress that nobody sees")
         except OSError:  # a terminal without a word
             pass
 
