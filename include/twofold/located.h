@@ -44,13 +44,13 @@ TF_API tf_status_t tf_step_located(const tf_machine_t *machine,
                                    tf_state_t *state, const tf_input_t *input,
                                    tf_report_t *report);
 
-/// A change of the contact within a step: of its mode, or a stick passes
-/// through a two-fold.
+/// A change of the contact within a step: its mode changes, a stick passes
+/// through a two-fold, or a motion comes to h = g = 0 and has several modes.
 typedef struct {
   tf_real_t time;     ///< since the step began [s]
   tf_state_t state;   ///< there, in the mode that follows; tick: of the start
   tf_report_t report; ///< likewise: force at its begin, g of its sign, delassus
-                      ///< 0 at a two-fold; set: that mode alone, residual 0
+                      ///< 0 at a two-fold; set: consistent there; residual 0
 } tf_located_change_t;
 
 /// tf_step_located, to the bit, with the changes within the step in their

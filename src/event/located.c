@@ -42,7 +42,7 @@ static void begin_trajectory(trajectory_t *path, const tf_machine_t *k,
   path->is_over = path->is_unsure = false;
   path->spent = 0;
   path->mode = state->mode;
-  path->set = 0;
+  path->set = path->here = 0;
   path->force = (tf_force_t){0, 0};
 }
 
@@ -186,17 +186,22 @@ typedef struct {
   unsigned mode; // before the next one
 } changes_t;
 
-// Notes the contact from here on, where it is another one, or a stick passes
-// through a two-fold. g has the sign that follows, also where it is 0.
+// Notes the contact from here on, where it is another one, a stick passes
+// through a two-fold, or a motion comes to h = g = 0 and may go on in several
+// modes. g has the sign that follows, also where it is 0.
 static void note_change(changes_t *changes, trajectory_t *path) {
   const tf_machine_t *k = path->motion.machine;
   const bool passes = is_stick(path->mode) && path->segment.A_starts_at_zero;
-  const bool is_new = path->mode != changes->mode || passes;
+  const bool chooses = path->spent > 0 && path->segment.g_starts_at_zero &&
+                       size_of(path->here) > 1;
+  const bool is_new = path->mode != changes->mode || passes || chooses;
   changes->mode = path->mode;
   if (!is_new || changes->count++ >= changes->room) return;
   const end_state_t at = end_of(path);
   tf_slip_t slip = trajectory_slip(path);
   const unsigned mode = mode_at_end(path, slip);
+  const unsigned set =
+      (path->here & ~TF_MODE_BIT(path->mode)) | TF_MODE_BIT(mode);
   tf_located_change_t *change = &changes->list[changes->count - 1];
   change->time = k->dt - path->remaining;
   change->state = *path->state;
@@ -216,8 +221,8 @@ static void note_change(changes_t *changes, trajectory_t *path) {
   (void)tf_begin_series(path);
   change->report =
       (tf_report_t){.mode = (uint8_t)mode,
-                    .set = (uint8_t)TF_MODE_BIT(mode),
-                    .choices = 1,
+                    .set = (uint8_t)set,
+                    .choices = (uint8_t)size_of(set),
                     .force = {path->motion.F.c[0], path->motion.M.c[0]},
                     .slip = slip,
                     .delassus = A,

@@ -80,7 +80,8 @@ typedef struct {
   bool is_unsure;      // a slip has come to h = g = 0, or as a stick: not known
   uint16_t spent; // of the budget: segments, and tries of a limit direction
   unsigned mode;
-  unsigned set; // the largest set of consistent modes met in the step
+  unsigned set;  // the largest set of consistent modes met in the step
+  unsigned here; // that of the last change
   tf_force_t force;
   const tf_state_t *state; // that the step began with
 } trajectory_t;

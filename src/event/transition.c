@@ -6,6 +6,7 @@
 #include "trajectory.h"
 
 static void keep_largest_set(trajectory_t *path, unsigned set) {
+  path->here = set;
   if (size_of(set) >= size_of(path->set)) path->set = set;
 }
 
@@ -237,6 +238,7 @@ static bool pass_two_fold(trajectory_t *path) {
 }
 
 TF_API bool tf_next_segment(trajectory_t *path, event_t event) {
+  path->here = TF_MODE_BIT(path->mode);
   switch (event) {
     case EVENT_NONE:
       return continue_segment(&path->segment);

@@ -72,6 +72,17 @@ def test_rows_say_what_the_rule_declares():
     same(len(exits), 20)  # an escaping start is left
 
 
+def test_rows_do_not_depend_on_dt():
+    """Every winding is counted, also those of microseconds."""
+    fine, coarse = (rows_of("chaos", "--samples", "300", "--dt", dt)
+                    for dt in (0.002, 0.05))
+    same(column(coarse[1], "windings"), column(fine[1], "windings"))
+    for a, b in zip(fine[0], coarse[0]):
+        same([a["time"], a["side"]], [b["time"], b["side"]])
+        if a["phase"]:
+            check(abs(float(a["phase"]) - float(b["phase"])) < 1e-3, b)
+
+
 def test_noise():
     """Steps that do not resolve the noise at h = g = 0 have half of these rest
     there before they have wound, for longer than this patience."""

@@ -9,7 +9,7 @@
 #define RESTS 8000
 #define BAND 1.95 /* / sqrt(n): passed by chance in one of 1000 seeds */
 #define OFF 1e-5  /* [s], of the first step away from h = g = 0 */
-#define ARRIVAL (IS_DOUBLE ? 5e-5 : 1.5e-3) /* [s], of the start of a rest */
+#define ARRIVAL (IS_DOUBLE ? 1e-5 : 1.5e-3) /* [s], of the start of a rest */
 
 static cli_job_t job;
 static cli_motion_t motion;
@@ -37,7 +37,6 @@ static void begin(double dt) {
   static cli_args_t args = {.mechanism = CLI_BY_RANDOM, .patience = 1000};
   tf_params_t params = tf_scenes[0]->params;
   job.args = &args;
-  job.near = fmin(dt / 10, 1e-3);
   params.dt = (tf_real_t)dt;
   job.setup.params = params;
   params.rule = TF_RULE_RANDOM;

@@ -164,11 +164,10 @@ const cli_option_t cli_options[] = {
      "longest cycle", .unit = "s"},
     {"--seed", "N", CLI_DIVERGE, WHOLE(seed, 0, UINT32_MAX, 1), "of the draws"},
     {"--dt", "DT", CLI_DIVERGE, OTHER(read_named),
-     "step [s]; near the two-fold (random: in slip, <= 1 ms) DT / K; default: "
-     "0.01 (random), 0.001 (noise)"},
-    {"--near", "K", CLI_DIVERGE, REAL(refinement, 1, 1e6, 0),
-     "steps near the two-fold are K times shorter; default: 10 (random), 64 "
+     "step [s]; noise near the two-fold: DT / K; default: 0.05 (random), 0.001 "
      "(noise)"},
+    {"--near", "K", CLI_DIVERGE, REAL(refinement, 1, 1e6, 64),
+     "noise near the two-fold: takes K times shorter steps"},
     {"--fine", "N", CLI_DIVERGE, REAL(fine, 1, 1e6, 16),
      "noise next to h = g = 0: takes N steps to bring it there"},
     {"--r", "R", CLI_DESIGN, NUMBER(r, REACH), "r of the two-fold [m]",

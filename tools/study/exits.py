@@ -23,11 +23,11 @@ SMALLEST = 0.05
 QUARTER = 0.25  # [s], of a histogram of times
 MANY = f"--samples 100 --cycles {CYCLES} --patience 300"
 FEW = f"--samples 100 --cycles {max(CYCLES // 10, 1)} --patience 300"
-FIRST = f"--patience 0.25 --samples {20 * CYCLES} --near 100"
+FIRST = f"--patience 0.25 --samples {20 * CYCLES}"
 # Many returns, at two steps; what becomes of h = g = 0 decides whether it comes
 # back; and first exits, enough to tell a difference of 0.05 from none.
 RUNS = {
-    "long": MANY, "long-half": f"{MANY} --dt 5e-3",
+    "long": MANY, "long-half": f"{MANY} --dt 2.5e-2",
     "even": f"--codim2 even {FEW}",
     "attracting": f"--codim2 attracting --samples {2 * CYCLES} --cycles 100 "
                   "--patience 20",

@@ -30,7 +30,7 @@ def samples_of(size: str, fine: int) -> int:
 
 def follow(work: Path, twofold: str) -> None:
     """NAME-exits.csv and NAME-returns.csv of all runs."""
-    runs = {"random": f"--rate 300 --near 100 --patience 0.25 --samples "
+    runs = {"random": f"--rate 300 --patience 0.25 --samples "
                       f"{20 * CYCLES}"}
     costs = [0.01]
     for size, fines in FINE.items():

@@ -12,8 +12,7 @@
 
 #include "../text/summary.h"
 
-#define IN_SLIP 1e-3 // [s], longest step of random motions in slip
-#define BATCH 4096   // steps between two checks for a signal
+#define BATCH 4096 // steps between two checks for a signal
 
 // What all samples share: the machine, its two-fold and the canard through it,
 // and the start.
@@ -82,7 +81,7 @@ static int prepare(cli_job_t *job) {
   const bool random = args->mechanism == CLI_BY_RANDOM;
   CLI_TRY(cli_setup_read(setup, args->scene, &args->settings, NULL));
   if (cli_settings_find(&args->settings, "dt") == NULL)
-    setup->params.dt = random ? TF_R(1e-2) : TF_R(1e-3);
+    setup->params.dt = random ? TF_R(5e-2) : TF_R(1e-3);
   CLI_TRY(cli_setup_machine(setup));
   CLI_TRY(refuse_scene(setup));
   tf_params_t params = setup->params;
@@ -93,7 +92,6 @@ static int prepare(cli_job_t *job) {
   (void)tf_prepare(&job->machine, &params, NULL);
   job->wide = cli_widen(&job->machine);
   job->near = (double)params.dt / args->refinement;
-  job->near = random ? fmin(job->near, IN_SLIP) : job->near;
   job->dwell = random ? 0 : 4 * job->near;
   job->at_two_fold = cli_setup_start_set(setup) == NULL;
   CLI_TRY(job->at_two_fold ? CLI_DONE : prepare_start(job));
@@ -111,9 +109,8 @@ static size_t provenance(const cli_job_t *job, const char *units,
     (void)snprintf(how, sizeof how, "all branches, grid %.9g s", args->grid);
   } else if (args->mechanism == CLI_BY_RANDOM) {
     (void)snprintf(how, sizeof how,
-                   "by random, rate %.9g 1/s, dt %.9g s, in slip %.9g s, each "
-                   "wait drawn once",
-                   (double)job->setup.params.rate, dt, job->near);
+                   "by random, rate %.9g 1/s, dt %.9g s, each wait drawn once",
+                   (double)job->setup.params.rate, dt);
   } else {
     (void)snprintf(how, sizeof how,
                    "by noise, size %.9g m/s^1.5, spread %.9g, dt %.9g s",
@@ -372,7 +369,6 @@ int cli_diverge_check(cli_args_t *args) {
                        "--size %g: --by random has a --rate and no size",
                        args->size);
   }
-  if (!(args->refinement > 0)) args->refinement = sized ? 64 : 10;
   if (args->exits == NULL && args->returns == NULL && args->branches == NULL)
     *(args->exhaustive ? &args->branches : &args->returns) = "-";
   if (args->resume && (args->exhaustive || is_standard(args->exits) ||

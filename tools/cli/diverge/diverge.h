@@ -28,7 +28,7 @@ typedef struct {
   cli_two_fold_t two_fold; ///< NAN: there is none
   cli_canard_t canard;     ///< through the two-fold
   bool at_two_fold;        ///< the samples start there
-  double near;  ///< step near the two-fold, of random ones in slip [s]
+  double near;  ///< noise: step near the two-fold [s]
   double dwell; ///< within the band of noise, to be on the surface [s]
 } cli_job_t;
 
@@ -47,6 +47,7 @@ typedef struct {
   double t; ///< since the start of the sample [s]
   cli_point_t at;
   double h, g; ///< [m/s]
+  double A;    ///< Delassus scalar on the side of the two-fold [1/kg]
   bool on;     ///< on h = 0, or within the band that stands for it
   bool rests;  ///< on the turntable, for a while or for good
 } cli_instant_t;
@@ -91,7 +92,7 @@ typedef struct {
   int slip_side;   ///< of the last slip
   double size;     ///< of the noise, in this sample
   double band;     ///< noise: |h| <= band is on the surface [m/s]
-  double near;     ///< longest step near the two-fold, or in slip [s]
+  double near;     ///< noise: longest step near the two-fold [s]
   tf_state_t state;
   tf_report_t report;
   double t;

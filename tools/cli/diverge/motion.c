@@ -99,8 +99,13 @@ cli_instant_t cli_instant(const cli_motion_t *motion) {
   const double speed = noisy ? REST_BANDS * motion->band : REST_SPEED;
   const bool rests =
       (!noisy && x->mode == TF_PINNED) || (stays && fabs(g) <= speed);
-  return (cli_instant_t){
-      .t = motion->t, .at = at, .h = h, .g = g, .on = stays, .rests = rests};
+  return (cli_instant_t){.t = motion->t,
+                         .at = at,
+                         .h = h,
+                         .g = g,
+                         .A = f.A[motion->job->two_fold.g < 0],
+                         .on = stays,
+                         .rests = rests};
 }
 
 // Whether g has the sign that it has at the two-fold.
@@ -146,13 +151,10 @@ static double passage(const cli_motion_t *motion, const cli_instant_t *a,
 
 static bool has_arrived(cli_motion_t *motion, const cli_instant_t *at) {
   const cli_instant_t *last = &motion->last;
-  const double side = motion->job->two_fold.g;
-  const cli_wide_t *k = &motion->job->wide;
   if (!isfinite(motion->job->two_fold.r) || !last->on || !at->on ||
       !two_fold_side(motion, last->g) || !two_fold_side(motion, at->g) ||
-      at->t - motion->on_since < motion->job->dwell ||
-      cli_delassus(k, last->at.r, side) <= 0 ||
-      cli_delassus(k, at->at.r, side) > 0)
+      at->t - motion->on_since < motion->job->dwell || last->A <= 0 ||
+      at->A > 0)
     return false;
   motion->cycle.ended = passage(motion, last, at, motion->job->two_fold.r);
   motion->cycle.outcome = CLI_CYCLE_RETURNED;
@@ -300,7 +302,6 @@ void cli_motion_begin(cli_motion_t *motion, const cli_job_t *job,
   const bool random = job->args->mechanism == CLI_BY_RANDOM;
   *motion = (cli_motion_t){.job = job,
                            .sample = (uint32_t)sample,
-                           .near = (double)(tf_real_t)job->near,
                            .state = job->setup.motion.state,
                            .passes = random && job->at_two_fold,
                            .wait = -1};

@@ -10,13 +10,13 @@
 
 #include <math.h>
 
+#include "../../../src/model/mechanics.h"
 #include "diverge.h"
 
-#define LOCATED 1e-3  // [s], to which the end of a stick is bisected
-#define SHORTEST 2e-9 // [s], to which the time of h = g = 0 is bisected
-#define OFF 1e-5      // [s], length of the first step away from it
-// |h| + |g| at h = g = 0 is below this many tolerances of a velocity.
-#define CODIM2_TOLERANCES 4096
+#define CHANGES 32    // within a step
+#define SHORTEST 2e-9 // [s], of a step
+#define OFF 1e-5      // [s], of the first step away from h = g = 0
+#define TINY 1e-300   // [m/s], of an h or g that has a sign alone
 #define SLIPS (TF_MODE_BIT(TF_SLIP_PLUS) | TF_MODE_BIT(TF_SLIP_MINUS))
 
 static double draw_time(cli_motion_t *motion) {
@@ -35,14 +35,24 @@ static unsigned draw_mode(cli_motion_t *motion, unsigned set) {
   return modes[(unsigned)(cli_draw_uniform(motion) * n) % n];
 }
 
+// Passes an instant within a step to the tracker, where h and g are 0 but for
+// rounding and have the signs of a mode, and A is at a two-fold.
+static bool track_change(cli_motion_t *motion, unsigned mode, bool two_fold) {
+  cli_instant_t now = cli_instant(motion);
+  if (two_fold) now.A = 0;
+  now.on = !tf_mode_is_slip(mode);
+  if (!now.on)
+    now.h = mode == TF_SLIP_PLUS ? TINY : -TINY;
+  else if (cli_is_stick(mode) && !(now.g * cli_stick_sign(mode) > 0))
+    now.g = cli_stick_sign(mode) * TINY;
+  return cli_track(motion, &now);
+}
+
 // Leaves an escaping stick for slip, to a random side.
 static bool leave_stick(cli_motion_t *motion) {
   motion->state.mode = (uint8_t)draw_mode(motion, SLIPS);
   motion->wait = -1;
-  cli_instant_t now = cli_instant(motion);
-  now.on = false;
-  now.h = motion->state.mode == TF_SLIP_PLUS ? 1e-300 : -1e-300;
-  return cli_track(motion, &now);
+  return track_change(motion, motion->state.mode, false);
 }
 
 // From the two-fold along the canard, then slip to a random side.
@@ -83,59 +93,79 @@ static bool waits(const cli_job_t *job, const tf_state_t *state) {
           cli_delassus(&job->wide, (double)state->r, cli_stick_sign(mode)) < 0);
 }
 
-// Whether a step ended a stay on h = 0, or something happened to a stick that
-// had one future.
-static bool changed(const cli_motion_t *motion, const tf_state_t *from) {
-  return !tf_mode_is_slip(from->mode) &&
-         (motion->state.mode != from->mode ||
-          (!waits(motion->job, from) && motion->report.choices > 1));
-}
+// How a part of a motion ends.
+typedef enum {
+  PART_STEP,    // with its step
+  PART_WAITS,   // where a wait begins
+  PART_CODIM2,  // at h = g = 0, where several modes are consistent
+  PART_CYCLE,   // with the cycle
+  PART_REFUSED, // a step was refused
+} part_t;
 
-// Goes on to LOCATED before the first step that changed, or to SHORTEST before
-// the first with several futures; length: in/out, what is left of it.
-// Returns: the time that has passed; < 0 where a step was refused.
-static double come_near(cli_motion_t *motion, double *length, double end) {
-  double passed = 0;
-  while (*length > end) {
-    const tf_state_t before = motion->state;
-    *length /= 2;
-    if (!cli_step_of(motion, *length)) return -1;
-    if (end < LOCATED ? motion->report.choices > 1 : changed(motion, &before))
-      motion->state = before;
-    else
-      passed += *length;
+// Takes a step, or as much of it as its segments come to; length: in/out.
+static bool step_changes(cli_motion_t *motion, double *length,
+                         tf_located_change_t list[CHANGES], size_t *count) {
+  const tf_input_t input = tf_input_default(&motion->job->machine);
+  const tf_state_t from = motion->state;
+  for (;; *length /= 2) {
+    tf_machine_t k = motion->job->machine;
+    set_step_length(&k, (tf_real_t)*length);
+    const tf_status_t status = tf_step_located_changes(
+        &k, &motion->state, &input, &motion->report, list, CHANGES, count);
+    if (status < 0) return false;
+    if (status == TF_OK && *count <= CHANGES) return true;
+    if (*length <= SHORTEST) return true;
+    motion->state = from;
   }
-  return passed;
 }
 
-// Whether within the last step, which began at `from`, the motion was at
-// h = g = 0 with several consistent modes. If so it is put there; set gets the
-// modes.
-static bool was_at_codim2(cli_motion_t *motion, const tf_state_t *from,
-                          double length, unsigned *set) {
-  const tf_machine_t *k = &motion->job->machine;
-  const cli_motion_t after = *motion;
-  const double whole = length;
-  if (motion->report.choices < 2) return false;
-  motion->state = *from;
-  const double passed = come_near(motion, &length, SHORTEST);
+// Whether it is not the rule that chooses at h = g = 0.
+static bool chooses(const cli_motion_t *motion) {
+  const cli_args_t *args = motion->job->args;
+  return args->exhaustive || args->codim2 == CLI_CODIM2_EVEN;
+}
+
+// Goes on from a change within a step.
+static part_t pass_change(cli_motion_t *motion, unsigned before,
+                          const tf_located_change_t *change) {
+  const tf_report_t *report = &change->report;
+  const bool two_fold = report->delassus == 0;
+  motion->state = change->state;
+  if (track_change(motion, before, false)) return PART_CYCLE;
+  if (report->choices > 1 && !two_fold && chooses(motion)) return PART_CODIM2;
+  if (track_change(motion, report->mode, two_fold)) return PART_CYCLE;
+  if (two_fold) return PART_WAITS;
+  return waits(motion->job, &motion->state) ? PART_WAITS : PART_STEP;
+}
+
+// Follows the motion for a time at most; set: out, as of PART_CODIM2.
+static part_t follow(cli_motion_t *motion, double length, unsigned *set) {
+  tf_located_change_t list[CHANGES];
+  size_t count = 0;
+  unsigned mode = motion->state.mode;
+  const double t = motion->t;
+  const tf_state_t from = motion->state;
+  if (!step_changes(motion, &length, list, &count)) return PART_REFUSED;
+  const tf_state_t end = motion->state;
+  for (size_t i = 0; i < count; i++) {
+    motion->t = t + (double)list[i].time;
+    const part_t part = pass_change(motion, mode, &list[i]);
+    mode = list[i].report.mode;
+    *set = list[i].report.set;
+    if (part == PART_STEP) continue;
+    // A stick waits behind a two-fold, where A has the sign of its rounding.
+    if (list[i].report.delassus == 0 && part == PART_WAITS) {
+      motion->state = from;
+      motion->t += OFF;
+      return cli_step_of(motion, (double)list[i].time + OFF) ? part
+                                                             : PART_REFUSED;
+    }
+    return part;
+  }
+  motion->t = t + length;
+  motion->state = end;
   const cli_instant_t now = cli_instant(motion);
-  const double speed =
-      fabs((double)motion->state.v) + fabs((double)motion->state.w);
-  // Short steps may miss h = g = 0 where the long one hit it: then all but the
-  // last has passed.
-  if (passed < 0 || passed + 1.5 * length > whole ||
-      fabs(now.h) + fabs(now.g) >
-          CODIM2_TOLERANCES * (double)k->tolerance * speed) {
-    *motion = after;
-    return false;
-  }
-  const cli_point_t at = {now.at.r, 0, 0};
-  motion->state = cli_state_at(&motion->job->wide, at);
-  motion->state.mode = TF_PINNED;
-  motion->t += passed;
-  *set = futures_of(motion);
-  return true;
+  return cli_track(motion, &now) ? PART_CYCLE : PART_STEP;
 }
 
 // Leaves h = g = 0 in a mode by a short step, so that the next step does not
@@ -157,105 +187,54 @@ static bool leave_pinned(cli_motion_t *motion) {
   return leave_codim2(motion, set != 0 ? draw_mode(motion, set) : TF_PINNED);
 }
 
-// Passes the state after a step to the tracker. Stick that passed the two-fold
-// and ended within the same step ended after the two-fold.
-static bool track(cli_motion_t *motion, const tf_state_t *from) {
-  const cli_instant_t *before = &motion->last;
-  cli_instant_t now = cli_instant(motion);
-  const double side = cli_stick_sign(from->mode);
-  const cli_wide_t *k = &motion->job->wide;
-  const unsigned through = SLIPS | TF_MODE_BIT(from->mode);
-  if (cli_is_stick(from->mode) && motion->report.set == through &&
-      cli_delassus(k, before->at.r, side) > 0 &&
-      cli_delassus(k, now.at.r, side) < 0) {
-    now.on = true;
-    now.g = before->g;
-  }
-  if (!cli_track(motion, &now)) return false;
-  if (motion->cycle.outcome == CLI_CYCLE_RETURNED) {
-    motion->t = motion->cycle.ended;
-    motion->wait = -1;
-  }
-  return true;
-}
-
-// When a step from a state came to rest: v falls to 0 at a constant rate in the
-// end, and at rest r stays. The tests hold it to 5e-5 s.
-static double time_to_rest(const cli_motion_t *motion, const tf_state_t *from,
-                           double length) {
-  const double way = (double)motion->state.r - (double)from->r;
-  const double time = 2 * way / (double)from->v;
-  return motion->state.mode == TF_PINNED && from->mode != TF_PINNED &&
-                 time >= 0 && time < length
-             ? time
-             : length;
-}
-
-// One step, to the end of a wait at most. A wait is drawn once, and begins and
-// ends at its own instant, so that its distribution does not depend on dt.
+// Goes on for a step, to the end of a wait at most. A wait is drawn once, and
+// begins and ends at its own instant, so that its distribution does not depend
+// on dt.
 bool cli_random_advance(cli_motion_t *motion) {
   if (motion->passes) return pass_two_fold(motion);
-  tf_state_t from = motion->state;
-  const bool waiting = waits(motion->job, &from);
+  const tf_state_t from = motion->state;
+  const double t = motion->t;
   unsigned set = 0;
-  // Windings are counted by changes of the sign of h, which need short steps.
-  double length = tf_mode_is_slip(from.mode) ? motion->near
-                                             : (double)motion->job->machine.dt;
-  if (waiting) {
-    motion->wait = motion->wait < 0 ? draw_time(motion) : motion->wait;
-    length = fmin(length, motion->wait);
+  double length = (double)motion->job->machine.dt;
+  const bool waiting = waits(motion->job, &from);
+  if (!waiting)
+    motion->wait = -1;
+  else if (motion->wait < 0)
+    motion->wait = draw_time(motion);
+  if (waiting) length = fmin(length, motion->wait);
+  const part_t part =
+      length > SHORTEST ? follow(motion, length, &set) : PART_STEP;
+  if (part == PART_REFUSED) return cli_refuse_cycle(motion);
+  if (part == PART_CYCLE) {
+    motion->t = motion->cycle.ended;
+    motion->wait = -1;
+    return true;
   }
-  if (length > SHORTEST && !cli_step_of(motion, length))
-    return cli_refuse_cycle(motion);
-  if (length > LOCATED && changed(motion, &from)) {
-    motion->state = from;
-    const double passed = come_near(motion, &length, LOCATED);
-    motion->t += passed;
-    motion->wait -= waiting ? passed : 0;
-    if (passed > 0 && track(motion, &from)) return true;
-    from = motion->state;
-    if (passed < 0 || !cli_step_of(motion, length))
-      return cli_refuse_cycle(motion);
-  }
-  const bool stays = waiting && motion->state.mode == from.mode;
-  motion->wait = stays ? motion->wait - length : -1;
-  if (!waiting && motion->job->args->codim2 == CLI_CODIM2_EVEN &&
-      was_at_codim2(motion, &from, length, &set)) {
-    cli_instant_t now = cli_instant(motion);
-    now.on = false;
-    return cli_track(motion, &now) ||
-           leave_codim2(motion, draw_mode(motion, set));
-  }
-  motion->t += time_to_rest(motion, &from, length);
-  if (track(motion, &from) || !stays || motion->wait > 0)
-    return motion->cycle.outcome != CLI_CYCLE_OPEN;
+  if (part == PART_CODIM2) return leave_codim2(motion, draw_mode(motion, set));
+  const bool stays =
+      waiting && part == PART_STEP && motion->state.mode == from.mode;
+  motion->wait = stays ? fmax(0, motion->wait - (motion->t - t)) : -1;
+  if (!stays || motion->wait > SHORTEST) return false;
   return from.mode == TF_PINNED ? leave_pinned(motion) : leave_stick(motion);
 }
 
 const char *cli_random_branch(cli_motion_t *motion, unsigned mode,
                               unsigned *set) {
-  const double dt = (double)motion->job->machine.dt;
   motion->t = 0;
   motion->wait = -1;
   motion->state.mode = (uint8_t)mode;
-  cli_instant_t now = cli_instant(motion);
   cli_track_start(motion);
   if (tf_mode_is_slip(mode)) {
     motion->last.on = true;
-    now.h = mode == TF_SLIP_PLUS ? 1e-300 : -1e-300;
-    (void)cli_track(motion, &now);
+    (void)track_change(motion, mode, false);
   }
-  bool ends = !cli_step_of(motion, OFF);
-  motion->t += ends ? 0 : OFF;
-  while (!ends && !waits(motion->job, &motion->state)) {
-    const tf_state_t from = motion->state;
-    ends = !cli_step_of(motion, dt);
-    if (!ends && was_at_codim2(motion, &from, dt, set)) return "codim2";
-    motion->t += ends ? 0 : dt;
-    ends = ends || track(motion, &from);
-  }
-  return motion->cycle.outcome == CLI_CYCLE_RETURNED ? "two-fold"
-         : !ends && motion->state.mode != TF_PINNED  ? "escaping"
-         : motion->last.rests                        ? "rest"
-                                                     : "unfinished";
+  part_t part = cli_step_of(motion, OFF) ? PART_STEP : PART_REFUSED;
+  motion->t += part == PART_STEP ? OFF : 0;
+  while (part == PART_STEP && !waits(motion->job, &motion->state))
+    part = follow(motion, (double)motion->job->machine.dt, set);
+  return part == PART_CODIM2                                      ? "codim2"
+         : motion->cycle.outcome == CLI_CYCLE_RETURNED            ? "two-fold"
+         : part != PART_REFUSED && motion->state.mode < TF_PINNED ? "escaping"
+         : motion->last.rests                                     ? "rest"
+                              : "unfinished";
 }
