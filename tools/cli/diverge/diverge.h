@@ -28,7 +28,7 @@ typedef struct {
   cli_two_fold_t two_fold; ///< NAN: there is none
   cli_canard_t canard;     ///< through the two-fold
   bool at_two_fold;        ///< the samples start there
-  double near;  ///< noise: step near the two-fold [s]
+  double near;             ///< noise: step near the two-fold [s]
   double dwell; ///< within the band of noise, to be on the surface [s]
 } cli_job_t;
 
