@@ -14,21 +14,38 @@ def processors() -> int:
     return int(os.environ.get("JOBS") or len(os.sched_getaffinity(0)))
 
 
-def side_by_side(work: Callable, items: Iterable) -> list:
+class Progress:
+    """How far a long work of some cost is, on a terminal only."""
+
+    def __init__(self, total: float) -> None:
+        self.total, self.begin, self.width = total, time.time(), 0
+
+    def __call__(self, done: float, what: str = "") -> None:
+        """Shows the share that is done, the time left, and what goes on; the
+        line ends with the work."""
+        if not sys.stderr.isatty():
+            return
+        took = time.time() - self.begin
+        left = (f", about {took * (self.total / done - 1):.0f} s left"
+                if done else "")
+        line = f"  {done / self.total:.0%} after {took:.0f} s{left} {what}"
+        print("\r" + line.ljust(self.width), file=sys.stderr, flush=True,
+              end="\n" if done == self.total else "")
+        self.width = len(line)
+
+
+def side_by_side(work: Callable, items: Iterable, shows: bool = True) -> list:
     """The results of work(item), in the order of the items. The first one that
-    raises an exception ends all: what was not begun is not done. Says every
-    minute how far it is."""
+    raises an exception ends all: what was not begun is not done. shows: whether
+    a terminal is shown how far it is."""
     with concurrent.futures.ThreadPoolExecutor(processors()) as pool:
         jobs = [pool.submit(work, item) for item in items]
-        begin = told = time.time()
+        show = Progress(len(jobs))
         try:
             for n, job in enumerate(concurrent.futures.as_completed(jobs), 1):
                 job.result()
-                if time.time() > told + 60 and n < len(jobs):
-                    told = time.time()
-                    print(f"  {n} of {len(jobs)}, about "
-                          f"{(told - begin) * (len(jobs) / n - 1):.0f} s left",
-                          file=sys.stderr, flush=True)
+                if shows:
+                    show(n, f"{n} of {len(jobs)}")
         except BaseException:
             for job in jobs:
                 job.cancel()

@@ -156,12 +156,15 @@ def peers() -> pd.DataFrame:
     programs = {"own": [BUILD / "double/bench"], **rivals()}
     runs = {name: runs_of(SOLVERS[name]) for name in programs}
     found, rounds = [], int(os.environ.get("ROUNDS") or (1 if QUICK else 5))
-    for turn in range(rounds):
-        say(f"round {turn + 1} of {rounds} ...")
-        # SciPy takes as long as all others together.
-        found += [timed(program, runs[name]).assign(program=name)
-                  for name, program in programs.items()
-                  if name != "scipy" or turn == 0]
+    # SciPy takes as long as all others together.
+    turns = [(turn, name) for turn in range(rounds) for name in programs
+             if name != "scipy" or turn == 0]
+    costs = [len(programs) - 1 if name == "scipy" else 1 for _, name in turns]
+    show = driven.Progress(sum(costs))
+    for n, (turn, name) in enumerate(turns):
+        show(sum(costs[:n]), f"round {turn + 1} of {rounds}, {name}")
+        found.append(timed(programs[name], runs[name]).assign(program=name))
+    show(sum(costs))
     rows = pd.concat(found).groupby(
         ["program", *KEY, "line"], sort=False).agg(
         {"error": "first", "ns": "median", "verdict": "first"}).reset_index()

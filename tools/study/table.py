@@ -9,7 +9,6 @@ import re
 import subprocess
 import sys
 import tempfile
-import time
 from pathlib import Path
 from typing import Callable, Iterable, NamedTuple, Optional, Sequence
 
@@ -99,7 +98,7 @@ def sharded(work: Path, name: str, twofold: str,
                 raise TableError(f"a shard of {name} failed; nothing was "
                                  "joined")
 
-        driven.side_by_side(part, range(1, jobs + 1))
+        driven.side_by_side(part, range(1, jobs + 1), shows=False)
         for kind in "exits", "returns":
             (work / f"{name}-{kind}.csv").write_bytes(b"".join(
                 Path(folder, f"{kind}.{i}").read_bytes()
@@ -110,14 +109,12 @@ def followed(work: Path, twofold: str, runs: dict[str, str],
              costs: Sequence[float]) -> None:
     """All runs, by their options, each with a seed of its own: no two have a
     draw in common. `costs` are about in proportion to their times."""
-    begin, done = time.time(), 0.0
+    show, done = driven.Progress(sum(costs)), 0.0
     for seed, ((name, options), cost) in enumerate(zip(runs.items(), costs), 1):
-        took = time.time() - begin
-        left = f", {took * (sum(costs) / done - 1):.0f} s left" if done else ""
-        print(f"  {seed} of {len(runs)} after {took:.0f} s{left}, {name}: "
-              f"{options}", file=sys.stderr)
+        show(done, f"{seed} of {len(runs)}, {name}")
         sharded(work, name, twofold, [*options.split(), "--seed", str(seed)])
         done += cost
+    show(sum(costs))
 
 
 # Statistics.
