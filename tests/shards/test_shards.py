@@ -16,6 +16,7 @@ from tap import call as tap_call  # noqa: E402
 import test_figures  # noqa: E402
 import test_finer  # noqa: E402
 import test_mechanisms  # noqa: E402
+import test_fold  # noqa: E402
 import test_noise  # noqa: E402
 import test_trolley  # noqa: E402
 
@@ -163,8 +164,8 @@ TESTS = [("parallel: the bytes of one run", under_parallel),
          ("Snakemake: the bytes of one run", under_snakemake),
          ("map: words, numbers, refused points, one axis", maps),
          ("map: what it refuses", maps_refuse),
-         *test_figures.TESTS, *test_finer.TESTS, *test_mechanisms.TESTS,
-         *test_noise.TESTS, *test_trolley.TESTS]
+         *test_figures.TESTS, *test_finer.TESTS, *test_fold.TESTS,
+         *test_mechanisms.TESTS, *test_noise.TESTS, *test_trolley.TESTS]
 
 
 # Two at a time: each is one process most of the time, or waits.

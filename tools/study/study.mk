@@ -28,13 +28,14 @@ $(FINER): $(BUILD)/study/finer-%: $(FINER_SOURCES) \
 	  -DREF_BITS=$* $(FINER_SOURCES) -lm $(if $(filter 113,$*),-lquadmath) \
 	  -o $@
 
-STUDIES := statistics recurrence noise finer sides mechanisms trolley \
+STUDIES := statistics recurrence noise fold finer sides mechanisms trolley \
   figures
 .PHONY: $(STUDIES) $(STUDIES:%=keep-%) recurrence-page keep-futures \
   test-shards
 statistics: ## exits and returns of chaos, counted (15 minutes)
 recurrence: ## where motions return, over 20000 machines (25 minutes)
 noise: ## what vanishing noise selects, at three steps (2 hours)
+fold: ## to which side noise leaves a two-fold, by band (5 minutes)
 finer: ## what finer laws select behind the two-fold (10 minutes)
 sides: ## their first sides at 200 widths a decade (50 minutes)
 mechanisms: ## two-folds of 100000 random mechanisms (5 minutes)
