@@ -163,7 +163,7 @@ $(call programs,$(TESTS),$(1)): %: %.o $(BUILD)/$(1)/libsupport.a \
 # A test of the command line is linked with what it tests.
 $(BUILD)/$(1)/tests/cli/test_decimal: $(BUILD)/$(1)/tools/decimal.o
 $(BUILD)/$(1)/tests/cli/test_canard $(BUILD)/$(1)/tests/cli/test_waits: \
-  $(patsubst %,$(BUILD)/$(1)/tools/cli/diverge/%.o,canard motion random)
+  $(patsubst %,$(BUILD)/$(1)/tools/cli/diverge/%.o,canard corner motion random)
 endef
 
 # Only this file is compiled again where the commit is another one.

@@ -61,6 +61,7 @@ def test_rows_say_what_the_rule_declares():
     share(exits, lambda row: float(row["r"]) < 0.1859, 1)
     share(exits, from_weak_direction, 1)
     for codim2, patience, outcome, low in (("even", 200, "returned", 0.95),
+                                           ("noise", 200, "returned", 0.95),
                                            ("attracting", 20, "small_cycle",
                                             0.9)):
         rows = table(call("diverge", "chaos", "--samples", "40", "--codim2",

@@ -13,6 +13,7 @@ for room in "support", "study":
     sys.path.append(str(Path(__file__).resolve().parents[1] / room))
 from tap import ROOT, TWOFOLD, check, lacks, run  # noqa: E402
 from tap import call as tap_call  # noqa: E402
+import test_corner  # noqa: E402
 import test_figures  # noqa: E402
 import test_finer  # noqa: E402
 import test_mechanisms  # noqa: E402
@@ -164,8 +165,8 @@ TESTS = [("parallel: the bytes of one run", under_parallel),
          ("Snakemake: the bytes of one run", under_snakemake),
          ("map: words, numbers, refused points, one axis", maps),
          ("map: what it refuses", maps_refuse),
-         *test_figures.TESTS, *test_finer.TESTS, *test_fold.TESTS,
-         *test_mechanisms.TESTS, *test_noise.TESTS, *test_trolley.TESTS]
+         *test_corner.TESTS, *test_figures.TESTS, *test_finer.TESTS,
+         *test_fold.TESTS, *test_mechanisms.TESTS, *test_noise.TESTS, *test_trolley.TESTS]
 
 
 # Two at a time: each is one process most of the time, or waits.

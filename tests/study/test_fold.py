@@ -1,17 +1,15 @@
 """Noise at a two-fold: both sides are equally likely where N keeps the rate of
 stick, and slip+ is the likelier one in `chaos`."""
 import math
-import sys
 
-from tap import ROOT, TWOFOLD, check
-
-sys.path += [str(ROOT / "tools"), str(ROOT / "tools/study")]
-import fold  # noqa: E402
+from tap import TWOFOLD, check
+from test_finer import study
 
 
 def sides(_):
     """Four standard deviations."""
-    chaos = fold.of_chaos(str(TWOFOLD))
+    fold = study("fold")
+    chaos = fold.of_chaos(TWOFOLD)
     for rates, share in ((fold.Fold(1, -0.5, -0.5), 0.5), (chaos, 0.575)):
         found = fold.exits(rates, 4e-3, 4000, seed=1).iloc[-1]
         check(abs(found.up / found.n - share) < 2 / math.sqrt(found.n), found)

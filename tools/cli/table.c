@@ -84,6 +84,9 @@ static const cli_choice_t codim2[] = {
      "stays pinned, where it may, until an exit is drawn (the default)"},
     {"attracting", "the attracting stick where there is one"},
     {"even", "one of the consistent modes, all equally likely"},
+    {"noise",
+     "what vanishing noise on v selects: a slip, or the stick- that "
+     "leaves where slip+ arrives"},
     {NULL, NULL}};
 static const cli_choice_t commands[] = {
     {"start", ""},   {"stop", ""},     {"reset", ""},  {"snapshot", ""},

@@ -14,6 +14,12 @@ $(TROLLEY): $(BUILD)/double/tools/study/trolley.o \
 	@mkdir -p $(@D)
 	$(link)
 
+CORNER := $(BUILD)/study/corner-program
+$(CORNER): $(BUILD)/double/tools/study/corner.o \
+    $(BUILD)/double/tools/cli/diverge/corner.o $(BUILD)/double/libtwofold.a
+	@mkdir -p $(@D)
+	$(link)
+
 # Laws without a jump, in four precisions. Always by gcc: __float128 and its
 # library are its own.
 FINER := $(patsubst %,$(BUILD)/study/finer-%,24 53 64 113)
@@ -28,7 +34,7 @@ $(FINER): $(BUILD)/study/finer-%: $(FINER_SOURCES) \
 	  -DREF_BITS=$* $(FINER_SOURCES) -lm $(if $(filter 113,$*),-lquadmath) \
 	  -o $@
 
-STUDIES := statistics recurrence noise fold finer sides mechanisms trolley \
+STUDIES := statistics recurrence noise fold corner finer sides mechanisms trolley \
   figures
 .PHONY: $(STUDIES) $(STUDIES:%=keep-%) recurrence-page keep-futures \
   test-shards
@@ -36,6 +42,7 @@ statistics: ## exits and returns of chaos, counted (15 minutes)
 recurrence: ## where motions return, over 20000 machines (25 minutes)
 noise: ## what vanishing noise selects, at three steps (2 hours)
 fold: ## to which side noise leaves a two-fold, by band (5 minutes)
+corner: ## what noise selects at h = g = 0, by r (90 core-minutes)
 finer: ## what finer laws select behind the two-fold (10 minutes)
 sides: ## their first sides at 200 widths a decade (50 minutes)
 mechanisms: ## two-folds of 100000 random mechanisms (5 minutes)
@@ -43,6 +50,7 @@ trolley: ## two-folds of a castor, and what follows them
 figures: ## the pictures of docs/figures (or FIGURES='tyre atlas')
 finer sides: $(FINER)
 trolley: $(TROLLEY)
+corner: $(CORNER)
 $(STUDIES): $(two)
 	$(study) $@
 recurrence-page: ## its tables again, from the rows that are there
@@ -55,6 +63,7 @@ keep-futures: $(two)
 	tools/study/futures.py $(two) docs/futures.svg
 
 test-shards: ## sweeps under parallel, Snakemake, Slurm; studies
-test-shards: $(two) $(BUILD)/study/finer-64 $(TROLLEY)
+test-shards: $(two) $(BUILD)/study/finer-64 $(TROLLEY) $(CORNER)
 	@TWOFOLD='$<' FINER='$(BUILD)/study/finer-64' TROLLEY='$(TROLLEY)' \
+	  CORNER='$(CORNER)' \
 	  tests/shards/test_shards.py $(ONLY)

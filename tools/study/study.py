@@ -8,8 +8,8 @@ usage: tools/run study SECTION          follows what is to be followed, makes
        tools/run study machine N        of recurrence: the row of a machine, and
                                         the commands for it
 
-SECTION is statistics, recurrence, noise, fold, finer, sides, mechanisms,
-trolley or figures.
+SECTION is statistics, recurrence, noise, fold, corner, finer, sides,
+mechanisms, trolley or figures.
 Environment: BUILD, TWOFOLD, JOBS; CYCLES=1000 of statistics and noise,
 MACHINES of statistics and recurrence, MECHANISMS=10000.
 """
@@ -23,8 +23,8 @@ import driven
 import table
 
 SECTIONS = {"statistics": "exits", "recurrence": "recurrence",
-            "noise": "noise", "fold": "fold", "finer": "finer",
-            "sides": "sides",
+            "noise": "noise", "fold": "fold", "corner": "corner",
+            "finer": "finer", "sides": "sides",
             "mechanisms": "mechanisms", "trolley": "trolley",
             "figures": "figures"}
 BUILD = Path(os.environ.get("BUILD") or "build")

@@ -17,7 +17,8 @@ typedef enum {
 typedef enum {
   CLI_CODIM2_REST,       ///< pinned where that is consistent, as in `run`
   CLI_CODIM2_ATTRACTING, ///< the attracting stick where there is one: `persist`
-  CLI_CODIM2_EVEN        ///< draws one of the consistent modes, all equally
+  CLI_CODIM2_EVEN,       ///< draws one of the consistent modes, all equally
+  CLI_CODIM2_NOISE       ///< what vanishing noise on v selects, on both slips
 } cli_codim2_choice_t;
 
 typedef struct {

@@ -11,12 +11,14 @@
 #include <math.h>
 
 #include "../../../src/model/mechanics.h"
+#include "corner.h"
 #include "diverge.h"
 
 #define CHANGES 32    // within a step
 #define SHORTEST 2e-9 // [s], of a step
 #define OFF 1e-5      // [s], of the first step away from h = g = 0
-#define TINY 1e-300   // [m/s], of an h or g that has a sign alone
+#define CORNER_ERROR 0.1
+#define TINY 1e-300 // [m/s], of an h or g that has a sign alone
 #define SLIPS (TF_MODE_BIT(TF_SLIP_PLUS) | TF_MODE_BIT(TF_SLIP_MINUS))
 
 static double draw_time(cli_motion_t *motion) {
@@ -122,7 +124,7 @@ static bool step_changes(cli_motion_t *motion, double *length,
 // Whether it is not the rule that chooses at h = g = 0.
 static bool chooses(const cli_motion_t *motion) {
   const cli_args_t *args = motion->job->args;
-  return args->exhaustive || args->codim2 == CLI_CODIM2_EVEN;
+  return args->exhaustive || args->codim2 >= CLI_CODIM2_EVEN;
 }
 
 // Goes on from a change within a step.
@@ -138,8 +140,13 @@ static part_t pass_change(cli_motion_t *motion, unsigned before,
   return waits(motion->job, &motion->state) ? PART_WAITS : PART_STEP;
 }
 
-// Follows the motion for a time at most; set: out, as of PART_CODIM2.
-static part_t follow(cli_motion_t *motion, double length, unsigned *set) {
+// At h = g = 0: the consistent modes, and the one that came there.
+typedef struct {
+  unsigned set, before;
+} corner_t;
+
+// Follows the motion for a time at most; corner: out, as of PART_CODIM2.
+static part_t follow(cli_motion_t *motion, double length, corner_t *corner) {
   tf_located_change_t list[CHANGES];
   size_t count = 0;
   unsigned mode = motion->state.mode;
@@ -150,8 +157,8 @@ static part_t follow(cli_motion_t *motion, double length, unsigned *set) {
   for (size_t i = 0; i < count; i++) {
     motion->t = t + (double)list[i].time;
     const part_t part = pass_change(motion, mode, &list[i]);
+    *corner = (corner_t){list[i].report.set, mode};
     mode = list[i].report.mode;
-    *set = list[i].report.set;
     if (part == PART_STEP) continue;
     // A stick waits behind a two-fold, where A has the sign of its rounding.
     if (list[i].report.delassus == 0 && part == PART_WAITS) {
@@ -181,6 +188,23 @@ static bool leave_codim2(cli_motion_t *motion, unsigned mode) {
   return cli_track(motion, &now);
 }
 
+// One of the modes that are consistent at h = g = 0. By noise it is a slip, but
+// where slip+ arrives the stick- that leaves as well.
+static unsigned choose(cli_motion_t *motion, corner_t at) {
+  const unsigned both =
+      TF_MODE_BIT(TF_SLIP_MINUS) | TF_MODE_BIT(TF_STICK_MINUS);
+  if (motion->job->args->codim2 != CLI_CODIM2_NOISE)
+    return draw_mode(motion, at.set);
+  if (at.before != TF_SLIP_PLUS || (at.set & both) != both)
+    return draw_mode(motion, (at.set & SLIPS) != 0 ? at.set & SLIPS : at.set);
+  const cli_wide_t *k = &motion->job->wide;
+  const cli_corner_t corner = cli_corner_at(
+      k, (double)motion->state.r, k->cos_gamma / k->sin_gamma, CORNER_ERROR);
+  cli_random_t random =
+      cli_random_of((uint64_t)motion->sample << 32 | motion->drawn++);
+  return cli_corner_selects(&corner, &random) ? TF_SLIP_MINUS : TF_STICK_MINUS;
+}
+
 // Leaves h = g = 0 after a pinned wheel has waited, in one of the other modes.
 static bool leave_pinned(cli_motion_t *motion) {
   const unsigned set = futures_of(motion) & ~TF_MODE_BIT(TF_PINNED);
@@ -194,7 +218,7 @@ bool cli_random_advance(cli_motion_t *motion) {
   if (motion->passes) return pass_two_fold(motion);
   const tf_state_t from = motion->state;
   const double t = motion->t;
-  unsigned set = 0;
+  corner_t corner = {0, 0};
   double length = (double)motion->job->machine.dt;
   const bool waiting = waits(motion->job, &from);
   if (!waiting)
@@ -203,14 +227,14 @@ bool cli_random_advance(cli_motion_t *motion) {
     motion->wait = draw_time(motion);
   if (waiting) length = fmin(length, motion->wait);
   const part_t part =
-      length > SHORTEST ? follow(motion, length, &set) : PART_STEP;
+      length > SHORTEST ? follow(motion, length, &corner) : PART_STEP;
   if (part == PART_REFUSED) return cli_refuse_cycle(motion);
   if (part == PART_CYCLE) {
     motion->t = motion->cycle.ended;
     motion->wait = -1;
     return true;
   }
-  if (part == PART_CODIM2) return leave_codim2(motion, draw_mode(motion, set));
+  if (part == PART_CODIM2) return leave_codim2(motion, choose(motion, corner));
   const bool stays =
       waiting && part == PART_STEP && motion->state.mode == from.mode;
   motion->wait = stays ? fmax(0, motion->wait - (motion->t - t)) : -1;
@@ -228,10 +252,12 @@ const char *cli_random_branch(cli_motion_t *motion, unsigned mode,
     motion->last.on = true;
     (void)track_change(motion, mode, false);
   }
+  corner_t corner = {0, 0};
   part_t part = cli_step_of(motion, OFF) ? PART_STEP : PART_REFUSED;
   motion->t += part == PART_STEP ? OFF : 0;
   while (part == PART_STEP && !waits(motion->job, &motion->state))
-    part = follow(motion, (double)motion->job->machine.dt, set);
+    part = follow(motion, (double)motion->job->machine.dt, &corner);
+  *set = corner.set;
   return part == PART_CODIM2                                      ? "codim2"
          : motion->cycle.outcome == CLI_CYCLE_RETURNED            ? "two-fold"
          : part != PART_REFUSED && motion->state.mode < TF_PINNED ? "escaping"

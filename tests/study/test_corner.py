@@ -1,0 +1,50 @@
+"""Noise at h = g = 0: as many leave in slip- as by an Euler-Maruyama step of one
+length, which shares nothing with corner.c, and stick- leaves below r_c.
+
+Environment: CORNER the program, by default that of `make`.
+"""
+import math
+import os
+from pathlib import Path
+
+import numpy as np
+from tap import ROOT, check
+from test_finer import study
+
+CORNER = Path(os.environ.get("CORNER") or
+              ROOT / "build/study/corner-program").resolve()
+DT, SAMPLES, BEGIN, END = 5, 1000, 1e5, 1e6
+
+
+def euler_maruyama(corner, r):
+    """The share that leaves in slip- before it is in stick- for long."""
+    place, random = corner.at(r), np.random.default_rng(3)
+    of_h, of_g = place.h, place.g
+    share = 2 / math.pi * math.atan(6 * corner.KAPPA)
+    g = np.full(SAMPLES, BEGIN)
+    h, left = 0.02 * g, 0
+    while len(g):
+        T = np.tan(share * np.arctan2(abs(g), abs(h)))
+        law = np.array([1 + 0 * h, np.sign(h) * (4 / 3 - T / 18 / corner.KAPPA),
+                        np.sign(h * g) * T / 6])
+        noise = math.sqrt(DT) * random.normal(size=len(g))
+        h, g = h + of_h @ law * DT + noise, g + of_g @ law * DT + noise
+        leaves = (g > END) & (h < 0)
+        left += leaves.sum()
+        stays = ~leaves & (g > -20 * DT)
+        h, g = h[stays], g[stays]
+    return left / SAMPLES
+
+
+def selected(_):
+    """0.08 is four standard deviations of the difference."""
+    corner = study("corner")
+    found = corner.probability(CORNER, "v", 0.182, 0.1, SAMPLES, 1)
+    check(abs(found[0] - euler_maruyama(corner, 0.182)) < 0.08, found)
+    for off in -1e-5, 1e-5:
+        r = corner.critical() + off
+        b = corner.probability(CORNER, "v", r, 0.4, 1, 1)[-1]
+        check(b * off < 0 and abs(b - corner.at(r).stick()[0]) < 1e-9, b)
+
+
+TESTS = [("corner: what noise selects", selected)]

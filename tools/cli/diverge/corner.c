@@ -1,0 +1,190 @@
+// Where the noise decides is a layer: |h| as large as sqrt(|g|). A step that is a
+// share of the distance to h = g = 0 never resolves it.
+
+#undef TF_REAL_FLOAT
+#include "corner.h"
+
+#include <math.h>
+
+#include "../../../src/model/rates.h"
+
+#define PI 3.141592653589793
+#define FAR 0.125   // eps |g| of an averaged stick
+#define NEAR 0.8    // of that, what it comes back to
+#define REACH 300.0 // h'^2 |g| where a motion begins, and where it has left
+
+cli_random_t cli_random_of(uint64_t seed) {
+  cli_random_t random = {.has = false};
+  for (int i = 0; i < 4; i++) {
+    uint64_t z = seed += 0x9e3779b97f4a7c15;
+    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9;
+    z = (z ^ z >> 27) * 0x94d049bb133111eb;
+    random.word[i] = z ^ z >> 31;
+  }
+  return random;
+}
+
+static uint64_t turned(uint64_t x, int n) { return x << n | x >> (64 - n); }
+
+double cli_uniform(cli_random_t *random) {
+  uint64_t *w = random->word;
+  const uint64_t out = turned(w[0] + w[3], 23) + w[0], t = w[1] << 17;
+  w[2] ^= w[0];
+  w[3] ^= w[1];
+  w[1] ^= w[2];
+  w[0] ^= w[3];
+  w[2] ^= t;
+  w[3] = turned(w[3], 45);
+  return ((double)(out >> 12) + 0.5) * 0x1p-52;
+}
+
+// Marsaglia's polar method.
+static double normal(cli_random_t *random) {
+  random->has = !random->has;
+  if (!random->has) return random->kept;
+  double u, v, s;
+  do {
+    u = 2 * cli_uniform(random) - 1;
+    v = 2 * cli_uniform(random) - 1;
+    s = u * u + v * v;
+  } while (s >= 1 || s == 0);
+  const double size = sqrt(-2 * log(s) / s);
+  random->kept = v * size;
+  return u * size;
+}
+
+static cli_slip_t field(const cli_corner_t *c, double h, double g) {
+  const double T = tan(c->share * atan2(fabs(g), fabs(h)));
+  const double F = copysign(4.0 / 3 - T / (18 * c->kappa), h);
+  const double M = copysign(T / 6, h) * copysign(1, g);
+  return (cli_slip_t){c->smooth.h + c->of_F.h * F + c->of_M.h * M,
+                      c->smooth.g + c->of_F.g * F + c->of_M.g * M};
+}
+
+// S(x) of a drift: the integral of exp(-2 drift y) from 0 to x.
+static double scale(double drift, double x) {
+  const double a = -2 * drift;
+  return fabs(a * x) < 1e-12 ? x : expm1(a * x) / a;
+}
+
+// How a diffusion leaves the strip.
+typedef struct {
+  double up;      // the probability to leave at 2 d
+  double time[2]; // mean times with h > 0 and h < 0
+} exit_t;
+
+// The mean time in (0, x) of a diffusion that begins at 0, is reflected there,
+// and ends at x.
+static double time_to(double drift, double x) {
+  const double a = 2 * drift, ax = a * x;
+  if (fabs(ax) < 1e-4) return x * x * (1 - ax / 3 + ax * ax / 12);
+  return 2 * (x + expm1(-ax) / a) / a;
+}
+
+// From h in (-2 d, 2 d), by the scale function. The mean time u on one side
+// solves u''/2 + drift u' = -1 there, u''/2 + drift u' = 0 on the other one.
+static exit_t exit_strip(const double drift[2], double h, double d) {
+  const double end[2] = {scale(drift[0], 2 * d), -scale(drift[1], -2 * d)};
+  const double at = scale(drift[h < 0], h), all = end[0] + end[1];
+  exit_t exit = {.up = (at + end[1]) / all};
+  for (int side = 0; side < 2; side++) {
+    const double inward = side == 0 ? drift[0] : -drift[1];
+    const double x = side == 0 ? h : -h, S = side == 0 ? at : -at;
+    const double whole = time_to(inward, 2 * d);
+    const double from_0 = whole * end[1 - side] / all;
+    exit.time[side] =
+        x > 0 ? from_0 + (whole - from_0) * S / end[side] - time_to(inward, x)
+              : from_0 * (1 + S / end[1 - side]);
+  }
+  return exit;
+}
+
+cli_corner_t cli_corner_at(const cli_wide_t *given, double r, double n_g,
+                           double eps) {
+  const tf_machine_t k = {CLI_WIDE(given),
+                          .contact.stick_kappa = given->stick_kappa};
+  const tf_input_t input = {.omega0 = k.omega0, .r0 = k.r0};
+  const rates_t a = rates_at(&k, &input, r, 0, 0, k.omega0);
+  const tf_slip_t smooth = slip_from_pq(&k, a.dp, a.dq);
+  const tf_slip_t of_F = slip_from_pq(&k, a.Fp * given->mu, a.Fq * given->mu);
+  const tf_slip_t of_M = slip_from_pq(&k, 0, a.Mq * given->mu);
+  cli_corner_t c = {.smooth = {smooth.h, smooth.g},
+                    .of_F = {of_F.h, of_F.g},
+                    .of_M = {of_M.h, of_M.g},
+                    .kappa = given->stick_kappa,
+                    .share = 2 / PI * atan(6 * given->stick_kappa),
+                    .n_g = n_g,
+                    .eps = eps,
+                    .far = FAR / eps};
+  for (int i = 0; i < 4; i++) {
+    const cli_slip_t f =
+        field(&c, i % 2 == 0 ? 1e-300 : -1e-300, i < 2 ? 1 : -1);
+    c.h[i / 2][i % 2] = f.h;
+    c.g[i / 2][i % 2] = f.g;
+  }
+  const double *h = c.h[1], *g = c.g[1];
+  const double s = n_g - (g[0] - g[1]) / (h[0] - h[1]);
+  const double up = h[1] / (h[1] - h[0]); // the share of time with h > 0
+  c.b = -(up * g[0] + (1 - up) * g[1]);
+  c.s2 = s * s;
+  c.in = REACH / (c.h[0][0] * c.h[0][0]);
+  c.out = REACH / (c.h[0][1] * c.h[0][1]);
+  return c;
+}
+
+// h/g where the field points to 0, by bisection.
+cli_slip_t cli_corner_arrives(const cli_corner_t *c) {
+  double low = 1e-9, high = 10;
+  for (int i = 0; i < 100; i++) {
+    const double slope = sqrt(low * high);
+    const cli_slip_t f = field(c, slope, 1);
+    *(f.h > slope * f.g ? &low : &high) = slope;
+  }
+  return (cli_slip_t){low * c->in, c->in};
+}
+
+cli_slip_t cli_corner_step(const cli_corner_t *c, cli_random_t *random,
+                           cli_slip_t x) {
+  const double eps = c->eps, d = eps * (x.g > 0.25 ? sqrt(x.g) : 0.5);
+  if (fabs(x.h) < d) {
+    const double *h = c->h[x.g < 0], *g = c->g[x.g < 0];
+    const exit_t exit = exit_strip(h, x.h, d);
+    const double to = cli_uniform(random) < exit.up ? 2 * d : -2 * d;
+    const double dW = to - x.h - h[0] * exit.time[0] - h[1] * exit.time[1];
+    return (cli_slip_t){
+        to, x.g + g[0] * exit.time[0] + g[1] * exit.time[1] + c->n_g * dW};
+  }
+  const cli_slip_t rate = field(c, x.h, x.g);
+  double dt = fmin(1.6 * eps * x.h * x.h, 3 * eps * fabs(x.h / rate.h));
+  dt = fmin(dt, 2 * eps * hypot(x.h, x.g));
+  const double dW = sqrt(dt) * normal(random);
+  return (cli_slip_t){x.h + rate.h * dt + dW, x.g + rate.g * dt + c->n_g * dW};
+}
+
+bool cli_corner_sticks(const cli_corner_t *c, cli_slip_t x) {
+  return x.g < -c->far;
+}
+
+bool cli_corner_left(const cli_corner_t *c, cli_slip_t x) {
+  return x.g > c->out && -x.h > 4 * sqrt(x.g);
+}
+
+double cli_corner_gone(const cli_corner_t *c) {
+  return c->b > 0 ? -expm1(-2 * c->b * (1 - NEAR) * c->far / c->s2) : 0;
+}
+
+// h is in its stationary law.
+cli_slip_t cli_corner_back(const cli_corner_t *c, cli_random_t *random) {
+  const double *h = c->h[1];
+  const bool up = cli_uniform(random) < h[1] / (h[1] - h[0]);
+  return (cli_slip_t){log(cli_uniform(random)) / (2 * h[up ? 0 : 1]),
+                      -NEAR * c->far};
+}
+
+bool cli_corner_selects(const cli_corner_t *c, cli_random_t *random) {
+  if (!(c->b > 0)) return true;
+  cli_slip_t x = cli_corner_arrives(c);
+  while (!cli_corner_left(c, x) && !cli_corner_sticks(c, x))
+    x = cli_corner_step(c, random, x);
+  return cli_corner_left(c, x);
+}

@@ -1,0 +1,63 @@
+/// Small white noise at h = g = 0: what it selects, by a step that resolves the
+/// layer in which it decides.
+///
+/// The field depends on the angle of (g, h) alone, so length and time in units of
+/// the noise leave no parameter but its direction: dx = f(angle) dt + n dW with
+/// n = (n_g, 1). h, g and times are in these units here.
+#pragma once
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "canard.h"
+
+typedef struct {
+  double h, g;
+} cli_slip_t;
+
+/// The field at one r. [2]: of h > 0, of h < 0.
+typedef struct {
+  cli_slip_t smooth, of_F, of_M; ///< (h', g') without friction, of F and M / mu
+  double kappa, share;           ///< of the law of slip
+  double n_g, eps;               ///< direction of the noise; error of a step
+  double h[2][2], g[2][2];       ///< h', g' at h -> 0; first index: g > 0, < 0
+  double far;                    ///< |g| from which on stick- is averaged
+  double b, s2;                  ///< |g| of stick-: drift, variance a time
+  double in, out;                ///< g where slip+ begins, and slip- has left
+} cli_corner_t;
+
+/// Random numbers: xoshiro256++ (Blackman and Vigna), seeded by splitmix64.
+typedef struct {
+  uint64_t word[4];
+  double kept; ///< a normal one
+  bool has;
+} cli_random_t;
+cli_random_t cli_random_of(uint64_t seed);
+double cli_uniform(cli_random_t *random); ///< in (0, 1)
+
+/// machine: in, whose mu is not 0. eps: in, of the steps, in (0, 0.5).
+cli_corner_t cli_corner_at(const cli_wide_t *machine, double r, double n_g,
+                           double eps);
+
+/// The ray along which slip+ arrives, far from the corner.
+cli_slip_t cli_corner_arrives(const cli_corner_t *corner);
+
+/// Takes a step. Next to h = 0 it is the exact exit from a strip of a diffusion
+/// whose drift is constant on either side, elsewhere that of Euler and Maruyama.
+cli_slip_t cli_corner_step(const cli_corner_t *corner, cli_random_t *random,
+                           cli_slip_t x);
+
+/// Whether it is in stick- far from the corner, where |g| is a Brownian motion
+/// with drift b; or has left in slip-.
+bool cli_corner_sticks(const cli_corner_t *corner, cli_slip_t x);
+bool cli_corner_left(const cli_corner_t *corner, cli_slip_t x);
+
+/// The probability that stick- then never comes back; and where it comes back,
+/// which does not depend on what was before.
+double cli_corner_gone(const cli_corner_t *corner);
+cli_slip_t cli_corner_back(const cli_corner_t *corner, cli_random_t *random);
+
+/// Of a motion that arrives in slip+: whether it leaves in slip-, else in stick-.
+/// Where stick- does not leave, it leaves in slip-. What comes back from stick-
+/// and then leaves in slip- is left out: 1 in 10000 for `chaos` (make corner).
+bool cli_corner_selects(const cli_corner_t *corner, cli_random_t *random);

@@ -1,0 +1,87 @@
+// The probability that small noise has a motion leave h = g = 0 of `chaos` in
+// slip-, where it arrives in slip+ (tools/cli/diverge/corner.h):
+//
+//   P = P0 + (1 - P0) q (1 - e) / (q + e - q e)
+//
+// P0 leave in slip- before they first are in stick-. Of those in stick- a share e
+// never comes back, and q leaves in slip- after coming back and before it is in
+// stick- again. q is small: it is a product over levels of g - n_g h, which no
+// noise moves. Each level starts from states in which the last one was reached.
+//
+// usage: corner R N_G EPS SAMPLES SEED
+// Prints P0, q, e and P, of P0, q and P with standard errors behind them, and b.
+
+#include "../cli/diverge/corner.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#define RISE 0.25  // far apart are two levels, up to far,
+#define FACTOR 2.0 // and beyond that the ratio of two
+
+static cli_random_t numbers;
+
+// q, and its relative variance.
+static double splits(const cli_corner_t *c, int n, double *variance) {
+  cli_slip_t *now = malloc((size_t)n * sizeof *now);
+  cli_slip_t *next = malloc((size_t)n * sizeof *next);
+  double q = 1, left = 0, level = -c->far / 2;
+  int have = n;
+  if (now == NULL || next == NULL) exit(1);
+  *variance = 0;
+  for (int i = 0; i < n; i++) now[i] = cli_corner_back(c, &numbers);
+  while (have > 0 && level < 4 * c->out) {
+    int reached = 0, gone = 0;
+    for (int i = 0; i < n; i++) {
+      cli_slip_t x =
+          have == n ? now[i] : now[(int)(cli_uniform(&numbers) * have)];
+      while (!cli_corner_sticks(c, x) && x.g - c->n_g * x.h < level &&
+             !cli_corner_left(c, x))
+        x = cli_corner_step(c, &numbers, x);
+      if (cli_corner_left(c, x))
+        gone++;
+      else if (!cli_corner_sticks(c, x))
+        next[reached++] = x;
+    }
+    const double p = (double)(reached + gone) / n;
+    *variance += (1 - p) / (p * n);
+    left += q * gone / n;
+    q *= (double)reached / n;
+    cli_slip_t *const was = now;
+    now = next;
+    next = was;
+    have = reached;
+    level = level < c->far ? level + RISE * c->far : level * FACTOR;
+  }
+  free(now);
+  free(next);
+  return left + q;
+}
+
+int main(int argc, char **argv) {
+  if (argc != 6) return 2;
+  tf_machine_t chaos;
+  (void)tf_prepare(&chaos, &tf_scenes[0]->params, NULL);
+  const cli_wide_t wide = cli_widen(&chaos);
+  const cli_corner_t c =
+      cli_corner_at(&wide, strtod(argv[1], NULL), strtod(argv[2], NULL),
+                    strtod(argv[3], NULL));
+  const int n = atoi(argv[4]);
+  numbers = cli_random_of(strtoull(argv[5], NULL, 10));
+  int first = 0;
+  for (int i = 0; i < n; i++) {
+    cli_slip_t x = cli_corner_arrives(&c);
+    while (!cli_corner_sticks(&c, x) && !cli_corner_left(&c, x))
+      x = cli_corner_step(&c, &numbers, x);
+    first += cli_corner_left(&c, x);
+  }
+  double variance;
+  const double P0 = (double)first / n, error = sqrt(P0 * (1 - P0) / n);
+  const double q = splits(&c, n, &variance), e = cli_corner_gone(&c);
+  const double R = q > 0 ? q * (1 - e) / (q + e - q * e) : 0;
+  printf("%.6g,%.3g,%.6g,%.3g,%.6g,%.6g,%.3g,%.6g\n", P0, error, q,
+         q * sqrt(variance), e, P0 + (1 - P0) * R,
+         hypot(error * (1 - R), (1 - P0) * R * (1 - R) * sqrt(variance)), c.b);
+  return 0;
+}
