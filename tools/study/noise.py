@@ -9,12 +9,9 @@ N = 128.
 import os
 from pathlib import Path
 
-import numpy as np
 import pandas as pd
 
-import pictures
 import table
-from pictures import LINE, SERIES, pyplot
 
 CYCLES = int(os.environ.get("CYCLES") or 1000)
 # In the order of their seeds; 1e-4 at 8 would take an hour.
@@ -51,21 +48,19 @@ class Runs:
             table.read(work / f"{size}-{fine}-{kind}.csv")
             for kind in ("exits", "returns"))
         self.phases = self.exits.phase.dropna()
-        self.times = self.returns.time[self.returns.outcome == "returned"]
         self.up = table.share((self.exits.side == "slip+").sum(),
                               len(self.exits))
 
 
-def count(work: Path, kept: Path) -> dict[str, pd.DataFrame]:
-    """The tables, and the picture."""
+def count(work: Path, _: Path) -> dict[str, pd.DataFrame]:
+    """The table."""
     random = table.read(work / "random-exits.csv").phase.dropna()
     nothing = pd.Series(dtype=float)
-    exits, drawn = [], []
+    exits = []
     for size in sorted(FINE, key=float, reverse=True):
         runs = [Runs(work, size, fine) for fine in sorted(FINE[size])]
-        for step, (one, finer) in enumerate(zip(runs, (*runs[1:], None))):
+        for one, finer in zip(runs, (*runs[1:], None)):
             off = table.distance(one.phases, random)
-            drawn.append((step, one, off))
             exits.append({
                 "size": size, "N": one.fine, "exits": len(one.exits),
                 "share with a phase":
@@ -73,34 +68,4 @@ def count(work: Path, kept: Path) -> dict[str, pd.DataFrame]:
                 "share by slip+": one.up.text(3), "distance from random exits":
                 off.text(2), "from the next finer step": table.distance(
                     one.phases, finer.phases if finer else nothing).text(2)})
-    draw(kept, drawn)
     return {"exits": pd.DataFrame(exits)}
-
-
-def draw(kept: Path, drawn: list[tuple[int, Runs, table.Estimate]]) -> None:
-    """Distance and side over the size, at all steps; times of return."""
-    figure, (left, middle, right) = pyplot.subplots(1, 3, figsize=(12, 3.8))
-    for step, one, off in drawn:
-        colour, at = SERIES[step], float(one.size) * 1.12 ** (step - 1)
-        label = ("first N", "second", "third")[step]
-        for axes, found in (left, off), (middle, one.up):
-            axes.errorbar([at], [found.value],
-                          [[found.value - found.low],
-                           [found.high - found.value]],
-                          fmt="o", ms=4, color=colour,
-                          label=label * (one is drawn[step][1]))
-        if step == 2:
-            right.step([0, *sorted(one.times)],
-                       np.linspace(0, 1, len(one.times) + 1), where="post",
-                       color=SERIES[list(FINE).index(one.size)],
-                       label=f"{one.size}, finest step")
-    for axes in left, middle:
-        axes.set(xscale="log", xlabel="size of the noise [m/s^1.5]")
-    left.set(ylabel="distance of the phases from random exits", ylim=(0, None))
-    middle.set(ylabel="share of the exits by slip+")
-    middle.axhline(0.5, color=LINE, zorder=0)
-    right.set(xscale="log", xlabel="time of return [s]",
-              ylabel="share of those that return")
-    for axes in left, right:
-        axes.legend()
-    pictures.save(figure, kept / "noise.svg")

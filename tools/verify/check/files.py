@@ -45,7 +45,7 @@ docs/BENCH.md         1800
 docs/VERIFICATION.md  1800
 docs/PAPER.md         3500
 docs/FINDINGS.md      2500
-docs/STUDIES.md       4000
+docs/STUDIES.md       4400
 CHANGELOG.md          2500
 docs/PACKAGES.md         10
 docs/FMU.md              10
