@@ -166,7 +166,8 @@ TESTS = [("parallel: the bytes of one run", under_parallel),
          ("map: words, numbers, refused points, one axis", maps),
          ("map: what it refuses", maps_refuse),
          *test_corner.TESTS, *test_figures.TESTS, *test_finer.TESTS,
-         *test_fold.TESTS, *test_mechanisms.TESTS, *test_noise.TESTS, *test_trolley.TESTS]
+         *test_fold.TESTS, *test_mechanisms.TESTS, *test_noise.TESTS,
+         *test_trolley.TESTS]
 
 
 # Two at a time: each is one process most of the time, or waits.

@@ -1,5 +1,5 @@
-"""Noise at h = g = 0: as many leave in slip- as by an Euler-Maruyama step of one
-length, which shares nothing with corner.c, and stick- leaves below r_c.
+"""Noise at h = g = 0: as many leave in slip- as by an Euler-Maruyama step of
+one length, which shares nothing with corner.c, and stick- leaves below r_c.
 
 Environment: CORNER the program, by default that of `make`.
 """

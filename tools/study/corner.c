@@ -3,13 +3,13 @@
 //
 //   P = P0 + (1 - P0) q (1 - e) / (q + e - q e)
 //
-// P0 leave in slip- before they first are in stick-. Of those in stick- a share e
-// never comes back, and q leaves in slip- after coming back and before it is in
-// stick- again. q is small: it is a product over levels of g - n_g h, which no
-// noise moves. Each level starts from states in which the last one was reached.
+// P0 leave in slip- before they first are in stick-. Of those in stick- a share
+// e never comes back, and q leaves in slip- after coming back and before it is
+// in stick- again. q is small: it is a product over levels of g - n_g h, which
+// no noise moves. Each starts from states in which the last one was reached.
 //
 // usage: corner R N_G EPS SAMPLES SEED
-// Prints P0, q, e and P, of P0, q and P with standard errors behind them, and b.
+// Prints P0, q, e and P, and b; behind P0, q and P their standard errors.
 
 #include "../cli/diverge/corner.h"
 

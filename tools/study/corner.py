@@ -28,8 +28,8 @@ PLACES = {"v": (0.176, 0.178, 0.18, 0.182, 0.183, 0.185, 0.19, 0.195),
           "omega": (0.178, 0.18, 0.182, 0.183, 0.19),
           "v and omega": (0.178, 0.18, 0.182, 0.183, 0.19)}
 
-# By the rate of exits from the two-fold [1/s], whose size in the limit is that of
-# the noise^(-2/3): of each sample.
+# Cycles of each sample, by the rate of exits from the two-fold [1/s], which is
+# as the noise^(-2/3).
 CYCLES = {"1e3": 1, "1e4": 10, "1e5": 1}
 SOON = 3  # [s]
 COLUMNS = ["P0", "P0 error", "q", "q error", "e", "P", "P error", "b"]

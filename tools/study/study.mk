@@ -34,8 +34,8 @@ $(FINER): $(BUILD)/study/finer-%: $(FINER_SOURCES) \
 	  -DREF_BITS=$* $(FINER_SOURCES) -lm $(if $(filter 113,$*),-lquadmath) \
 	  -o $@
 
-STUDIES := statistics recurrence noise fold corner finer sides mechanisms trolley \
-  figures
+STUDIES := statistics recurrence noise fold corner finer sides mechanisms \
+  trolley figures
 .PHONY: $(STUDIES) $(STUDIES:%=keep-%) recurrence-page keep-futures \
   test-shards
 statistics: ## exits and returns of chaos, counted (15 minutes)

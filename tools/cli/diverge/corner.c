@@ -1,5 +1,5 @@
-// Where the noise decides is a layer: |h| as large as sqrt(|g|). A step that is a
-// share of the distance to h = g = 0 never resolves it.
+// Where the noise decides is a layer: |h| as large as sqrt(|g|). A step that is
+// a share of the distance to h = g = 0 never resolves it.
 
 #undef TF_REAL_FLOAT
 #include "corner.h"

@@ -1,9 +1,9 @@
 /// Small white noise at h = g = 0: what it selects, by a step that resolves the
 /// layer in which it decides.
 ///
-/// The field depends on the angle of (g, h) alone, so length and time in units of
-/// the noise leave no parameter but its direction: dx = f(angle) dt + n dW with
-/// n = (n_g, 1). h, g and times are in these units here.
+/// The field depends on the angle of (g, h) alone, so length and time in units
+/// of the noise leave no parameter but its direction: dx = f(angle) dt + n dW
+/// with n = (n_g, 1). h, g and times are in these units here.
 #pragma once
 
 #include <stdbool.h>
@@ -43,7 +43,7 @@ cli_corner_t cli_corner_at(const cli_wide_t *machine, double r, double n_g,
 cli_slip_t cli_corner_arrives(const cli_corner_t *corner);
 
 /// Takes a step. Next to h = 0 it is the exact exit from a strip of a diffusion
-/// whose drift is constant on either side, elsewhere that of Euler and Maruyama.
+/// with a constant drift on either side, elsewhere that of Euler and Maruyama.
 cli_slip_t cli_corner_step(const cli_corner_t *corner, cli_random_t *random,
                            cli_slip_t x);
 
@@ -57,7 +57,7 @@ bool cli_corner_left(const cli_corner_t *corner, cli_slip_t x);
 double cli_corner_gone(const cli_corner_t *corner);
 cli_slip_t cli_corner_back(const cli_corner_t *corner, cli_random_t *random);
 
-/// Of a motion that arrives in slip+: whether it leaves in slip-, else in stick-.
-/// Where stick- does not leave, it leaves in slip-. What comes back from stick-
-/// and then leaves in slip- is left out: 1 in 10000 for `chaos` (make corner).
+/// Whether a motion that arrives in slip+ leaves in slip-, else in stick-. It
+/// does where stick- does not leave. What comes back from stick- and leaves in
+/// slip- then is left out: 1 in 10000 for `chaos` (make corner).
 bool cli_corner_selects(const cli_corner_t *corner, cli_random_t *random);
