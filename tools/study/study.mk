@@ -20,6 +20,13 @@ $(CORNER): $(BUILD)/double/tools/study/corner.o \
 	@mkdir -p $(@D)
 	$(link)
 
+CART := $(BUILD)/study/cart-program $(BUILD)/study/cart-plus
+$(CART): tools/package/dist/cmake/examples/demo/cart.c \
+    $(BUILD)/double/libtwofold.a
+	@mkdir -p $(@D)
+	@$(if $(filter %-plus,$@),g++ -x c++,$(CC) -std=c99) -Iinclude $< \
+	  -x none $(BUILD)/double/libtwofold.a -lm -o $@
+
 # Laws without a jump, in four precisions. Always by gcc: __float128 and its
 # library are its own.
 FINER := $(patsubst %,$(BUILD)/study/finer-%,24 53 64 113)
@@ -35,7 +42,7 @@ $(FINER): $(BUILD)/study/finer-%: $(FINER_SOURCES) \
 	  -o $@
 
 STUDIES := statistics recurrence noise fold corner finer sides mechanisms \
-  trolley figures
+  trolley cart figures
 .PHONY: $(STUDIES) $(STUDIES:%=keep-%) recurrence-page keep-futures \
   test-shards
 statistics: ## exits and returns of chaos, counted (15 minutes)
@@ -49,7 +56,9 @@ mechanisms: ## two-folds of 100000 random mechanisms (5 minutes)
 trolley: ## two-folds of a castor, and what follows them
 figures: ## the pictures of docs/figures (or FIGURES='tyre atlas')
 finer sides: $(FINER)
+cart: ## two castors against an event-driven solver, and joint futures
 trolley: $(TROLLEY)
+cart: $(CART)
 corner: $(CORNER)
 $(STUDIES): $(two)
 	$(study) $@

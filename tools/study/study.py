@@ -9,7 +9,7 @@ usage: tools/run study SECTION          follows what is to be followed, makes
                                         the commands for it
 
 SECTION is statistics, recurrence, noise, fold, corner, finer, sides,
-mechanisms, trolley or figures.
+mechanisms, trolley, cart or figures.
 Environment: BUILD, TWOFOLD, JOBS; CYCLES=1000 of statistics and noise,
 MACHINES of statistics and recurrence, MECHANISMS=10000.
 """
@@ -25,7 +25,7 @@ import table
 SECTIONS = {"statistics": "exits", "recurrence": "recurrence",
             "noise": "noise", "fold": "fold", "corner": "corner",
             "finer": "finer", "sides": "sides",
-            "mechanisms": "mechanisms", "trolley": "trolley",
+            "mechanisms": "mechanisms", "trolley": "trolley", "cart": "cart",
             "figures": "figures"}
 BUILD = Path(os.environ.get("BUILD") or "build")
 TWOFOLD = os.environ.get("TWOFOLD") or f"{BUILD}/double/twofold"

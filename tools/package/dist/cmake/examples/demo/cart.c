@@ -70,7 +70,7 @@ int main(int argc, char **argv) {
       return 3;
     const uint8_t *is = found[next].mode;
     if (is[0] != modes[0] || is[1] != modes[1])
-      printf("%.4f s %s %s, of %u\n", step * dt, tf_mode_name(is[0]),
+      printf("%.5f s %s %s, of %u\n", step * dt, tf_mode_name(is[0]),
              tf_mode_name(is[1]), count);
     for (unsigned i = 0; i < 2; i++) {
       const double side = by[i].F * cos(psi[i] + dt * w[i]);
