@@ -62,7 +62,7 @@ static cli_slip_t field(const cli_corner_t *c, double h, double g) {
 }
 
 // S(x) of a drift: the integral of exp(-2 drift y) from 0 to x.
-static double scale(double drift, double x) {
+static double exit_scale(double drift, double x) {
   const double a = -2 * drift;
   return fabs(a * x) < 1e-12 ? x : expm1(a * x) / a;
 }
@@ -84,8 +84,9 @@ static double time_to(double drift, double x) {
 // From h in (-2 d, 2 d), by the scale function. The mean time u on one side
 // solves u''/2 + drift u' = -1 there, u''/2 + drift u' = 0 on the other one.
 static exit_t exit_strip(const double drift[2], double h, double d) {
-  const double end[2] = {scale(drift[0], 2 * d), -scale(drift[1], -2 * d)};
-  const double at = scale(drift[h < 0], h), all = end[0] + end[1];
+  const double end[2] = {exit_scale(drift[0], 2 * d),
+                         -exit_scale(drift[1], -2 * d)};
+  const double at = exit_scale(drift[h < 0], h), all = end[0] + end[1];
   exit_t exit = {.up = (at + end[1]) / all};
   for (int side = 0; side < 2; side++) {
     const double inward = side == 0 ? drift[0] : -drift[1];
