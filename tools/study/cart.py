@@ -1,8 +1,7 @@
 """`make cart`: the example cart.c of the packages, stepped by contacts.h alone,
 against an event-driven solver that shares no code with it (scipy). A table: by
 dt the error of the angle of the second castor after 0.06 s, which passes from
-slip to slip; the joint futures where there are several first, each followed by
-both. A picture of these. cart.c is compiled beside `work`, in C and in C++."""
+slip to slip. cart.c is compiled beside `work`, in C and in C++."""
 from __future__ import annotations
 
 import re
@@ -11,8 +10,6 @@ from pathlib import Path
 import driven
 import numpy as np
 import pandas as pd
-import pictures
-from matplotlib import pyplot
 from scipy.integrate import solve_ivp
 
 m, k, c, I, ka = 4.3367, 740.8, 5.655, 0.3, 50
@@ -129,7 +126,7 @@ def stepped(program, dt, until, *index):
             np.array([float(x) for x in end.split()]))
 
 
-def rows_of(program, plus, picture: Path) -> pd.DataFrame:
+def rows_of(program, plus) -> pd.DataFrame:
     rows = []
     first = ["stick-", "slip-"]
     changes, _, exact = motion(start(), 0, first, 0.06)
@@ -138,30 +135,12 @@ def rows_of(program, plus, picture: Path) -> pd.DataFrame:
         same = [tuple(of[:2]) for _, of in found] == changes
         rows.append((f"error at dt = {dt:g} s",
                      f"{abs(end - exact[:4])[3]:.2g}" + " *" * (not same)))
-    parts = [stepped(program, 1e-5, 0.08, i)[0] for i in range(3)]
-    open_at = next(t for t, of in parts[0] if of[2] == "3")
-    _, t, z = motion(start(), 0, first, open_at)
-    figure, axes = pyplot.subplots(figsize=(6, 3.6))
-    for i in range(3):
-        said = stepped(program, 1e-5, open_at + 1e-5, i)[0]
-        modes = said[-1][1][:2]
-        until = open_at + 2e-4 * np.arange(6)
-        exact = np.array([motion(z, t, modes, x)[2][:4] for x in until[1:]])
-        ends = np.array([stepped(program, 1e-5, x, i)[1] for x in until[1:]])
-        rows.append((f"{modes[0]} {modes[1]} from {open_at:.4f} s",
-                     f"{abs(ends - exact).max():.2g}"))
-        axes.plot(until[1:], ends[:, 2], label=" ".join(modes))
-        axes.plot(until[1:], exact[:, 2], "k:")
-    axes.set(xlabel="t [s]", ylabel="angle of the first castor [rad]")
-    axes.legend()
-    pictures.save(figure, picture)
     same = driven.output(program) == driven.output(plus)
     return pd.DataFrame([*rows, ("C and C++ alike", str(same))],
                         columns=["what", "error of the angles [rad]"])
 
 
-def count(work: Path, kept: Path) -> dict[str, pd.DataFrame]:
-    """The table, and the picture."""
+def count(work: Path, _: Path) -> dict[str, pd.DataFrame]:
+    """The table."""
     place = work.parent
-    return {"motions": rows_of(place / "cart-program", place / "cart-plus",
-                               kept / "cart.svg")}
+    return {"motions": rows_of(place / "cart-program", place / "cart-plus")}
