@@ -1,9 +1,9 @@
 """`make corner`: what small noise selects at h = g = 0 of `chaos`, where slip+
-arrives: slip- or stick-, by r, for three directions of the noise (corner.c).
+arrives: slip- or stick-, by r, for two directions of the noise (corner.c).
 
 Length and time in units of the noise leave only its direction: no probability
-depends on its size. n = (n_g, n_h) is a unit of noise on v, on omega, or of one
-Wiener process on both, 1 m/s with 1 rad/s.
+depends on its size. n = (n_g, n_h) is a unit of noise on v or on omega. That of
+one Wiener process on both, "v and omega", is not resolved by these eps.
 """
 import math
 import os
@@ -25,8 +25,7 @@ KAPPA, GAMMA = 0.27241153714062028, -3 * math.pi / 4
 SAMPLES = int(os.environ.get("SAMPLES") or 10000)
 EPS = 0.2, 0.1, 0.05
 PLACES = {"v": (0.176, 0.178, 0.18, 0.182, 0.183, 0.185, 0.19, 0.195),
-          "omega": (0.178, 0.18, 0.182, 0.183, 0.19),
-          "v and omega": (0.178, 0.18, 0.182, 0.183, 0.19)}
+          "omega": (0.178, 0.18, 0.182, 0.183, 0.19)}
 
 # Cycles of each sample, by the rate of exits from the two-fold [1/s], which is
 # as the noise^(-2/3).
@@ -145,9 +144,10 @@ def draw(kept: Path, found: list[tuple[str, float, table.Estimate]]) -> None:
     for colour, kind in zip(SERIES, PLACES):
         some = sorted((r, *limit) for of, r, limit in found if of == kind)
         r, P, low, high = np.array(some).T
-        axes.errorbar(r, P, [P - low, high - P], fmt="o-", ms=4, color=colour,
+        axes.errorbar(r, P, [P - low, high - P], fmt="o", ms=4, color=colour,
                       label=f"noise on {kind}")
-    axes.axvline(critical(), color=LINE, zorder=0)
+    axes.axvline(critical(), color=LINE, zorder=0,
+                 label="r_c: stick\u2212 leaves to the left")
     axes.set(xlabel="r of h = g = 0 [m]", ylabel="probability of slip\u2212",
              ylim=(0, 1.02))
     axes.legend()

@@ -39,13 +39,13 @@ docs/TUTORIAL.md      1450
 docs/USE.md           2500
 docs/PORTS.md         2500
 docs/PROTOCOL.md      3500
-DESIGN.md             7660
+DESIGN.md             7760
 docs/SCHEMES.md       2000
 docs/BENCH.md         1800
 docs/VERIFICATION.md  1800
 docs/PAPER.md         3500
 docs/FINDINGS.md      2500
-docs/STUDIES.md       4400
+docs/STUDIES.md       4600
 CHANGELOG.md          2500
 docs/PACKAGES.md         10
 docs/FMU.md              10
