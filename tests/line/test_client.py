@@ -9,6 +9,7 @@ import re
 import signal
 import subprocess
 import sys
+import termios
 import time
 import types
 
@@ -91,10 +92,25 @@ class Port:
     """As pyserial's objects are."""
 
     def __init__(self, name):
-        self.device = Board.__init__.__globals__["_Device"](name, 1)
+        self.device = Board.__init__.__globals__["_Device"](name, 1, None)
         self.in_waiting = 0
         self.write, self.close = self.device.write, self.device.close
         self.read = lambda count: os.read(self.device.line, count)
+
+
+def test_a_path_has_a_speed():
+    with Firmware("float") as firmware:
+        for baud, speed in ((None, None), (1000000, termios.B1000000)):
+            with Board(firmware.name, baud=baud):
+                line = os.open(firmware.name, os.O_RDWR | os.O_NOCTTY)
+                got = termios.tcgetattr(line)[4:6]
+                os.close(line)
+                check(speed is None or got == [speed, speed], got)
+        try:
+            Board(firmware.name, baud=1234567)
+            check(False, "no speed of this system")
+        except ValueError as error:
+            check("1234567" in str(error), error)
 
 
 def test_an_object_is_a_port():

@@ -51,12 +51,19 @@ class BoardError(Exception):
 class _Device:
     """A device by its path, as far as pyserial's objects are used here."""
 
-    def __init__(self, path, timeout):
+    def __init__(self, path, timeout, baud):
         import termios
         import tty
+        speed = getattr(termios, f"B{baud}", None)
+        if baud and speed is None:
+            raise ValueError(f"baud={baud!r}: not a speed of this system")
         self.timeout = timeout
         self.line = os.open(path, os.O_RDWR | os.O_NOCTTY)
         tty.setraw(self.line, termios.TCSANOW)
+        if baud:
+            of = termios.tcgetattr(self.line)
+            of[4:6] = speed, speed
+            termios.tcsetattr(self.line, termios.TCSANOW, of)
 
     def read(self, _):
         there = select.select([self.line], [], [], self.timeout)[0]
@@ -72,11 +79,12 @@ class _Device:
 
 class Board:
     """A board at a port: a path, or an object with read, write and close, as
-    pyserial's, whose timeout is not None. key: its 16 bytes, where it has one;
-    then answers and counts are the board's, and none of a recording."""
+    pyserial's, whose timeout is not None. baud: of a path, which keeps its
+    speed without it. key: its 16 bytes, where it has one; then answers and
+    counts are the board's, and none of a recording."""
 
-    def __init__(self, port, key=None, timeout=1.0):
-        self._port = _Device(port, timeout) \
+    def __init__(self, port, key=None, timeout=1.0, baud=None):
+        self._port = _Device(port, timeout, baud) \
             if isinstance(port, (str, os.PathLike)) else port
         self._key, self._timeout = key, timeout
         self._rest, self._nonce, self._trusts = b"", b"", False
