@@ -28,8 +28,8 @@ def agree(real, name, got, want):
     """A number of a table and the text of the command line."""
     if name == "set":
         got = _table._cell(name, got)
-    elif name in _table.MEMBERS and isinstance(got, np.integer):
-        got = str(_table.MEMBERS[name](got))
+    elif name in _table.MEMBERS and isinstance(got, (int, np.integer)):
+        got = str(_table.MEMBERS[name](int(got)))
     elif not isinstance(got, str):
         want = math.nan if want == "" else want
         got, want = SMALL[real](got), SMALL[real](want)

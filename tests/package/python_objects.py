@@ -145,6 +145,8 @@ def words_stand_for_members():
         assert ((rows["mode"] == name) == (rows.words("mode") == name)).all()
         assert ((rows["mode"] != Mode(name)) != (rows["mode"] == name)).all()
     refusal(ValueError, rows["mode"].__eq__, "slip")
+    for row in rows[0], next(iter(rows)), rows[-1:][0]:
+        assert row["mode"] in Mode and row["mode"] == str(row["mode"])
     assert type(rows["mode"].max()) is np.uint8
     assert (rows == rows).all() is np.True_ and type(np.diff(
         rows["mode"])) is np.ndarray

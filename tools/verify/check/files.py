@@ -24,7 +24,7 @@ src               11720   9700     61
 include            1990   1650     17
 tools/cli         12750  10000
 tools/board        1620   1200
-tools/package      6320   5200
+tools/package      6330   5200
 tools/page         4350   4000
 tools/bench        3750   3200
 tools/study        4700   3800

@@ -61,15 +61,26 @@ class _Members(_Plain):
         return ~(self == other)
 
 
+class _Row(np.void):
+    """A row, whose modes and the like are members."""
+
+    def __getitem__(self, key):
+        got = super().__getitem__(key)
+        kind = MEMBERS.get(key) if isinstance(got, np.integer) else None
+        return kind(int(got)) if kind and got in [*kind] else got
+
+
 class Table(_Plain):
     """A structured array of numpy: table["r"] is a column, a plain array; one
-    of modes may be compared with words. It shows the first and the last rows,
-    with units and names; in a notebook, as a table."""
+    of modes may be compared with words, as may table[0]["mode"]. It shows the
+    first and the last rows, with units and names; in a notebook, as a table."""
 
     def __getitem__(self, key):
         if isinstance(key, str) and self.dtype.names:
             word("name of a column", key, self.dtype.names)
         got = super().__getitem__(key)
+        if isinstance(got, np.void):
+            return got.view(np.dtype((_Row, got.dtype)))
         if not isinstance(got, Table) or got.dtype.names is not None:
             return got
         if not isinstance(key, str) or key not in MEMBERS or \
@@ -78,6 +89,9 @@ class Table(_Plain):
         got = got.view(_Members)
         got.kind = MEMBERS[key]
         return got
+
+    def __iter__(self):
+        return (self[i] for i in range(len(self)))
 
     def _cells(self):
         flat, half = self.reshape(-1), SHOWN // 2
