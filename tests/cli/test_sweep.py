@@ -154,7 +154,7 @@ def test_of_a_whole_file_nothing_is_done():
     same(Path("x").stat().st_mtime_ns, before)
     call("sweep", *GRID, "--out", "y")
     same({path.name for path in Path().iterdir()}, {"x", "x.resume", "y"})
-    says(3, "--resume: y is of another sweep", *words, "y")
+    says(3, "--resume: y has no notes in y.resume", *words, "y")
 
 
 def test_rows_of_another_sweep():
@@ -177,7 +177,7 @@ def test_rows_of_another_sweep():
     Path("x.resume").write_bytes(notes[:-3] + b"x" + notes[-2:])
     says(3, "x.resume is damaged", *SLOW, "--out", "x", "--resume")
     Path("x.resume").unlink()
-    says(3, "x.part is of another sweep", *SLOW, "--out", "x", "--resume")
+    says(3, "x.part has no notes in x.resume", *SLOW, "--out", "x", "--resume")
     same(Path("x.part").read_bytes(), part)
     Path("in.csv").write_text(INPUTS)
     words = ["sweep", "chaos", "--over", "mu=1:2:3", "--t-end", "1", "--inputs",

@@ -11,6 +11,7 @@ import subprocess
 import sys
 import threading
 import warnings
+import zlib
 from pathlib import Path
 
 import matplotlib
@@ -116,6 +117,20 @@ def pickles_are_whole():
                                              pickle.loads, other)
         assert "older" in refusal(pickle.UnpicklingError, held.__setstate__,
                                     dict(held.__dict__))
+
+
+def copies_are_whole():
+    """Of tables, states and inputs."""
+    machine = Machine("chaos", real="float")
+    rows = machine.run(0.01)
+    for held in rows, machine.state, machine.input():
+        for same in (copy.copy(held), copy.deepcopy(held),
+                     pickle.loads(pickle.dumps(held))):
+            assert bytes(same) == bytes(held) and type(same) is type(held)
+        data = bytearray(pickle.dumps(held))
+        data[len(data) // 2] ^= 1
+        refusal((pickle.UnpicklingError, zlib.error), pickle.loads, data)
+    assert rows["mode"][0] == rows[0]["mode"] == str(Mode(rows["mode"].min()))
 
 
 def words_stand_for_members():
@@ -296,7 +311,7 @@ def files_read_back():
     assert "no newline" in str(said[0].message)
 
 
-for law in (enters_once, pickles_are_whole, words_stand_for_members,
-            tables_are_read_by_others, sweeps_stop, arithmetic_is_checked,
-            pictures_show_modes, files_read_back):
+for law in (enters_once, pickles_are_whole, copies_are_whole,
+            words_stand_for_members, tables_are_read_by_others, sweeps_stop,
+            arithmetic_is_checked, pictures_show_modes, files_read_back):
     law()

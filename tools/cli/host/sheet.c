@@ -105,9 +105,14 @@ static int refuse_other(const cli_sheets_t *sheets, const char *path) {
 static int read_notes(cli_sheets_t *sheets, FILE *notes, const char *name) {
   static char line[LINE];
   uint32_t chain = sheets->chain;
-  const char *text = notes == NULL || fgets(line, sizeof line, notes) == NULL
-                         ? NULL
-                         : text_of(&chain, line);
+  if (notes == NULL) {
+    return cli_message(CLI_REFUSED,
+                       "--resume: %s has no notes in %s: it was not begun with "
+                       "--resume; remove it, or give another file",
+                       name, notes_of(sheets));
+  }
+  const char *text =
+      fgets(line, sizeof line, notes) == NULL ? NULL : text_of(&chain, line);
   if (text == NULL || strcmp(text, sheets->about) != 0)
     return refuse_other(sheets, name);
   do {

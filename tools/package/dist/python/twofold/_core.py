@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from ._check import word
+from ._check import packed, unpacked, word
 from ._names import Mode
 from ._table import UNITS
 
@@ -27,6 +27,16 @@ class Struct(ctypes.Structure):
     """One that shows its fields with their units, and has no others."""
     __slots__ = ()
 
+    def __copy__(self):
+        return type(self).from_buffer_copy(self)
+
+    def __deepcopy__(self, _):
+        return self.__copy__()
+
+    def __reduce__(self):
+        return _struct, (self.core, type(self).__name__,
+                         packed(bytes(self), self.core.size))
+
     def __repr__(self):
         shown = []
         for name, *_ in self._fields_:
@@ -37,6 +47,10 @@ class Struct(ctypes.Structure):
                 value = f"{value:.9g}"
             shown.append(f"{name}={value} {unit}".rstrip())
         return f"{type(self).__name__}({', '.join(shown)})"
+
+
+def _struct(core, name, held):
+    return getattr(core, name).from_buffer_copy(unpacked(held, core.size))
 
 
 class Core:
@@ -57,8 +71,9 @@ class Core:
 
     def _struct(self, reals, *others, name="Struct", first=()):
         """A struct of the core; fields of its real type before others."""
-        return type(name, (Struct,), {"__slots__": (), "_fields_": [
-            *first, *((one, self.real) for one in reals.split()), *others]})
+        fields = [*first, *((one, self.real) for one in reals.split()), *others]
+        return type(name, (Struct,),
+                    {"__slots__": (), "core": self, "_fields_": fields})
 
     def _structs(self):
         self.State = self._struct("r v w phi", ("tick", c_uint64),

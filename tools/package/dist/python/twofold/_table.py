@@ -9,7 +9,7 @@ from typing import TextIO
 
 import numpy as np
 
-from ._check import word
+from ._check import packed, unpacked, word
 from ._names import Folds, Mode, Region, Status
 
 UNITS = {"t": "s", "r": "m", "v": "m/s", "omega": "rad/s", "phi": "rad",
@@ -60,14 +60,28 @@ class _Members(_Plain):
     def __ne__(self, other):
         return ~(self == other)
 
+    def __getitem__(self, key):
+        return _member(self.kind, super().__getitem__(key))
+
+    def __iter__(self):
+        return (self[i] for i in range(len(self)))
+
+
+def _member(kind, value):
+    """The member of a number that has one."""
+    return kind(int(value)) if kind and isinstance(
+        value, np.integer) and value in [*kind] else value
+
+
+def _table(held):
+    return unpacked(held, []).view(Table)
+
 
 class _Row(np.void):
     """A row, whose modes and the like are members."""
 
     def __getitem__(self, key):
-        got = super().__getitem__(key)
-        kind = MEMBERS.get(key) if isinstance(got, np.integer) else None
-        return kind(int(got)) if kind and got in [*kind] else got
+        return _member(MEMBERS.get(key), super().__getitem__(key))
 
 
 class Table(_Plain):
@@ -92,6 +106,9 @@ class Table(_Plain):
 
     def __iter__(self):
         return (self[i] for i in range(len(self)))
+
+    def __reduce__(self):
+        return _table, (packed(self.view(np.ndarray), []),)
 
     def _cells(self):
         flat, half = self.reshape(-1), SHOWN // 2
