@@ -133,6 +133,14 @@ def copies_are_whole():
     assert rows["mode"][0] == rows[0]["mode"] == str(Mode(rows["mode"].min()))
 
 
+def a_table_in_milliseconds_is_noted():
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        twofold.simulate("chaos", 2, 100, between="held", inputs={
+            "t": [0, 1000, 2000], "force": [0, 1, 0]})
+    assert ["is t in seconds?" in str(one.message) for one in said] == [True]
+
+
 def words_stand_for_members():
     for kind in (Mode, twofold.Status, twofold.Scheme, twofold.Folds):
         for one in kind:
@@ -312,6 +320,7 @@ def files_read_back():
 
 
 for law in (enters_once, pickles_are_whole, copies_are_whole,
+            a_table_in_milliseconds_is_noted,
             words_stand_for_members, tables_are_read_by_others, sweeps_stop,
             arithmetic_is_checked, pictures_show_modes, files_read_back):
     law()

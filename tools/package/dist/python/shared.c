@@ -86,15 +86,18 @@ int twofold_scene(cli_scene_file_t *file, const char *path, const char *text,
   return code;
 }
 
+/* begin, end: of the run [s], for a note where the table does not fit it. */
 int twofold_table(table_t *table, const tf_scene_t *scene, bool linear,
-                  const char *path, const char *text, size_t size, char *why,
-                  size_t room) {
+                  double begin, double end, const char *path, const char *text,
+                  size_t size, char *why, size_t room) {
   cli_inputs_t *inputs = &table->drive.table;
   cli_message_divert(why, room);
   int code = cli_drive_read(&table->drive, scene, NULL, 0);
   inputs->linear = linear;
   if (code == CLI_DONE) code = cli_inputs_parse(inputs, path, text, size);
   if (inputs->given[CLI_INPUT_OMEGA0]) cli_inputs_free(&table->drive.profile);
+  if (code == CLI_DONE)
+    cli_drive_notes(&table->drive, &table->setup, begin, end);
   cli_message_divert(NULL, 0);
   return code;
 }

@@ -64,7 +64,7 @@ class _Quantity:
 class _Table:
     """Inputs over time that drive a machine, as --inputs does."""
 
-    def __init__(self, machine, inputs, between):
+    def __init__(self, machine, inputs, between, steps):
         self.core, name = machine.core, b"inputs"
         if isinstance(inputs, (str, os.PathLike)):
             name, text = os.fsencode(inputs), Path(inputs).read_bytes()
@@ -76,7 +76,9 @@ class _Table:
         linear = word("between", between, ("held", "linear")) == "linear"
         self.held = name, ctypes.create_string_buffer(self.core.size["table"])
         self.core.read(self.core.call_table, self.held[1],
-                       ctypes.pointer(machine.scene), linear, name, text)
+                       ctypes.pointer(machine.scene), linear,
+                       machine.state.tick * machine["dt"],
+                       (machine.state.tick + steps) * machine["dt"], name, text)
 
     def __del__(self):
         if hasattr(self, "held"):
@@ -424,7 +426,7 @@ class Machine:
         held = table = first = None
         if between is not None or not (inputs is None or
                                        isinstance(inputs, Struct)):
-            table = _Table(self, inputs, between)
+            table = _Table(self, inputs, between, steps)
             first = self.core.call_drive(table.held[1], self._run(scheme),
                                          byref(self._params))
         elif inputs is not None:
