@@ -78,7 +78,10 @@ def driven(real):
             same(twofold.simulate(scene, 1, 50, scheme, real=real, h=0,
                                   **given), *words)
             machine = twofold.Machine(scene, real=real, h=0)
+            swept = twofold.sweep(scene, {"h": [0]}, 1, scheme, real=real,
+                                  **given)
             parts = [machine.run(t, 50, scheme, **given) for t in (0.25, 0.75)]
+            assert swept["end_r"][0] == machine.r, (scheme, scene)
             same(np.concatenate([parts[0], parts[1][1:]]), *words)
 
 

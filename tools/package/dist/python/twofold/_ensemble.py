@@ -15,7 +15,7 @@ from . import _core
 from ._check import (LIMIT, STEPS, alone, column, columns, integer, member,
                      packed, unpacked, word)
 from ._core import LANES, NO_MODE, Struct, parameters
-from ._machine import START, Machine, placed
+from ._machine import START, Inputs, Machine, placed
 from ._names import Law, Mode, Rule, Scheme, Status
 from ._table import Table
 
@@ -157,17 +157,18 @@ def _axis(name, values):
         values if np.ndim(values) and len(values) else [values])])
 
 
-def _point(row, scene, t_end, scheme, settings, stop):
+def _point(row, scene, how, settings, stop):
     """Fills in the row of a point. Returns: why it was refused."""
     row["final"] = NO_MODE
     try:
         machine = Machine(scene, **settings)
-        machine._ready(machine._scheme(scheme))
+        machine._ready(machine._scheme(how[1]))
     except ValueError as error:
         row["status"], row["reason"] = "refused", str(error)
         return error
     energy = machine.energy()
-    rows, done, status = machine._rows(t_end, 1, scheme, None, None, stop)
+    t_end, *others = how
+    rows, done, status = machine._rows(t_end, 1, *others, stop)
     row["t"] = rows["t"][-1]
     found = _outcomes(rows, energy, machine.energy())
     for name, value in found.items():
@@ -204,11 +205,13 @@ def _in_threads(work, points, jobs, progress, stop):
 
 def sweep(scene: str | os.PathLike = "chaos", over: dict | None = None,
           t_end: float | None = None, scheme: Scheme | str | None = None,
+          inputs: Inputs = None, between: str | None = None,
           jobs: int | None = None, progress: bool | None = None,
           **settings) -> Table:
     """Follows a motion from each point of a grid: what `twofold sweep` finds.
 
     over: values of each axis by its name, a parameter or argument of Machine.
+    inputs, between: of each, as of Machine.run.
     jobs: points at a time; None: one for each processor.
     progress: whether tqdm, where it is installed, shows how far the sweep is;
       None: on a terminal.
@@ -235,7 +238,7 @@ def sweep(scene: str | os.PathLike = "chaos", over: dict | None = None,
         table[name] = math.nan
     stop = Event()
     errors = _in_threads(lambda at: _point(
-        table[at], scene, t_end, scheme, {**settings, **{
+        table[at], scene, (t_end, scheme, inputs, between), {**settings, **{
             name: table[name][at].item() for name in axes}}, stop.is_set),
         [*np.ndindex(table.shape)], jobs, progress, stop)
     if all(errors):
