@@ -111,3 +111,32 @@ TEST(slip_without_a_future_at_codim2_is_coarse) {
     }
   }
 }
+
+/* A slip that comes to h = g = 0 with a choice and stays that slip is listed.
+ * Float does not resolve this one. */
+TEST(located_changes_have_a_choice_that_changes_nothing) {
+  tf_located_change_t list[8];
+  size_t count = 0;
+  int found = 0;
+  tf_params_t params = tf_scenes[0]->params;
+  params.d = TF_R(-0.10915277667718826);
+  params.beta = TF_R(0.46501501527900346);
+  params.k2 = TF_R(10.528720060022424);
+  params.mu = TF_R(1.8577782759020631);
+  params.kappa = TF_R(0.12210309441777085);
+  params.gamma = TF_R(-2.6658333751446825);
+  params.dt = TF_R(0.5);
+  sim_t s = sim_of(&params);
+  s.x = (tf_state_t){.r = TF_R(0.017612645754733931),
+                     .v = TF_R(-0.066898044986434577),
+                     .w = TF_R(-0.53328025698681536),
+                     .mode = TF_SLIP_PLUS};
+  CHECK(tf_step_located_changes(&s.k, &s.x, &s.u, &s.report, list, 8, &count) >=
+        TF_OK);
+  unsigned mode = TF_SLIP_PLUS;
+  for (size_t i = 0; i < count; i++) {
+    found += list[i].report.mode == mode && list[i].report.choices == 2;
+    mode = list[i].report.mode;
+  }
+  CHECK(found == 1 || !IS_DOUBLE);
+}
