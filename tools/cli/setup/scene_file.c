@@ -270,7 +270,7 @@ static int read_lines(reader_t *reader) {
     }
     for (size_t i = 0; i < reader->lines.length; i++) {
       const unsigned char byte = (unsigned char)line[i];
-      if ((byte < ' ' && byte != '\t' && byte != '\r') || byte > '~') {
+      if ((byte < ' ' && byte != '\t') || byte > '~') {
         return cli_message(CLI_USAGE,
                            "%s column %zu: byte %u is not ASCII text",
                            reader->place, i + 1, byte);
