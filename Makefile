@@ -216,7 +216,7 @@ LINE += $(if $(filter tests/cli/test_sweep.py,$(TESTS)),$(BUILD)/float/twofold)
 LINE += $(if $(call line_needs,replay),own-scene)
 LINE += $(if $(call line_needs,streams monitor),line-csv line-plotter)
 LINE += $(if $(call line_needs,make),$(BUILD)/tests/key \
-  $(BUILD)/double/constants $(BUILD)/double/hil)
+  $(REALS:%=$(BUILD)/%/constants) $(BUILD)/double/hil)
 line_firmware = @MAKEFLAGS= MAKELEVEL= $(MAKE) -s --no-print-directory elf \
   BOARD=host CC='$(CC)' OPT='$(OPT)' EXTRA='$(EXTRA)' BUILD='$(BUILD)' \
   SCENE=$(or $(2),chaos) RATE=1000 $(1)

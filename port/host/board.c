@@ -77,8 +77,13 @@ static speed_t speed_of(const char *baud) {
   static const struct {
     const char *name;
     speed_t speed;
-  } speeds[] = {{"9600", B9600},   {"19200", B19200},   {"38400", B38400},
-                {"57600", B57600}, {"115200", B115200}, {"230400", B230400}};
+  } speeds[] = {
+      {"9600", B9600},     {"19200", B19200},     {"38400", B38400},
+      {"57600", B57600},   {"115200", B115200},   {"230400", B230400},
+#ifdef B2000000
+      {"500000", B500000}, {"1000000", B1000000}, {"2000000", B2000000},
+#endif
+  };
   for (unsigned i = 0; i < sizeof speeds / sizeof *speeds; i++)
     if (!strcmp(speeds[i].name, baud)) return speeds[i].speed;
   fprintf(stderr, "host: no baud rate is %s\n", baud);

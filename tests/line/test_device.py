@@ -21,7 +21,7 @@ from boards import (ANSWER, DESCRIBE, INPUT, RUN, STATE, STOP, Board, Line,
                     framed, program, relayed, says)
 from decode import breaks, frames
 from starts import keyed
-from tap import TWOFOLD, call, check, main, output, same, until
+from tap import ROOT, TWOFOLD, call, check, main, output, same, until
 
 
 def motion(payload):
@@ -64,6 +64,31 @@ def test_reader_leaves_and_comes_back():
         with Listener(board.name, states) as again:
             again.comes_to(line.last + 100)
         same(board.end()[0], 0)
+
+
+def test_speeds_of_boards_are_known():
+    """To monitor and to the host port, if this system has them."""
+    speeds = {int(speed) for path in ROOT.glob("port/*/*.mk")
+              for speeds in re.findall("^BOARD_BAUDS :=(.*)", path.read_text(),
+                                       re.M) for speed in speeds.split()
+              if hasattr(termios, f"B{speed}")}
+    check({115200, 2000000} <= speeds, speeds)
+    near, far = pty.openpty()
+    tty.setraw(near)
+    name = os.ttyname(far)
+
+    def has(speed, process):
+        until(lambda: termios.tcgetattr(near)[4] == getattr(
+            termios, f"B{speed}"), f"{speed} baud", process)
+    for speed in speeds:
+        with Board("double", port=f"{name}:{speed}") as board:
+            has(speed, board.run)
+        monitor = follow(name, "--baud", "9600")
+        has(9600, monitor)
+        monitor.kill()
+        monitor = follow(name, "--baud", str(speed))
+        has(speed, monitor)
+        monitor.kill()
 
 
 def test_device_that_is_unplugged_ends_it():

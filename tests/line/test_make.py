@@ -67,8 +67,34 @@ def test_what_is_no_number_or_no_choice_is_named():
     same(make("-n", "FORMAT=")[0], 2)
 
 
+def judged(*words):
+    """What `make firmware` asks of the line before it compiles: its exit code
+    and what it says."""
+    code, said, why = make("-n", *words)
+    check(code == 0, why)
+    asks = [line for line in said.splitlines() if "--line" in line] or ["true"]
+    same(len(asks), 1)
+    done = subprocess.run(asks[0], shell=True, capture_output=True, text=True,
+                          check=False)
+    return done.returncode, done.stderr
+
+
+def test_no_firmware_of_the_documents_is_refused():
+    """Nor where every step sends a state, to a controller at 1 kHz."""
+    found = [line.split() for name in ("USE", "PORTS") for line in re.findall(
+        r"^    make firmware ([A-Z].*?)(?:   .*)?$",
+        (ROOT / f"docs/{name}.md").read_text("utf-8"), re.M)]
+    check(len(found) > 8, found)
+    for words in found:
+        if "my." not in " ".join(words):
+            same((words, judged("REAL=float", *words)[0]), (words, 0))
+    loop, = (words for words in found if "EVERY=1" in words)
+    for more, code in (["REAL=double"], 0), (["BAUD=1000000"], 3), \
+            (["BAUD=1000000", "EVERY=2"], 0):
+        same((more, judged("REAL=float", *loop, *more)[0]), (more, code))
+
+
 def test_a_line_that_does_not_carry_its_records_is_refused():
-    """By what `make firmware` asks before it compiles."""
     key = f"UPLINK=yes KEY={BUILD}/tests/key"
     for form, every, sends in (
             ("plotter", 11, "114 bytes with a record and 157 each second"),
@@ -77,13 +103,10 @@ def test_a_line_that_does_not_carry_its_records_is_refused():
             ("frames UPLINK=yes", 16, "167 bytes with a record and 658 each"),
             (f"frames {key}", 17, "175 bytes with a record and 674 each")):
         for steps in every, every - 1:
-            asks = [line for line in make(
-                "-n", "BAUD=115200", *f"FORMAT={form}".split(),
-                f"EVERY={steps}")[1].splitlines() if "--line" in line]
-            done = subprocess.run(asks[0], shell=True, capture_output=True,
-                                  text=True, check=False)
-            same((len(asks), done.returncode), (1, 3 * (steps < every)))
-        same(sends in done.stderr and done.stderr.endswith(
+            code, said = judged("BAUD=115200", *f"FORMAT={form}".split(),
+                                f"EVERY={steps}")
+            same(code, 3 * (steps < every))
+        same(sends in said and said.endswith(
             f" carries 11520; EVERY={every} would do\n"), True)
 
 

@@ -187,16 +187,17 @@ static const struct {
   uint64_t baud;
   speed_t speed;
 } speeds[] = {
-    {9600, B9600},     {19200, B19200},   {38400, B38400},
+    {9600, B9600},       {19200, B19200},     {38400, B38400},
 #ifdef B115200
-    {57600, B57600},   {115200, B115200}, {230400, B230400},
+    {57600, B57600},     {115200, B115200},   {230400, B230400},
 #endif
-#ifdef B1000000
-    {460800, B460800}, {921600, B921600}, {1000000, B1000000},
+#ifdef B2000000
+    {460800, B460800},   {500000, B500000},   {921600, B921600},
+    {1000000, B1000000}, {1500000, B1500000}, {2000000, B2000000},
+    {3000000, B3000000},
 #endif
 };
 
-// Raw mode: no echo, no line editing, no translation of bytes.
 // Bytes from before anybody listened are half a story, and a line that was full
 // sends them first: what comes within a moment is dropped.
 #define STALE 100 // [ms]
@@ -207,6 +208,7 @@ static void discard_stale(int descriptor) {
   (void)tcflush(descriptor, TCIFLUSH);
 }
 
+// Raw mode: no echo, no line editing, no translation of bytes.
 static bool make_raw(int descriptor, uint64_t baud) {
   struct termios line;
   if (tcgetattr(descriptor, &line) != 0) return false;
