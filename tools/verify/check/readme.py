@@ -26,7 +26,7 @@ MAKE = (  # in that place
 NEEDS = {"pkg-config": ("pkg-config", "pkg-config"),
          "cmake": ("cmake", "cmake"),
          "BOARD=stm32f405": ("arm-none-eabi-gcc", "gcc-arm-none-eabi")}
-SHELLS = [Path("docs/TUTORIAL.md")]
+SHELLS = [Path("README.md"), Path("docs/TUTORIAL.md")]
 not_tried = []
 text = Path("README.md").read_text()
 
