@@ -23,8 +23,6 @@
 #include "command.h"
 
 #include <fenv.h>
-#include <stdio.h>
-#include <string.h>
 
 #include "host/host.h"
 #include "host/output.h"
@@ -32,8 +30,7 @@
 #include "text/summary.h"
 
 static int scenes(int argc, char *const argv[]) {
-  if (argc > 0)
-    return cli_message(CLI_USAGE, "scenes: unexpected argument '%s'", argv[0]);
+  if (argc > 0) return cli_usage("scenes: unexpected argument '%s'", argv[0]);
   for (size_t i = 0; i < TF_SCENES; i++) {
     (void)printf("%-12s  %s (leaves out: %s)\n", tf_scenes[i]->name,
                  tf_scenes[i]->shows, tf_scenes[i]->leaves_out);
@@ -42,8 +39,7 @@ static int scenes(int argc, char *const argv[]) {
 }
 
 static int version(int argc, char *const argv[]) {
-  if (argc > 0)
-    return cli_message(CLI_USAGE, "version: unexpected argument '%s'", argv[0]);
+  if (argc > 0) return cli_usage("version: unexpected argument '%s'", argv[0]);
   (void)puts("twofold " TF_VERSION ", tf_real_t is " CLI_NUMBER_TYPE);
   return cli_finish_stdout();
 }
@@ -53,15 +49,12 @@ static int apply(const cli_args_t *args, tf_scene_t *scene) {
   cli_setup_t setup;
   CLI_TRY(cli_setup_read(&setup, args->scene, &args->settings, args->select));
   if (args->select != NULL && strchr(args->select, ':') != NULL) {
-    return cli_message(CLI_USAGE,
-                       "--select %s: a scene has no seed; give it to 'run'",
-                       args->select);
+    return cli_usage("--select %s: a scene has no seed; give it to 'run'",
+                     args->select);
   }
   if (setup.set[CLI_PHI] != NULL) {
-    return cli_message(CLI_USAGE,
-                       "--set %s: a scene starts with phi = 0; give it to "
-                       "'run'",
-                       setup.set[CLI_PHI]->text);
+    return cli_usage("--set %s: a scene starts with phi = 0; give it to 'run'",
+                     setup.set[CLI_PHI]->text);
   }
   CLI_TRY(cli_setup_machine(&setup));
   CLI_TRY(cli_setup_start(&setup));
@@ -137,13 +130,10 @@ const cli_command_t *cli_find_command(const char *name) {
 // The benchmarks need several builds of the core, so they belong to make.
 static int unknown_command(const cli_closest_t *closest) {
   const char *name = closest->word;
-  if (strcmp(name, "bench") == 0 || strcmp(name, "stability") == 0) {
-    return cli_message(CLI_USAGE, "%s is a target of make: 'make %s'", name,
-                       name);
-  }
-  return cli_message(CLI_USAGE,
-                     "unknown command '%s'%s ('twofold help' lists them)", name,
-                     closest->hint);
+  if (strcmp(name, "bench") == 0 || strcmp(name, "stability") == 0)
+    return cli_usage("%s is a target of make: 'make %s'", name, name);
+  return cli_usage("unknown command '%s'%s ('twofold help' lists them)", name,
+                   closest->hint);
 }
 
 static bool has(int argc, char *const argv[], const char *word) {
@@ -173,9 +163,8 @@ static int read_args(const cli_command_t *command, cli_args_t *args, int argc,
   args->shard = (cli_shard_t){1, 1};
   CLI_TRY(cli_read_words(command, args, argc, argv));
   if (!command->of_source && args->scene == NULL) {
-    return cli_message(CLI_USAGE,
-                       "%s: which scene? ('twofold scenes' lists them)",
-                       command->name);
+    return cli_usage("%s: which scene? ('twofold scenes' lists them)",
+                     command->name);
   }
   return command->check != NULL ? command->check(args) : CLI_DONE;
 }
@@ -216,8 +205,7 @@ static int check_arithmetic(void) {
   (void)fesetenv(FE_DFL_ENV);
   const tf_arithmetic_t found = tf_arithmetic();
   if (found == TF_ARITHMETIC_OK) return CLI_DONE;
-  return cli_message(CLI_STOPPED, "this build has other bits: %s",
-                     tf_arithmetic_name(found));
+  return cli_stop("this build has other bits: %s", tf_arithmetic_name(found));
 }
 
 // What a command reports is part of what it was asked for: where it could not

@@ -6,9 +6,6 @@
 // `complete WORD...`, which prints what may stand behind these words: so it
 // offers what the tables of commands and options have, and never grows old.
 
-#include <stdio.h>
-#include <string.h>
-
 #include "command.h"
 #include "sweep/point.h"
 
@@ -234,7 +231,7 @@ static bool print_option(cli_closest_t *closest) {
 
 // A word may be several things: `string` is a law and a scene.
 int cli_help(int argc, char *const argv[]) {
-  if (argc > 1) return cli_message(CLI_USAGE, "help: one word at a time");
+  if (argc > 1) return cli_usage("help: one word at a time");
   const char *word = argc > 0 ? argv[0] : "overview";
   const size_t dashes = strncmp(word, "--", 2) == 0 ? 2 : 0;
   cli_closest_t closest = cli_closest_to(word + dashes);
@@ -244,10 +241,10 @@ int cli_help(int argc, char *const argv[]) {
   found = print_outcome(&closest) || found;
   found = print_sections(&closest) || found;
   return found ? cli_finish_stdout()
-               : cli_message(CLI_USAGE,
-                             "help: no help on '%s'%s; try 'twofold help' or "
-                             "'twofold help run'",
-                             word, closest.hint);
+               : cli_usage(
+                     "help: no help on '%s'%s; try 'twofold help' or 'twofold "
+                     "help run'",
+                     word, closest.hint);
 }
 
 // Prints a word and the first clause of its meaning.
@@ -310,6 +307,5 @@ int cli_completions(int argc, char *const argv[]) {
   cli_closest_t closest = cli_closest_to(section);
   return print_sections(&closest)
              ? cli_finish_stdout()
-             : cli_message(CLI_USAGE,
-                           "completions: of which shell? (bash zsh fish)");
+             : cli_usage("completions: of which shell? (bash zsh fish)");
 }

@@ -2,10 +2,6 @@
 // a file, so that a mistyped command never overwrites the result of an earlier
 // one. The message about an unknown option or value suggests the closest one.
 
-#include <inttypes.h>
-#include <stdio.h>
-#include <string.h>
-
 #include "command.h"
 #include "host/output.h"
 #include "setup/scene_file.h"
@@ -55,9 +51,8 @@ static const cli_option_t *find_option(const cli_command_t *command,
       return option;
     cli_closest_offer(&closest, option->name);
   }
-  (void)cli_message(CLI_USAGE,
-                    "unknown option %s%s ('twofold help %s' lists them)", word,
-                    closest.hint, command->name);
+  (void)cli_usage("unknown option %s%s ('twofold help %s' lists them)", word,
+                  closest.hint, command->name);
   return NULL;
 }
 
@@ -65,9 +60,9 @@ static int read_whole(const cli_option_t *option, const cli_given_t *given,
                       uint64_t *out) {
   const uint64_t low = (uint64_t)option->low, high = (uint64_t)option->high;
   if (cli_read_whole(given->value, low, high, out)) return CLI_DONE;
-  return cli_message(
-      CLI_USAGE, "%s %s: must be a whole number in [%" PRIu64 ", %" PRIu64 "]",
-      given->name, given->value, low, high);
+  return cli_usage("%s %s: must be a whole number in [%" PRIu64 ", %" PRIu64
+                   "]",
+                   given->name, given->value, low, high);
 }
 
 static bool lies_in(const cli_option_t *option, double value) {
@@ -80,13 +75,11 @@ static bool lies_in(const cli_option_t *option, double value) {
 static int check_range(const cli_option_t *option, const cli_given_t *given,
                        const char *what, double from, double to) {
   const bool is_open = option->kind == CLI_POSITIVE;
-  return lies_in(option, from) && lies_in(option, to)
-             ? CLI_DONE
-             : cli_message(CLI_REFUSED, "%s %s: %smust lie in %s%g, %g]%s%s",
-                           given->name, given->value, what, is_open ? "(" : "[",
-                           option->low, option->high,
-                           option->unit != NULL ? " " : "",
-                           option->unit != NULL ? option->unit : "");
+  if (lies_in(option, from) && lies_in(option, to)) return CLI_DONE;
+  return cli_refuse("%s %s: %smust lie in %s%g, %g]%s%s", given->name,
+                    given->value, what, is_open ? "(" : "[", option->low,
+                    option->high, option->unit != NULL ? " " : "",
+                    option->unit != NULL ? option->unit : "");
 }
 
 static int read_real(const cli_option_t *option, const cli_given_t *given,
@@ -126,11 +119,11 @@ static int refuse_choice(const cli_option_t *option, const cli_given_t *given) {
     cli_closest_offer(&closest, at->name);
   }
   return option->noun == NULL
-             ? cli_message(CLI_USAGE, "%s %s: must be %s%s", given->name,
-                           given->value, list, closest.hint)
-             : cli_message(CLI_USAGE, "%s %s: unknown %s; %ss are %s%s",
-                           given->name, given->value, option->noun,
-                           option->noun, list, closest.hint);
+             ? cli_usage("%s %s: must be %s%s", given->name, given->value, list,
+                         closest.hint)
+             : cli_usage("%s %s: unknown %s; %ss are %s%s", given->name,
+                         given->value, option->noun, option->noun, list,
+                         closest.hint);
 }
 
 // length: in, of the word at the begin of the value.
@@ -157,10 +150,8 @@ static int read_value(const cli_option_t *option, const cli_given_t *given,
     case CLI_READS:
     case CLI_WRITES:
       *(const char **)to = given->value;
-      return given->value[0] != '\0'
-                 ? CLI_DONE
-                 : cli_message(CLI_USAGE, "%s: the name of the file is empty",
-                               given->name);
+      if (given->value[0] != '\0') return CLI_DONE;
+      return cli_usage("%s: the name of the file is empty", given->name);
     case CLI_WORD:
       *(const char **)to = given->value;
       return read_choice(option, given, strcspn(given->value, ":"), &place);
@@ -196,19 +187,19 @@ static int read_option(line_t *line, int argc, char *const argv[], int *at) {
   const bool valued = word[length] == '=' || (is_short && word[2] != '\0');
   cli_given_t given = {option->name, ""};
   if (option->value == NULL) {
-    if (valued) return cli_message(CLI_USAGE, "%s: takes no value", word);
+    if (valued) return cli_usage("%s: takes no value", word);
   } else if (valued) {
     given.value = word + length + 1;
   } else if (*at + 1 < argc) {
     given.value = argv[++*at];
   } else {
-    return cli_message(CLI_USAGE, "%s: expected a value", given.name);
+    return cli_usage("%s: expected a value", given.name);
   }
   if (!option->is_repeatable) {
     if (was_given(line, given.name)) {
-      return cli_message(CLI_USAGE, "%s%s%s: %s was already given", given.name,
-                         given.value[0] != '\0' ? " " : "", given.value,
-                         given.name);
+      return cli_usage("%s%s%s: %s was already given", given.name,
+                       given.value[0] != '\0' ? " " : "", given.value,
+                       given.name);
     }
     line->words[line->count++] = (word_t){given, option->kind};
   }
@@ -222,8 +213,8 @@ static int take(line_t *line, const char *word) {
   if (!of_source) {
     CLI_TRY(cli_take_scene(&args->scene, word));
   } else if (args->source != NULL) {
-    return cli_message(CLI_USAGE, "%s: one source at a time (%s was given)",
-                       word, args->source);
+    return cli_usage("%s: one source at a time (%s was given)", word,
+                     args->source);
   } else {
     args->source = word;
   }
@@ -237,10 +228,8 @@ static int check_needs(const line_t *line) {
   for (size_t i = 0; i < cli_option_count; i++) {
     const cli_option_t *option = &cli_options[i];
     if (cli_takes(line->command, option) && option->needs != NULL &&
-        was_given(line, option->name) && !was_given(line, option->needs)) {
-      return cli_message(CLI_USAGE, "%s: only with %s", option->name,
-                         option->needs);
-    }
+        was_given(line, option->name) && !was_given(line, option->needs))
+      return cli_usage("%s: only with %s", option->name, option->needs);
   }
   return CLI_DONE;
 }
@@ -269,8 +258,8 @@ static int check_files(const line_t *line) {
       const word_t *file = &line->words[k];
       const bool is_file = file->kind == CLI_READS || file->kind == CLI_WRITES;
       if (k != i && is_file && destroys(writer, file)) {
-        return cli_message(
-            CLI_USAGE, "%s %s would write over %s%s%s: two files are needed",
+        return cli_usage(
+            "%s %s would write over %s%s%s: two files are needed",
             writer->given.name, writer->given.value, file->given.name,
             file->given.name[0] != '\0' ? " " : "", file->given.value);
       }

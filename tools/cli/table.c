@@ -3,9 +3,6 @@
 // option is a row here; a new member of cli_args_t keeps its value. An option
 // that means something else in another command has a row for each.
 
-#include <stdio.h>
-#include <string.h>
-
 #include "command.h"
 #include "diverge/diverge.h"
 #include "run/row.h"
@@ -85,8 +82,8 @@ static const cli_choice_t codim2[] = {
     {"attracting", "the attracting stick where there is one"},
     {"even", "one of the consistent modes, all equally likely"},
     {"noise",
-     "what vanishing noise on v selects: a slip, or the stick- that "
-     "leaves where slip+ arrives"},
+     "what vanishing noise on v selects: a slip, or the stick- that leaves "
+     "where slip+ arrives"},
     {NULL, NULL}};
 static const cli_choice_t commands[] = {
     {"start", ""},   {"stop", ""},     {"reset", ""},  {"snapshot", ""},
@@ -113,13 +110,12 @@ static int read_shard(cli_args_t *args, const cli_given_t *given) {
   if (*second != '/' ||
       !cli_read_whole(first, 0, CLI_MAX_STEPS, &shard->index) ||
       !cli_read_whole(second + 1, 0, CLI_MAX_STEPS, &shard->of)) {
-    return cli_message(CLI_USAGE, "%s %s: expected I/N, two whole numbers",
-                       given->name, given->value);
+    return cli_usage("%s %s: expected I/N, two whole numbers", given->name,
+                     given->value);
   }
   if (shard->index < 1 || shard->index > shard->of) {
-    return cli_message(CLI_REFUSED,
-                       "%s %s: I must lie in [1, N], N be at least 1",
-                       given->name, given->value);
+    return cli_refuse("%s %s: I must lie in [1, N], N be at least 1",
+                      given->name, given->value);
   }
   return CLI_DONE;
 }
@@ -129,12 +125,10 @@ static int read_events(cli_args_t *args, const cli_given_t *given) {
     args->listed = UINT64_MAX;
     return CLI_DONE;
   }
-  return cli_read_whole(given->value, 0, CLI_MAX_STEPS, &args->listed)
-             ? CLI_DONE
-             : cli_message(CLI_USAGE,
-                           "--events %s: must be a whole number in [0, 1e15], "
-                           "or all",
-                           given->value);
+  if (cli_read_whole(given->value, 0, CLI_MAX_STEPS, &args->listed))
+    return CLI_DONE;
+  return cli_usage("--events %s: must be a whole number in [0, 1e15], or all",
+                   given->value);
 }
 
 const cli_option_t cli_options[] = {
@@ -197,9 +191,8 @@ const cli_option_t cli_options[] = {
      "share of the velocities"},
     {"--realtime", NULL, CLI_RUN, FLAG(real_time),
      "takes step n at n dt after the start, on the wall clock. A step whose "
-     "row "
-     "is not written when the next one is due counts as late; the steps after "
-     "it do not wait until the delay is made up"},
+     "row is not written when the next one is due counts as late; the steps "
+     "after it do not wait until the delay is made up"},
     {"--priority", NULL, CLI_RUN, FLAG(priority),
      "with --realtime: runs before all other programs (SCHED_FIFO), with its "
      "memory locked; needs the permission",
@@ -292,9 +285,10 @@ const cli_option_t cli_options[] = {
     {"--count", "N", CLI_DIVERGE, WHOLE(nodes, 1, 1e6, 1000), "choices in all",
      .needs = "--exhaustive"},
     {"--branches", "FILE", CLI_DIVERGE, WRITES(branches),
-     "CSV: node,depth,kind,r,omega,mode,stick_time,exit_r,exit_omega,end,to,"
-     "time,end_r,landing_r,windings; default: standard output. Branches that "
-     "end at the same state (r within 1e-6 m) have the same number in 'to'",
+     "CSV: "
+     "node,depth,kind,r,omega,mode,stick_time,exit_r,exit_omega,end,to,time,"
+     "end_r,landing_r,windings; default: standard output. Branches that end at "
+     "the same state (r within 1e-6 m) have the same number in 'to'",
      .needs = "--exhaustive"},
     {"--baud", "N", CLI_MONITOR, WHOLE(baud, 1, 1e8, 0),
      "speed of a serial device; default: unchanged"},
@@ -303,8 +297,8 @@ const cli_option_t cli_options[] = {
      "Commands: start, stop, reset, snapshot, restore, describe, clear, "
      "set:NAME=VALUE, select:RULE[:SEED], input (the scene's own), "
      "input:OMEGA0,R0,FORCE,TORQUE, deadman:TICKS for which inputs hold (0: "
-     "for ever), every:STEPS from record to record. Ends after the last "
-     "answer unless there is --format or a live view",
+     "for ever), every:STEPS from record to record. Ends after the last answer "
+     "unless there is --format or a live view",
      .choices = commands, .is_repeatable = true},
     {"--key", "FILE", CLI_MONITOR, READS(key),
      "the key of a board: a file of 32 hexadecimal digits that only its owner "

@@ -1,10 +1,6 @@
 // The commands that examine a machine without running it: singularities and
 // design, which write two-folds, regions, atlas and tyre, which write tables.
 
-#include <inttypes.h>
-#include <math.h>
-#include <string.h>
-
 #include "../host/host.h"
 #include "../host/output.h"
 #include "../setup/args.h"
@@ -19,10 +15,8 @@ static struct {
 
 int cli_analysis_check(cli_args_t *args) {
   const bool has_r = args->r.text != NULL;
-  return has_r && args->omega.text != NULL
-             ? CLI_DONE
-             : cli_message(CLI_USAGE, "design: %s is missing",
-                           has_r ? "--omega W" : "--r R");
+  if (has_r && args->omega.text != NULL) return CLI_DONE;
+  return cli_usage("design: %s is missing", has_r ? "--omega W" : "--r R");
 }
 
 // The first two are found, the others are of a run.
@@ -35,9 +29,8 @@ static void print_notes(bool finds_kappa) {
     const cli_setting_t *setting =
         cli_settings_find(&job.args->settings, unused[i]);
     if (setting != NULL) {
-      (void)cli_message(CLI_DONE, "note: %s %s has no effect: %s %s",
-                        setting->option, setting->text, job.args->command,
-                        i < 2 ? "finds it" : "does not run");
+      cli_note("%s %s has no effect: %s %s", setting->option, setting->text,
+               job.args->command, i < 2 ? "finds it" : "does not run");
     }
   }
 }
@@ -69,12 +62,12 @@ static int needs_jump(bool needs_moment) {
   const cli_given_t origin = origin_of("law");
   if (needs_moment ? law == TF_TYRE_JUMP : tf_tyre_is_set_valued(law))
     return CLI_DONE;
-  return cli_message(CLI_REFUSED, "%s %s: %s needs law %s, not %s: %s",
-                     origin.name, origin.value, job.args->command,
-                     needs_moment ? "jump" : "jump or coulomb",
-                     tf_tyre_law_name(law),
-                     tf_tyre_is_set_valued(law) ? "stick has no moment under it"
-                                                : "it does not jump at h = 0");
+  return cli_refuse("%s %s: %s needs law %s, not %s: %s", origin.name,
+                    origin.value, job.args->command,
+                    needs_moment ? "jump" : "jump or coulomb",
+                    tf_tyre_law_name(law),
+                    tf_tyre_is_set_valued(law) ? "stick has no moment under it"
+                                               : "it does not jump at h = 0");
 }
 
 static int check_design(void) {
@@ -83,14 +76,13 @@ static int check_design(void) {
   const cli_given_t gamma = origin_of("gamma");
   CLI_TRY(needs_jump(true));
   if (!(k->contact.tyre.mu > 0)) {
-    return cli_message(CLI_REFUSED, "%s %s: %s needs mu > 0", mu.name, mu.value,
-                       job.args->command);
+    return cli_refuse("%s %s: %s needs mu > 0", mu.name, mu.value,
+                      job.args->command);
   }
   if (fabs((double)k->sin_gamma) >= (double)TF_MIN_SINE &&
       fabs((double)k->cos_gamma) >= (double)TF_MIN_SINE)
     return CLI_DONE;
-  return cli_message(
-      CLI_REFUSED,
+  return cli_refuse(
       "%s %s: %s needs |sin(gamma)| and |cos(gamma)| in [1e-06, 1], they are "
       "%g and %g",
       gamma.name, gamma.value, job.args->command, (double)k->sin_gamma,
@@ -98,11 +90,11 @@ static int check_design(void) {
 }
 
 static void begin_json(const char *units, cli_buffer_t *text) {
-  cli_add_form(text,
-               "{\n  \"version\": \"%s\", \"commit\": \"%s\", "
-               "\"number\": \"%s\",\n"
-               "  \"scene\": \"%s\", \"parameters\": \"",
-               TF_VERSION, cli_commit, CLI_NUMBER_TYPE, job.args->scene->name);
+  cli_add_form(
+      text,
+      "{\n  \"version\": \"%s\", \"commit\": \"%s\", \"number\": \"%s\",\n"
+      "  \"scene\": \"%s\", \"parameters\": \"",
+      TF_VERSION, cli_commit, CLI_NUMBER_TYPE, job.args->scene->name);
   cli_add_hash(text, tf_params_hash(&job.setup.params));
   cli_add_form(text, "\",\n  \"units\": {%s},\n", units);
 }
@@ -192,10 +184,9 @@ static int describe_all(cli_buffer_t *text) {
     }
   }
   cli_add(text, count > 0 ? "\n  ]\n}\n" : "]\n}\n");
-  return status == TF_OK
-             ? CLI_DONE
-             : cli_message(CLI_STOPPED, "scene %s: singularities: %s",
-                           job.args->scene->name, tf_status_name(status));
+  if (status == TF_OK) return CLI_DONE;
+  return cli_stop("scene %s: singularities: %s", job.args->scene->name,
+                  tf_status_name(status));
 }
 
 static int write_json(const cli_args_t *args, bool finds_kappa,
@@ -212,30 +203,28 @@ int cli_singularities(const cli_args_t *args) {
 }
 
 static int out_of_range(const char *name, tf_real_t value) {
-  return cli_message(CLI_REFUSED, "--r %s --omega %s: %s would be %g, it %s",
-                     job.args->r.text, job.args->omega.text, name,
-                     (double)value,
-                     cli_must(cli_number(cli_number_index(name))));
+  return cli_refuse("--r %s --omega %s: %s would be %g, it %s",
+                    job.args->r.text, job.args->omega.text, name, (double)value,
+                    cli_must(cli_number(cli_number_index(name))));
 }
 
 static int refuse(const tf_design_t *design) {
   switch ((tf_design_obstacle_t)design->obstacle) {
     case TF_DESIGN_R:
-      return cli_message(CLI_REFUSED,
-                         "--r %s: r must not be 0, nor so large or small that "
-                         "the normal form overflows",
-                         job.args->r.text);
+      return cli_refuse(
+          "--r %s: r must not be 0, nor so large or small that the normal form "
+          "overflows",
+          job.args->r.text);
     case TF_DESIGN_OMEGA:
-      return cli_message(CLI_REFUSED,
-                         "--omega %s: omega must differ from omega0 = %g "
-                         "rad/s, where h = 0 has g = 0",
-                         job.args->omega.text, (double)job.setup.input.omega0);
+      return cli_refuse(
+          "--omega %s: omega must differ from omega0 = %g rad/s, where h = 0 "
+          "has g = 0",
+          job.args->omega.text, (double)job.setup.input.omega0);
     case TF_DESIGN_SPRING:
-      return cli_message(CLI_REFUSED,
-                         "--r %s: k2 does not act on h at r = r0 = %g m, nor "
-                         "where d r cos(gamma) + (beta^2 + r^2) sin(gamma) is "
-                         "0",
-                         job.args->r.text, (double)job.setup.input.r0);
+      return cli_refuse(
+          "--r %s: k2 does not act on h at r = r0 = %g m, nor where d r "
+          "cos(gamma) + (beta^2 + r^2) sin(gamma) is 0",
+          job.args->r.text, (double)job.setup.input.r0);
     case TF_DESIGN_KAPPA:
       return out_of_range("kappa", design->kappa);
     case TF_DESIGN_K2:
@@ -287,8 +276,7 @@ static int write_rows(row_t row, cli_progress_t *progress) {
   char bytes[ROW_ROOM];
   for (uint64_t i = 0; i < points; i++) {
     cli_buffer_t text = {bytes, 0, sizeof bytes, false};
-    if (cli_stop_asked())
-      return cli_message(CLI_STOPPED, "interrupted at point %" PRIu64, i);
+    if (cli_stop_asked()) return cli_stop("interrupted at point %" PRIu64, i);
     CLI_TRY(row((tf_real_t)cli_range_at(r, i / omega->count),
                 (tf_real_t)cli_range_at(omega, i % omega->count), &text));
     if (!cli_output_lines(&job.output, bytes, text.used))
@@ -334,10 +322,10 @@ static int take_window(void) {
   (void)tf_two_folds(&job.setup.machine, &job.setup.input, points, &count,
                      NULL);
   if (count < 1) {
-    return cli_message(CLI_USAGE,
-                       "%s: --r A:B:N and --omega A:B:N are needed: scene %s "
-                       "has no two-fold to look around",
-                       job.args->command, job.args->scene->name);
+    return cli_usage(
+        "%s: --r A:B:N and --omega A:B:N are needed: scene %s has no two-fold "
+        "to look around",
+        job.args->command, job.args->scene->name);
   }
   take_range(&job.r, points[0].r);
   take_range(&job.omega, points[0].w);
@@ -354,9 +342,9 @@ static int regions_row(tf_real_t r, tf_real_t omega, cli_buffer_t *text) {
   if (status == TF_OK)
     status = tf_surface_at(&setup->machine, &setup->input, r, v, omega, &at);
   if (status != TF_OK) {
-    return cli_message(
-        CLI_STOPPED, "stopped at r = %g m, omega = %g rad/s, v = %g m/s: %s",
-        (double)r, (double)omega, (double)v, tf_status_name(status));
+    return cli_stop("stopped at r = %g m, omega = %g rad/s, v = %g m/s: %s",
+                    (double)r, (double)omega, (double)v,
+                    tf_status_name(status));
   }
   cli_add_form(text, "%g,%g,%s,", (double)r, (double)omega,
                tf_region_name(at.region));
@@ -373,11 +361,10 @@ static int check_gamma(void) {
   const cli_given_t origin = origin_of("gamma");
   const double sine = (double)job.setup.machine.sin_gamma;
   if (fabs(sine) >= (double)TF_MIN_SINE) return CLI_DONE;
-  return cli_message(CLI_REFUSED,
-                     "%s %s: regions needs |sin(gamma)| in [%g, 1], it is "
-                     "%g: no speed v follows from h = 0",
-                     origin.name, origin.value, (double)TF_MIN_SINE,
-                     fabs(sine));
+  return cli_refuse(
+      "%s %s: regions needs |sin(gamma)| in [%g, 1], it is %g: no speed v "
+      "follows from h = 0",
+      origin.name, origin.value, (double)TF_MIN_SINE, fabs(sine));
 }
 
 int cli_regions(const cli_args_t *args) {
@@ -390,8 +377,8 @@ int cli_regions(const cli_args_t *args) {
 }
 
 static const char atlas_header[] =
-    "r,omega,v,g,kappa,k2,K++,K+-,K-+,K--,J1,J2,K--_positive,K++_negative,"
-    "J1_negative,J2_negative,J1J2_above_1,kappa_positive,k2_positive,overlap\n";
+    "r,omega,v,g,kappa,k2,K++,K+-,K-+,K--,J1,J2,K--_positive,K++_negative,J1_"
+    "negative,J2_negative,J1J2_above_1,kappa_positive,k2_positive,overlap\n";
 
 #define VALUES 10
 #define CONDITIONS 7

@@ -20,9 +20,6 @@
 #include <fcntl.h>
 #include <limits.h>
 #include <poll.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/types.h>
@@ -276,8 +273,8 @@ const char *cli_output_reason(const cli_output_t *output) {
 
 void cli_output_tell_part(const cli_output_t *output) {
   if (output->left) {
-    (void)cli_message(CLI_STOPPED, "%s: not whole; its rows so far are in %s",
-                      output->name, output->part);
+    (void)cli_stop("%s: not whole; its rows so far are in %s", output->name,
+                   output->part);
   }
 }
 
@@ -292,15 +289,14 @@ int cli_output_begin(cli_output_t *output, const char *option, const char *path,
                      cli_begin_t how) {
   cli_catch_signals();
   if (!cli_output_open(output, path, how != CLI_WRITE_OVER))
-    return cli_message(CLI_STOPPED, "%s %s: %s", option, path,
-                       cli_output_reason(output));
+    return cli_stop("%s %s: %s", option, path, cli_output_reason(output));
   if (output->there == 0 || how == CLI_GO_ON) return CLI_DONE;
   if (how == CLI_WRITE_OVER) return cli_output_note_over(output);
   (void)cli_output_close(output, false);
-  return cli_message(CLI_REFUSED,
-                     "%s %s: %s has the rows of a command that was stopped: "
-                     "give them another name, or remove them",
-                     option, path, output->part);
+  return cli_refuse(
+      "%s %s: %s has the rows of a command that was stopped: give them another "
+      "name, or remove them",
+      option, path, output->part);
 }
 
 void cli_output_go_on(cli_output_t *output, size_t kept) {
@@ -312,10 +308,8 @@ void cli_output_go_on(cli_output_t *output, size_t kept) {
 
 int cli_output_end(cli_output_t *output, int code) {
   const bool closed = cli_output_close(output, code == CLI_DONE);
-  if (!closed) {
-    (void)cli_message(CLI_STOPPED, "%s: %s", output->name,
-                      cli_output_reason(output));
-  }
+  if (!closed)
+    (void)cli_stop("%s: %s", output->name, cli_output_reason(output));
   cli_output_tell_part(output);
   return code != CLI_DONE || closed ? code : CLI_STOPPED;
 }

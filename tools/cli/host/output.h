@@ -6,9 +6,6 @@
 /// it comes.
 #pragma once
 
-#include <stdbool.h>
-#include <stddef.h>
-
 #include "../text/text.h"
 
 #define CLI_PATH_ROOM 4096

@@ -10,10 +10,6 @@
 #include "sheet.h"
 
 #include <fcntl.h>
-#include <inttypes.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -94,10 +90,10 @@ static bool go_to(cli_sheets_t *sheets, const char *note) {
 }
 
 static int refuse_other(const cli_sheets_t *sheets, const char *path) {
-  return cli_message(CLI_REFUSED,
-                     "--resume: %s is of another %s, or of another build of "
-                     "twofold; remove it, or give another file",
-                     path, sheets->what);
+  return cli_refuse(
+      "--resume: %s is of another %s, or of another build of twofold; remove "
+      "it, or give another file",
+      path, sheets->what);
 }
 
 // Goes to the last note that fits the rows; without notes they are of something
@@ -106,10 +102,10 @@ static int read_notes(cli_sheets_t *sheets, FILE *notes, const char *name) {
   static char line[LINE];
   uint32_t chain = sheets->chain;
   if (notes == NULL) {
-    return cli_message(CLI_REFUSED,
-                       "--resume: %s has no notes in %s: it was not begun with "
-                       "--resume; remove it, or give another file",
-                       name, notes_of(sheets));
+    return cli_refuse(
+        "--resume: %s has no notes in %s: it was not begun with --resume; "
+        "remove it, or give another file",
+        name, notes_of(sheets));
   }
   const char *text =
       fgets(line, sizeof line, notes) == NULL ? NULL : text_of(&chain, line);
@@ -122,10 +118,9 @@ static int read_notes(cli_sheets_t *sheets, FILE *notes, const char *name) {
       return CLI_DONE;
     text = text_of(&chain, line);
     if (text == NULL) {
-      return cli_message(CLI_REFUSED,
-                         "--resume: %s is damaged; remove it and %s, or give "
-                         "another file",
-                         notes_of(sheets), name);
+      return cli_refuse(
+          "--resume: %s is damaged; remove it and %s, or give another file",
+          notes_of(sheets), name);
     }
   } while (go_to(sheets, text));
   return CLI_DONE;
@@ -159,7 +154,7 @@ static int go_on(cli_sheets_t *sheets) {
     }
   }
   if (sheets->noted && !sheets->whole && !open_notes(sheets))
-    return cli_message(CLI_STOPPED, "%s: cannot be written", notes_of(sheets));
+    return cli_stop("%s: cannot be written", notes_of(sheets));
   for (int i = 0; i < sheets->count; i++) {
     cli_sheet_t *sheet = &sheets->sheet[i];
     if (sheet->rows.bytes == 0)
@@ -186,10 +181,10 @@ static int open_all(cli_sheets_t *sheets) {
     }
   }
   if (sheets->noted && in_part && !sheets->resume) {
-    return cli_message(CLI_REFUSED,
-                       "%s has rows of a %s that was stopped: --resume goes on "
-                       "with them, or remove it",
-                       found, sheets->what);
+    return cli_refuse(
+        "%s has rows of a %s that was stopped: --resume goes on with them, or "
+        "remove it",
+        found, sheets->what);
   }
   if (sheets->noted && found != NULL && sheets->resume) {
     FILE *notes = fopen(notes_of(sheets), "r");
@@ -251,7 +246,7 @@ static bool note(cli_sheets_t *sheets) {
     cli_add_form(&line, " %" PRIu64, sheets->done.count[i]);
   if (!flush(sheets)) return false;
   if (sheets->noted && !write_line(sheets, text)) {
-    (void)cli_message(CLI_STOPPED, "%s: cannot be written", notes_of(sheets));
+    (void)cli_stop("%s: cannot be written", notes_of(sheets));
     return false;
   }
   return true;

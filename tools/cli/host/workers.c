@@ -9,7 +9,6 @@
 #include <errno.h>
 #include <poll.h>
 #include <signal.h>
-#include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -48,8 +47,7 @@ int cli_workers_start(cli_workers_t *workers, unsigned count,
     if (process < 0) {
       const int error = errno;
       cli_workers_end(workers);
-      return cli_message(CLI_STOPPED, "no process could be started: %s",
-                         strerror(error));
+      return cli_stop("no process could be started: %s", strerror(error));
     }
     if (process == 0) {
       begin(ends[1]);

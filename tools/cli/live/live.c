@@ -7,11 +7,7 @@
 #include "live.h"
 
 #include <errno.h>
-#include <math.h>
 #include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <strings.h>
 #include <unistd.h>
 
@@ -341,9 +337,7 @@ static int compose(cli_live_t *live, const char *title) {
   char set[CLI_SET_ROOM];
   memset(cells, 0, sizeof cells);
   put_text(0, 0, "%s", title);
-  put_text(1, 0,
-           "t = %.4f s  %-6s%s%s  r=%.3g omega=%.3g h=%.3g g=%.3g "
-           "v=%.3g",
+  put_text(1, 0, "t = %.4f s  %-6s%s%s  r=%.3g omega=%.3g h=%.3g g=%.3g v=%.3g",
            at->column[CLI_CSV_t], tf_mode_name(at->mode), several ? " of " : "",
            several ? cli_write_set(set, at->set) : "", at->column[CLI_CSV_r],
            at->column[CLI_CSV_omega], at->column[CLI_CSV_h],

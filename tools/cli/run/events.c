@@ -14,8 +14,6 @@
 
 #include "events.h"
 
-#include <math.h>
-
 #include "../setup/setup.h"
 
 static bool changes_sign(tf_real_t a, tf_real_t b) {

@@ -3,10 +3,6 @@
 // commands go through the link as they do there, and the system of the run is
 // the simulation's machine and state.
 
-#include <inttypes.h>
-#include <stdio.h>
-#include <string.h>
-
 #include "run.h"
 
 // Where these stand in the payload of a schema.
@@ -45,14 +41,13 @@ static int count_steps(const cli_replay_t *replay, uint64_t *steps) {
   for (size_t i = 0; i < replay->session.count; i++) {
     const cli_session_row_t *row = &replay->session.rows[i];
     if (row->tick < tick) {
-      return cli_message(CLI_REFUSED,
-                         "--replay %s: row %zu is at step %" PRIu64
-                         ", when the board has taken %" PRIu64,
-                         replay->session.name, i + 1, row->tick, tick);
+      return cli_refuse("--replay %s: row %zu is at step %" PRIu64
+                        ", when the board has taken %" PRIu64,
+                        replay->session.name, i + 1, row->tick, tick);
     }
     if (row->tick - tick > CLI_MAX_STEPS - *steps) {
-      return cli_message(CLI_REFUSED, "--replay %s: more than 1e15 steps",
-                         replay->session.name);
+      return cli_refuse("--replay %s: more than 1e15 steps",
+                        replay->session.name);
     }
     *steps += row->tick - tick;
     tick = tick_after(row, &saved);
@@ -65,28 +60,24 @@ static int compare(const cli_replay_t *replay, const cli_setup_t *setup) {
   const uint32_t hash = (uint32_t)tf_wire_get(schema + SCHEMA_HASH, 4);
   const uint32_t here = tf_params_hash(&setup->params);
   if (schema[0] != TF_REAL_BYTES) {
-    return cli_message(CLI_REFUSED,
-                       "--replay %s: the board computes in %s, this program "
-                       "in %s",
-                       replay->session.name,
-                       schema[0] == 4 ? "float" : "double",
-                       TF_REAL_BYTES == 4 ? "float" : "double");
+    return cli_refuse(
+        "--replay %s: the board computes in %s, this program in %s",
+        replay->session.name, schema[0] == 4 ? "float" : "double",
+        TF_REAL_BYTES == 4 ? "float" : "double");
   }
   if (schema[SCHEMA_SCHEME] != setup->scheme) {
-    return cli_message(CLI_REFUSED,
-                       "--replay %s: the scheme of the board is %s, not %s",
-                       replay->session.name,
-                       schema[SCHEMA_SCHEME] < MOTION_SCHEMES
-                           ? motion_scheme_name(schema[SCHEMA_SCHEME])
-                           : "unknown",
-                       motion_scheme_name(setup->scheme));
+    return cli_refuse("--replay %s: the scheme of the board is %s, not %s",
+                      replay->session.name,
+                      schema[SCHEMA_SCHEME] < MOTION_SCHEMES
+                          ? motion_scheme_name(schema[SCHEMA_SCHEME])
+                          : "unknown",
+                      motion_scheme_name(setup->scheme));
   }
   if (hash != here) {
-    return cli_message(CLI_REFUSED,
-                       "--replay %s: the parameters of the board have the hash "
-                       "%08" PRIx32 ", those here %08" PRIx32
-                       "; is --dt 1/RATE of the firmware?",
-                       replay->session.name, hash, here);
+    return cli_refuse(
+        "--replay %s: the parameters of the board have the hash %08" PRIx32
+        ", those here %08" PRIx32 "; is --dt 1/RATE of the firmware?",
+        replay->session.name, hash, here);
   }
   return CLI_DONE;
 }

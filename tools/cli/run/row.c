@@ -6,11 +6,6 @@
 
 #include "row.h"
 
-#include <inttypes.h>
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
-
 #define PLOTTED 6 // columns from the second up to this one
 
 #define COLUMN(name, unit, value) {#name, unit},

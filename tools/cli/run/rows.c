@@ -1,10 +1,6 @@
 // The rows of a run: text, or frames, made by the functions that a board calls,
 // so that whatever reads a board reads a recorded run as well.
 
-#include <inttypes.h>
-#include <stdio.h>
-#include <string.h>
-
 #include "../host/host.h"
 #include "run.h"
 
@@ -52,11 +48,11 @@ static void end_glance(cli_run_t *run) {
   put_text(run, left > shown ? "        ...\n" : "");
   for (uint64_t i = rows - shown; i < rows; i++)
     put_text(run, glance.last[i % GLANCE]);
-  (void)snprintf(line, sizeof line,
-                 "%" PRIu64
-                 " rows; all of them, with all digits: --out FILE, "
-                 "or into a pipe.\n\n",
-                 rows);
+  (void)snprintf(
+      line, sizeof line,
+      "%" PRIu64
+      " rows; all of them, with all digits: --out FILE, or into a pipe.\n\n",
+      rows);
   put_text(run, line);
 }
 
@@ -190,8 +186,8 @@ void cli_rows_begin(cli_run_t *run) {
   if (run->rowless) return;
   if (run->glance) {
     put_text(run,
-             "       t[s]       r[m]     v[m/s] omega[/s]     h[m/s]  "
-             "   g[m/s] mode   choices\n");
+             "       t[s]       r[m]     v[m/s] omega[/s]     h[m/s]     "
+             "g[m/s] mode   choices\n");
   } else if (run->args->format == CLI_FORMAT_FRAMES) {
     begin_frames(run);
   } else {

@@ -4,11 +4,6 @@
 
 #include "run.h"
 
-#include <inttypes.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 #include "../host/host.h"
@@ -191,17 +186,15 @@ static bool save(cli_run_t *run, const char *path) {
       run->replay.simulation, 0};
   const size_t length = cli_state_print(&stand, &setup, text);
   if (run->output.error != 0) {
-    (void)cli_message(CLI_STOPPED,
-                      "--save %s: not written: the rows up to this state did "
-                      "not reach %s",
-                      path, run->output.name);
+    (void)cli_stop(
+        "--save %s: not written: the rows up to this state did not reach %s",
+        path, run->output.name);
     return cli_output_end(&run->saved, CLI_STOPPED) == CLI_DONE;
   }
   (void)cli_output_lines(&run->saved, text, length);
   if (run->replays && run->replay.next < run->replay.session.count) {
-    (void)cli_message(
-        CLI_DONE, "note: --save %s: %zu rows of the record were not reached",
-        path, run->replay.session.count - run->replay.next);
+    cli_note("--save %s: %zu rows of the record were not reached", path,
+             run->replay.session.count - run->replay.next);
   }
   return cli_output_end(&run->saved, CLI_DONE) == CLI_DONE;
 }
@@ -233,8 +226,8 @@ static int open_files(cli_run_t *run, const cli_args_t *args) {
         cli_output_begin(&run->saved, "--save", args->save, CLI_WRITE_OVER));
     if (!cli_is_regular(run->output.descriptor)) {
       cli_say(
-          "twofold: note: --save %s: rows go to %s, which is no file: "
-          "whether they are kept, its reader knows\n",
+          "twofold: note: --save %s: rows go to %s, which is no file: whether "
+          "they are kept, its reader knows\n",
           args->save, run->output.name);
     }
   }
@@ -275,22 +268,20 @@ static int check_start(const cli_args_t *args, const cli_setup_t *setup,
                        const char *option, const char *path, uint32_t seed) {
   const cli_setting_t *setting = cli_setup_start_set(setup);
   if (setting != NULL) {
-    return cli_message(CLI_USAGE, "%s %s: %s %s gives the state",
-                       setting->option, setting->text, option, path);
+    return cli_usage("%s %s: %s %s gives the state", setting->option,
+                     setting->text, option, path);
   }
   if (args->select != NULL && strchr(args->select, ':') != NULL &&
       seed != setup->seed) {
-    return cli_message(CLI_REFUSED,
-                       "%s %s: the seed is %" PRIu32 " there and %" PRIu32
-                       " here",
-                       option, path, seed, setup->seed);
+    return cli_refuse("%s %s: the seed is %" PRIu32 " there and %" PRIu32
+                      " here",
+                      option, path, seed, setup->seed);
   }
   return CLI_DONE;
 }
 
 static void note(const cli_args_t *args, const char *what) {
-  (void)cli_message(CLI_DONE, "note: --from %s: it came there %s", args->from,
-                    what);
+  cli_note("--from %s: it came there %s", args->from, what);
 }
 
 // Inputs are no part of the machine, so it may go on under others; but not
@@ -320,11 +311,10 @@ static int go_on(cli_run_t *run, const cli_args_t *args, cli_setup_t *setup) {
   const cli_stand_t *stand = &run->from;
   CLI_TRY(check_start(args, setup, "--from", args->from, stand->state.seed));
   if (stand->state.tick > run->steps) {
-    return cli_message(CLI_REFUSED,
-                       "--from %s: it stands at t = %.9g s, after the end at "
-                       "%.9g s",
-                       args->from, cli_run_time(run, stand->state.tick),
-                       cli_run_time(run, run->steps));
+    return cli_refuse(
+        "--from %s: it stands at t = %.9g s, after the end at %.9g s",
+        args->from, cli_run_time(run, stand->state.tick),
+        cli_run_time(run, run->steps));
   }
   take_inputs(run, args, stand);
   setup->seed = stand->state.seed;
@@ -360,10 +350,10 @@ static int prepare(cli_run_t *run, cli_setup_t *setup) {
   CLI_TRY(
       cli_setup_scheme(setup, args->scheme == MOTION_SCHEMES ? file : NULL));
   if (args->accuracy > 0 && setup->scheme != MOTION_MOREAU) {
-    return cli_message(CLI_REFUSED,
-                       "--accuracy: not with --scheme %s: only the steps of "
-                       "moreau are taken in halves",
-                       motion_scheme_name(setup->scheme));
+    return cli_refuse(
+        "--accuracy: not with --scheme %s: only the steps of moreau are taken "
+        "in halves",
+        motion_scheme_name(setup->scheme));
   }
   CLI_TRY(cli_setup_machine(setup));
   CLI_TRY(
@@ -391,12 +381,11 @@ int cli_run_check(cli_args_t *args) {
   args->glance = args->format == CLI_NOT_GIVEN;
   if (args->glance) args->format = CLI_FORMAT_CSV;
   if (args->provenance && args->format != CLI_FORMAT_CSV)
-    return cli_message(CLI_USAGE, "--provenance: only with --format csv");
+    return cli_usage("--provenance: only with --format csv");
   if (args->replay != NULL && other != NULL) {
-    return cli_message(CLI_USAGE,
-                       "--replay %s: not with %s: a record has its own inputs, "
-                       "start and end",
-                       args->replay, other);
+    return cli_usage(
+        "--replay %s: not with %s: a record has its own inputs, start and end",
+        args->replay, other);
   }
   return CLI_DONE;
 }

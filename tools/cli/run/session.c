@@ -8,10 +8,6 @@
 #include "session.h"
 
 #include <ctype.h>
-#include <inttypes.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "row.h"
 
@@ -86,14 +82,13 @@ int cli_session_close(cli_session_file_t *file, int code) {
 }
 
 static int no_record(const cli_lines_t *lines) {
-  return cli_message(CLI_USAGE, "%s:%lu: no record of 'monitor --record'",
-                     lines->name, lines->line);
+  return cli_usage("%s:%lu: no record of 'monitor --record'", lines->name,
+                   lines->line);
 }
 
 static int cut_off(const cli_lines_t *lines) {
-  return cli_message(CLI_REFUSED,
-                     "%s: cut off or changed: no last line counts its rows",
-                     lines->name);
+  return cli_refuse("%s: cut off or changed: no last line counts its rows",
+                    lines->name);
 }
 
 // A line is a row if it is what would be written of it. Returns: the command as
@@ -124,17 +119,14 @@ static int take_row(cli_session_t *session, const cli_lines_t *lines,
     return no_record(lines);
   if (begins) {
     session->schema = row;
-    return strcmp(text, CLI_RECORD_SCHEMA) == 0
-               ? CLI_DONE
-               : cli_message(CLI_REFUSED,
-                             "%s: '%s', here it is '" CLI_RECORD_SCHEMA
-                             "': record the session again",
-                             session->name, text);
+    if (strcmp(text, CLI_RECORD_SCHEMA) == 0) return CLI_DONE;
+    return cli_refuse("%s: '%s', here it is '" CLI_RECORD_SCHEMA
+                      "': record the session again",
+                      session->name, text);
   }
   cli_session_row_t *rows =
       cli_grow(session->rows, session->count, &session->room, sizeof *rows);
-  if (rows == NULL)
-    return cli_message(CLI_STOPPED, "%s: out of memory", session->name);
+  if (rows == NULL) return cli_stop("%s: out of memory", session->name);
   session->rows = rows;
   session->rows[session->count++] = row;
   return CLI_DONE;

@@ -16,12 +16,6 @@
 // The scene is there as a whole, not as a hash: what differs is reported by
 // name. Its start is not compared: the state is in its place.
 
-#include <inttypes.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "../setup/scene_file.h"
 #include "run.h"
 
@@ -138,17 +132,16 @@ static const char *next_value(reader_t *reader, const char *key) {
 }
 
 static int no_state(const reader_t *reader) {
-  return cli_message(CLI_USAGE, "--from %s: no file of --save", reader->path);
+  return cli_usage("--from %s: no file of --save", reader->path);
 }
 
 // Refuses what is not the same there, in the file, as here.
 static int same(const reader_t *reader, const char *what, const char *there,
                 const char *here) {
   if (there[0] == '\0') return no_state(reader);
-  return strcmp(there, here) == 0
-             ? CLI_DONE
-             : cli_message(CLI_REFUSED, "--from %s: %s is %s there and %s here",
-                           reader->path, what, there, here);
+  if (strcmp(there, here) == 0) return CLI_DONE;
+  return cli_refuse("--from %s: %s is %s there and %s here", reader->path, what,
+                    there, here);
 }
 
 static int read_scheme(reader_t *reader, cli_setup_t *setup) {
@@ -207,10 +200,9 @@ static int read_member(reader_t *reader, size_t i, cli_stand_t *stand) {
   }
   if (!cli_read_real(value, &real, &why)) return no_state(reader);
   memcpy((char *)stand + members[i].at, &real, sizeof real);
-  return isfinite(real)
-             ? CLI_DONE
-             : cli_message(CLI_REFUSED, "--from %s: %s is not finite",
-                           reader->path, members[i].name);
+  if (isfinite(real)) return CLI_DONE;
+  return cli_refuse("--from %s: %s is not finite", reader->path,
+                    members[i].name);
 }
 
 static int read_values(reader_t *reader, cli_stand_t *stand) {
@@ -228,11 +220,9 @@ static int read_values(reader_t *reader, cli_stand_t *stand) {
     if (!members[i].held || found > 0) CLI_TRY(read_member(reader, i, stand));
   const double reach =
       fabs((double)x->r) + fabs((double)x->v) + fabs((double)x->w);
-  return reach <= (double)TF_STATE_LIMIT
-             ? CLI_DONE
-             : cli_message(CLI_REFUSED,
-                           "--from %s: |r| + |v| + |omega| = %g, beyond %g",
-                           reader->path, reach, (double)TF_STATE_LIMIT);
+  if (reach <= (double)TF_STATE_LIMIT) return CLI_DONE;
+  return cli_refuse("--from %s: |r| + |v| + |omega| = %g, beyond %g",
+                    reader->path, reach, (double)TF_STATE_LIMIT);
 }
 
 // Cuts the last line off, the checksum. crc: out. Returns: whether it is right.
@@ -253,9 +243,8 @@ int cli_state_parse(cli_stand_t *stand, const char *path, char *text,
   if (strncmp(text, "twofold-state ", 14) != 0 || strchr(text, '\n') == NULL)
     return no_state(&reader);
   if (!is_whole(text, size, &stand->hash)) {
-    return cli_message(CLI_REFUSED,
-                       "--from %s: cut off or changed: its checksum is wrong",
-                       path);
+    return cli_refuse("--from %s: cut off or changed: its checksum is wrong",
+                      path);
   }
   CLI_TRY(same(&reader, "its version (run up to it again, with --save)",
                next_value(&reader, "twofold-state"), VERSION));

@@ -5,11 +5,6 @@
 
 #include "../text/summary.h"
 
-#include <inttypes.h>
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
-
 #include "run.h"
 
 static void print_request(const cli_run_t *run) {
@@ -257,25 +252,22 @@ static void print_end(const cli_run_t *run) {
     case CLI_ENDED:
       break;
     case CLI_INTERRUPTED:
-      (void)cli_message(CLI_STOPPED, "stopped at t = %.9g s: interrupted", t);
+      (void)cli_stop("stopped at t = %.9g s: interrupted", t);
       break;
     case CLI_STEP_REFUSED:
-      (void)cli_message(CLI_STOPPED,
-                        "stopped at t = %.9g s: step %" PRIu64
-                        " was refused: %s; r = %g m, v = %g m/s, omega = %g "
-                        "rad/s",
-                        t, run->done + 1, tf_status_name(run->status),
-                        (double)state->r, (double)state->v, (double)state->w);
+      (void)cli_stop("stopped at t = %.9g s: step %" PRIu64
+                     " was refused: %s; r = %g m, v = %g m/s, omega = %g rad/s",
+                     t, run->done + 1, tf_status_name(run->status),
+                     (double)state->r, (double)state->v, (double)state->w);
       break;
     case CLI_NOT_REPLAYED:
-      (void)cli_message(CLI_STOPPED,
-                        "%s: row %zu, at step %" PRIu64 ": %s; r = %.17g m",
-                        run->replay.session.name, run->replay.next, state->tick,
-                        run->replay.failed, (double)state->r);
+      (void)cli_stop("%s: row %zu, at step %" PRIu64 ": %s; r = %.17g m",
+                     run->replay.session.name, run->replay.next, state->tick,
+                     run->replay.failed, (double)state->r);
       break;
     case CLI_NOT_WRITTEN:
-      (void)cli_message(CLI_STOPPED, "stopped at t = %.9g s: %s: %s", t,
-                        run->output.name, cli_output_reason(&run->output));
+      (void)cli_stop("stopped at t = %.9g s: %s: %s", t, run->output.name,
+                     cli_output_reason(&run->output));
       break;
   }
 }

@@ -5,9 +5,6 @@
 
 #include "inputs.h"
 
-#include <stdlib.h>
-#include <string.h>
-
 #define REACH 0, 0, -TF_STATE_LIMIT, TF_STATE_LIMIT
 const tf_parameter_range_t cli_input_columns[CLI_INPUTS + 1] = {
     {"omega0", "rad/s", REACH},
@@ -19,8 +16,7 @@ const tf_parameter_range_t cli_input_columns[CLI_INPUTS + 1] = {
 static int add_row(cli_inputs_t *inputs, const cli_input_row_t *row) {
   cli_input_row_t *rows =
       cli_grow(inputs->rows, inputs->count, &inputs->room, sizeof *rows);
-  if (rows == NULL)
-    return cli_message(CLI_STOPPED, "%s: out of memory", inputs->name);
+  if (rows == NULL) return cli_stop("%s: out of memory", inputs->name);
   inputs->rows = rows;
   inputs->rows[inputs->count++] = *row;
   return CLI_DONE;
@@ -72,9 +68,9 @@ static int read_header(reader_t *reader, char *line) {
   bool *given = reader->inputs->given;
   const char *mark = strchr(line, ',') == NULL ? strpbrk(line, ";\t") : NULL;
   if (mark != NULL) {
-    return cli_message(CLI_USAGE, "%s:%lu: separator is %s, expected ','",
-                       reader->lines.name, reader->lines.line,
-                       *mark == ';' ? "';'" : "a tab");
+    return cli_usage("%s:%lu: separator is %s, expected ','",
+                     reader->lines.name, reader->lines.line,
+                     *mark == ';' ? "';'" : "a tab");
   }
   while (line != NULL) {
     const char *name = next_field(&line);
@@ -83,11 +79,10 @@ static int read_header(reader_t *reader, char *line) {
         cli_closest_find(&closest, cli_input_columns, CLI_INPUTS + 1,
                          sizeof cli_input_columns[0]);
     if (kind > CLI_INPUTS) {
-      return cli_message(CLI_USAGE,
-                         "%s:%lu: unknown column '%s'%s; columns are t, "
-                         "omega0, r0, force, torque",
-                         reader->lines.name, reader->lines.line, name,
-                         closest.hint);
+      return cli_usage(
+          "%s:%lu: unknown column '%s'%s; columns are t, omega0, r0, force, "
+          "torque",
+          reader->lines.name, reader->lines.line, name, closest.hint);
     }
     if ((kind == CLI_INPUTS) != (reader->fields == 0)) {
       return refuse(reader, CLI_USAGE, reader->fields, name,
@@ -112,11 +107,10 @@ static int read_field(const reader_t *reader, size_t field, const char *text,
   if (parameter < TF_PARAMETERS) range = cli_number(parameter);
   if (!cli_read_real(text, value, &why))
     return refuse(reader, CLI_USAGE, field, text, why);
-  return cli_is_in(range, *value)
-             ? CLI_DONE
-             : cli_message(CLI_REFUSED, "%s:%lu: column %zu: %s = %s %s",
-                           reader->lines.name, reader->lines.line, field + 1,
-                           range->name, text, cli_must(range));
+  if (cli_is_in(range, *value)) return CLI_DONE;
+  return cli_refuse("%s:%lu: column %zu: %s = %s %s", reader->lines.name,
+                    reader->lines.line, field + 1, range->name, text,
+                    cli_must(range));
 }
 
 static int read_row(reader_t *reader, char *line) {
@@ -129,10 +123,9 @@ static int read_row(reader_t *reader, char *line) {
                        kind < CLI_INPUTS ? &row.value[kind] : &row.t));
   }
   if (line != NULL || field < reader->fields) {
-    return cli_message(CLI_USAGE,
-                       "%s:%lu: %s than the %zu columns of the header",
-                       reader->lines.name, reader->lines.line,
-                       line != NULL ? "more" : "fewer", reader->fields);
+    return cli_usage("%s:%lu: %s than the %zu columns of the header",
+                     reader->lines.name, reader->lines.line,
+                     line != NULL ? "more" : "fewer", reader->fields);
   }
   const cli_input_row_t *rows = inputs->rows;
   const size_t n = inputs->count;
@@ -161,16 +154,13 @@ int cli_inputs_parse(cli_inputs_t *inputs, const char *name, const char *text,
   inputs->name = name;
   while (cli_next_line(&reader.lines, line, sizeof line)) {
     if (strlen(line) != reader.lines.length) {
-      return cli_message(CLI_USAGE,
-                         "%s:%lu: a zero, or a line of more than %d characters",
-                         name, reader.lines.line, LINE_ROOM - 1);
+      return cli_usage("%s:%lu: a zero, or a line of more than %d characters",
+                       name, reader.lines.line, LINE_ROOM - 1);
     }
     CLI_TRY(read_line(&reader, line));
   }
-  if (inputs->count == 0) {
-    return cli_message(CLI_USAGE, "%s: no %s", name,
-                       reader.fields == 0 ? "header" : "row");
-  }
+  if (inputs->count == 0)
+    return cli_usage("%s: no %s", name, reader.fields == 0 ? "header" : "row");
   return reader.lines.open ? cli_note_open(name) : CLI_DONE;
 }
 
@@ -196,10 +186,10 @@ int cli_drive_read(cli_drive_t *drive, const tf_scene_t *scene,
   CLI_TRY(read_profile(&drive->profile, scene));
   if (inputs == NULL) return CLI_DONE;
   if (between == CLI_NOT_GIVEN) {
-    return cli_message(CLI_USAGE,
-                       "--inputs %s: say what holds between two rows, by "
-                       "--between held or --between linear",
-                       inputs);
+    return cli_usage(
+        "--inputs %s: say what holds between two rows, by --between held or "
+        "--between linear",
+        inputs);
   }
   drive->table.linear = between == 1;
   const int code = read_file(&drive->table, inputs);
@@ -366,18 +356,16 @@ void cli_drive_notes(const cli_drive_t *drive, const cli_setup_t *setup,
                      : end > 0 && last > 100 * end ? "is t in seconds?"
                                                    : NULL;
   if (what != NULL) {
-    (void)cli_message(CLI_DONE,
-                      "note: %s: %s (rows: t = %g to %g s, run: %g to %g s)",
-                      table->name, what, first, last, begin, end);
+    cli_note("%s: %s (rows: t = %g to %g s, run: %g to %g s)", table->name,
+             what, first, last, begin, end);
   }
   for (size_t i = 0; i < CLI_INPUTS; i++) {
     const size_t number = cli_number_index(cli_input_columns[i].name);
     const cli_setting_t *setting =
         number < TF_PARAMETERS ? setup->set[number] : NULL;
     if (drive->table.given[i] && setting != NULL) {
-      (void)cli_message(CLI_DONE, "note: %s %s has no effect: %s gives %s",
-                        setting->option, setting->text, drive->table.name,
-                        cli_input_columns[i].name);
+      cli_note("%s %s has no effect: %s gives %s", setting->option,
+               setting->text, drive->table.name, cli_input_columns[i].name);
     }
   }
 }

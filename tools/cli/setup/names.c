@@ -1,8 +1,5 @@
 // Laws, rules and sets of modes by their names, parameters and starts.
 
-#include <stdio.h>
-#include <string.h>
-
 #include "setup.h"
 
 #define AT(member) \
@@ -100,10 +97,10 @@ int cli_set_word(tf_params_t *params, const char *what, const char *option,
   unsigned kind = 0, i = 0;
   while (strcmp(kinds[kind].name, what) != 0) kind++;
   if (kind == 2 && strchr(name, ':') != NULL) {
-    return cli_message(CLI_USAGE,
-                       "%s %s: a seed is not part of a scene: give the rule "
-                       "alone here, and --select %s to 'run'",
-                       option, text, name);
+    return cli_usage(
+        "%s %s: a seed is not part of a scene: give the rule alone here, and "
+        "--select %s to 'run'",
+        option, text, name);
   }
   const unsigned count = kinds[kind].count;
   for (; i < count && strcmp(kinds[kind].name_of(i), name) != 0; i++) {
@@ -115,9 +112,9 @@ int cli_set_word(tf_params_t *params, const char *what, const char *option,
                  kinds[kind].name_of(i));
   }
   if (i == count) {
-    return cli_message(CLI_USAGE, "%s %s: unknown %s '%s'; %s %s%s", option,
-                       text, kinds[kind].what, name, kinds[kind].all, list,
-                       closest.hint);
+    return cli_usage("%s %s: unknown %s '%s'; %s %s%s", option, text,
+                     kinds[kind].what, name, kinds[kind].all, list,
+                     closest.hint);
   }
   if (kind == 0)
     params->law = (tf_tyre_law_t)i;

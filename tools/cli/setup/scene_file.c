@@ -5,10 +5,6 @@
 
 #include "scene_file.h"
 
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "setup.h"
 
 #define LINE_ROOM 512
@@ -43,8 +39,8 @@ static int refuse(const reader_t *reader, const tf_parameter_range_t *range,
                   tf_real_t value) {
   char text[CLI_REAL_ROOM];
   (void)cli_write_real(text, value);
-  return cli_message(CLI_REFUSED, "%s %s = %s %s", reader->place, range->name,
-                     text, cli_must(range));
+  return cli_refuse("%s %s = %s %s", reader->place, range->name, text,
+                    cli_must(range));
 }
 
 // v and h: the one that is given is the start. Ranges of parameters are checked
@@ -55,9 +51,8 @@ static int read_number(reader_t *reader, size_t key, const char *text) {
                                 &scene->t_end};
   tf_real_t value = 0;
   if (reader->given[CLI_V] != 0 && reader->given[CLI_H] != 0) {
-    return cli_message(CLI_USAGE,
-                       "%s %s: give h or v, each follows from the other",
-                       reader->place, reader->key);
+    return cli_usage("%s %s: give h or v, each follows from the other",
+                     reader->place, reader->key);
   }
   if (key == CLI_V || key == CLI_H) {
     scene->v_is_given = key == CLI_V;
@@ -65,8 +60,8 @@ static int read_number(reader_t *reader, size_t key, const char *text) {
   }
   CLI_TRY(cli_read_number(reader->place, reader->key, text, &value));
   if (!cli_parameter_fits(key, value)) {
-    return cli_message(CLI_REFUSED, "%s %s must be a whole number",
-                       reader->place, reader->key);
+    return cli_refuse("%s %s must be a whole number", reader->place,
+                      reader->key);
   }
   if (key >= TF_PARAMETERS && !cli_is_in(number_of(key), value))
     return refuse(reader, number_of(key), value);
@@ -85,29 +80,28 @@ static int read_knot(reader_t *reader, char *text) {
   tf_knot_t knot = {0, 0};
   char *omega0 = strchr(text, ':');
   if (omega0 == NULL) {
-    return cli_message(CLI_USAGE, "%s profile: '%s': expected T:OMEGA0",
-                       reader->place, text);
+    return cli_usage("%s profile: '%s': expected T:OMEGA0", reader->place,
+                     text);
   }
   *omega0++ = '\0';
   CLI_TRY(cli_read_number(reader->place, "profile", text, &knot.t));
   if (!cli_is_in(&times, knot.t)) return refuse(reader, &times, knot.t);
   CLI_TRY(cli_read_number(reader->place, "profile", omega0, &knot.omega0));
   if (!cli_is_in(range, knot.omega0)) {
-    return cli_message(CLI_REFUSED, "%s profile: omega0 = %s %s", reader->place,
-                       omega0, cli_must(range));
+    return cli_refuse("%s profile: omega0 = %s %s", reader->place, omega0,
+                      cli_must(range));
   }
   if (scene->knots == TF_SCENE_KNOTS) {
-    return cli_message(CLI_USAGE,
-                       "%s profile: more than %d knots; a table of any length "
-                       "is given by 'run --inputs FILE'",
-                       reader->place, TF_SCENE_KNOTS);
+    return cli_usage(
+        "%s profile: more than %d knots; a table of any length is given by "
+        "'run --inputs FILE'",
+        reader->place, TF_SCENE_KNOTS);
   }
   const tf_knot_t *end = scene->profile + scene->knots;
   if ((scene->knots > 0 && !(knot.t >= end[-1].t)) ||
       (scene->knots > 1 && !(knot.t > end[-2].t))) {
-    return cli_message(CLI_REFUSED,
-                       "%s profile: %s s is not later than the knots before",
-                       reader->place, text);
+    return cli_refuse("%s profile: %s s is not later than the knots before",
+                      reader->place, text);
   }
   scene->profile[scene->knots++] = knot;
   return CLI_DONE;
@@ -138,17 +132,16 @@ static int find_scene(const char *place, const char *name, const char *besides,
     }
     cli_closest_offer(&closest, tf_scenes[i]->name);
   }
-  return cli_message(CLI_USAGE,
-                     "%sunknown scene '%s'%s ('twofold scenes' lists them%s)",
-                     place, name, closest.hint, besides);
+  return cli_usage("%sunknown scene '%s'%s ('twofold scenes' lists them%s)",
+                   place, name, closest.hint, besides);
 }
 
 static int read_base(reader_t *reader, char *text) {
   char place[PLACE_ROOM + 16];
   const tf_scene_t *base = NULL;
   if (reader->has_keys) {
-    return cli_message(CLI_USAGE, "%s %s: must be the first key", reader->place,
-                       reader->key);
+    return cli_usage("%s %s: must be the first key", reader->place,
+                     reader->key);
   }
   (void)snprintf(place, sizeof place, "%s %s: ", reader->place, reader->key);
   CLI_TRY(find_scene(place, text, "", &base));
@@ -164,10 +157,8 @@ static int read_base(reader_t *reader, char *text) {
 static int read_about(reader_t *reader, char *text) {
   cli_scene_file_t *file = reader->file;
   if (strlen(text) >= CLI_SCENE_ABOUT || strpbrk(text, "\"\\") != NULL) {
-    return cli_message(CLI_USAGE,
-                       "%s %s: expected at most %d characters without \" "
-                       "and \\",
-                       reader->place, reader->key, CLI_SCENE_ABOUT - 1);
+    return cli_usage("%s %s: expected at most %d characters without \" and \\",
+                     reader->place, reader->key, CLI_SCENE_ABOUT - 1);
   }
   memcpy(strcmp(reader->key, "shows") == 0 ? file->shows : file->leaves_out,
          text, strlen(text) + 1);
@@ -183,9 +174,8 @@ static bool is_name(const char *text, size_t length) {
 
 static int read_name(reader_t *reader, char *text) {
   if (!is_name(text, strlen(text))) {
-    return cli_message(CLI_USAGE,
-                       "%s %s: '%s' must have 1 to %d letters, digits and _",
-                       reader->place, reader->key, text, CLI_SCENE_NAME - 1);
+    return cli_usage("%s %s: '%s' must have 1 to %d letters, digits and _",
+                     reader->place, reader->key, text, CLI_SCENE_NAME - 1);
   }
   memcpy(reader->file->name, text, strlen(text) + 1);
   return CLI_DONE;
@@ -199,10 +189,9 @@ static int read_word(reader_t *reader, char *text) {
 static int read_yes(reader_t *reader, char *text) {
   const bool yes = strcmp(text, "yes") == 0;
   reader->file->scene.params.with_angle = yes;
-  return yes || strcmp(text, "no") == 0
-             ? CLI_DONE
-             : cli_message(CLI_USAGE, "%s %s: '%s' must be yes or no",
-                           reader->place, reader->key, text);
+  if (yes || strcmp(text, "no") == 0) return CLI_DONE;
+  return cli_usage("%s %s: '%s' must be yes or no", reader->place, reader->key,
+                   text);
 }
 
 static const struct {
@@ -229,9 +218,8 @@ static int unknown_key(const reader_t *reader, const char *name) {
   cli_closest_t closest = cli_closest_to(name);
   for (size_t key = 0; key < KEYS; key++)
     cli_closest_offer(&closest, name_of(key));
-  return cli_message(CLI_USAGE,
-                     "%s unknown key '%s'%s ('twofold help scene' lists them)",
-                     reader->place, name, closest.hint);
+  return cli_usage("%s unknown key '%s'%s ('twofold help scene' lists them)",
+                   reader->place, name, closest.hint);
 }
 
 static int read_line(reader_t *reader, char *line) {
@@ -244,13 +232,11 @@ static int read_line(reader_t *reader, char *line) {
   *end = '\0';
   const size_t key = key_of(line);
   if (key == KEYS) return unknown_key(reader, line);
-  if (*value == '\0') {
-    return cli_message(CLI_USAGE, "%s %s: expected a value", reader->place,
-                       line);
-  }
+  if (*value == '\0')
+    return cli_usage("%s %s: expected a value", reader->place, line);
   if (reader->given[key] != 0) {
-    return cli_message(CLI_USAGE, "%s %s was already given in line %lu",
-                       reader->place, line, reader->given[key]);
+    return cli_usage("%s %s was already given in line %lu", reader->place, line,
+                     reader->given[key]);
   }
   reader->given[key] = reader->lines.line;
   reader->key = line;
@@ -265,15 +251,14 @@ static int read_lines(reader_t *reader) {
   while (cli_next_line(&reader->lines, line, sizeof line)) {
     (void)place_of(reader, reader->lines.line);
     if (reader->lines.length >= sizeof line) {
-      return cli_message(CLI_USAGE, "%s the line has more than %zu characters",
-                         reader->place, sizeof line - 1);
+      return cli_usage("%s the line has more than %zu characters",
+                       reader->place, sizeof line - 1);
     }
     for (size_t i = 0; i < reader->lines.length; i++) {
       const unsigned char byte = (unsigned char)line[i];
       if ((byte < ' ' && byte != '\t') || byte > '~') {
-        return cli_message(CLI_USAGE,
-                           "%s column %zu: byte %u is not ASCII text",
-                           reader->place, i + 1, byte);
+        return cli_usage("%s column %zu: byte %u is not ASCII text",
+                         reader->place, i + 1, byte);
       }
     }
     CLI_TRY(read_line(reader, line));
@@ -290,12 +275,11 @@ static int check_parameters(reader_t *reader) {
     (void)place_of(reader, reader->given[out]);
     return refuse(reader, range, cli_parameter(params, out));
   }
-  return cli_message(CLI_REFUSED,
-                     "%s: %s is missing, which law %s needs: give it a value "
-                     "in [%g, %g] %s, or begin with 'based-on SCENE'",
-                     reader->lines.name, range->name,
-                     tf_tyre_law_name(params->law), (double)range->low,
-                     (double)range->high, range->unit);
+  return cli_refuse(
+      "%s: %s is missing, which law %s needs: give it a value in [%g, %g] %s, "
+      "or begin with 'based-on SCENE'",
+      reader->lines.name, range->name, tf_tyre_law_name(params->law),
+      (double)range->low, (double)range->high, range->unit);
 }
 
 // What a scene that is based on no other one has to give besides.
@@ -304,16 +288,14 @@ static int check_start(const reader_t *reader) {
   const unsigned long *given = reader->given;
   for (size_t i = 0; i < 4 && given[BASED_ON] == 0; i++) {
     if (given[key_of(needed[i])] == 0) {
-      return cli_message(CLI_USAGE,
-                         "%s: %s is missing; give it, or begin with 'based-on "
-                         "SCENE'",
-                         reader->lines.name, needed[i]);
+      return cli_usage(
+          "%s: %s is missing; give it, or begin with 'based-on SCENE'",
+          reader->lines.name, needed[i]);
     }
   }
-  return given[BASED_ON] != 0 || given[CLI_V] != 0 || given[CLI_H] != 0
-             ? CLI_DONE
-             : cli_message(CLI_USAGE, "%s: v or h is missing at the start",
-                           reader->lines.name);
+  if (given[BASED_ON] != 0 || given[CLI_V] != 0 || given[CLI_H] != 0)
+    return CLI_DONE;
+  return cli_usage("%s: v or h is missing at the start", reader->lines.name);
 }
 
 // The name of the file without folders and ending.
@@ -329,18 +311,18 @@ int cli_scene_parse(cli_scene_file_t *file, const char *path, const char *text,
   reader_t reader = {.file = file, .lines = {path, text, size, 0, 0, false}};
   memset(file, 0, sizeof *file);
   if (size > CLI_SCENE_BYTES) {
-    return cli_message(CLI_USAGE, "%s: longer than %d bytes, no scene", path,
-                       CLI_SCENE_BYTES);
+    return cli_usage("%s: longer than %d bytes, no scene", path,
+                     CLI_SCENE_BYTES);
   }
   name_it(file, path);
   CLI_TRY(read_lines(&reader));
   CLI_TRY(check_start(&reader));
   CLI_TRY(check_parameters(&reader));
   if (file->name[0] == '\0') {
-    return cli_message(CLI_USAGE,
-                       "%s: the name of the file is no name of a scene (1 to "
-                       "%d letters, digits and _); give 'name NAME' in it",
-                       path, CLI_SCENE_NAME - 1);
+    return cli_usage(
+        "%s: the name of the file is no name of a scene (1 to %d letters, "
+        "digits and _); give 'name NAME' in it",
+        path, CLI_SCENE_NAME - 1);
   }
   file->scene.name = file->name;
   file->scene.shows = file->shows;
@@ -363,8 +345,8 @@ static int read_file(cli_scene_file_t *file, const char *path) {
 
 int cli_take_scene(const tf_scene_t **scene, const char *word) {
   if (*scene != NULL) {
-    return cli_message(CLI_USAGE, "%s: one scene at a time (%s was given)",
-                       word, (*scene)->name);
+    return cli_usage("%s: one scene at a time (%s was given)", word,
+                     (*scene)->name);
   }
   // One scene at a time, so one place is enough.
   static cli_scene_file_t file;

@@ -6,11 +6,7 @@
 
 #include "setup.h"
 
-#include <inttypes.h>
-#include <math.h>
 #include <stdarg.h>
-#include <stdio.h>
-#include <string.h>
 
 const cli_setting_t *cli_settings_find(const cli_settings_t *settings,
                                        const char *name) {
@@ -23,13 +19,13 @@ int cli_settings_add_named(cli_settings_t *settings, const char *option,
                            const char *text, const char *name,
                            const char *value) {
   if (settings->count == CLI_SETTINGS) {
-    return cli_message(CLI_USAGE, "%s %s: more than %d settings", option, text,
-                       CLI_SETTINGS);
+    return cli_usage("%s %s: more than %d settings", option, text,
+                     CLI_SETTINGS);
   }
   const cli_setting_t *first = cli_settings_find(settings, name);
   if (first != NULL) {
-    return cli_message(CLI_USAGE, "%s %s: %s was already given by %s %s",
-                       option, text, name, first->option, first->text);
+    return cli_usage("%s %s: %s was already given by %s %s", option, text, name,
+                     first->option, first->text);
   }
   cli_setting_t *setting = &settings->list[settings->count++];
   setting->option = option;
@@ -44,11 +40,10 @@ int cli_settings_add(cli_settings_t *settings, const char *option,
   char name[CLI_NAME_ROOM];
   const size_t length = strcspn(text, "=");
   if (length == 0 || text[length] == '\0')
-    return cli_message(CLI_USAGE, "%s %s: expected NAME=VALUE", option, text);
+    return cli_usage("%s %s: expected NAME=VALUE", option, text);
   if (length >= sizeof name) {
-    return cli_message(CLI_USAGE,
-                       "%s %s: unknown name ('twofold help run' lists them)",
-                       option, text);
+    return cli_usage("%s %s: unknown name ('twofold help run' lists them)",
+                     option, text);
   }
   (void)snprintf(name, sizeof name, "%.*s", (int)length, text);
   return cli_settings_add_named(settings, option, text, name,
@@ -79,14 +74,14 @@ static int read_setting(cli_setup_t *setup, const cli_setting_t *setting) {
       cli_closest_offer(&closest, cli_number(i)->name);
     cli_closest_offer(&closest, "law");
     cli_closest_offer(&closest, "rest");
-    return cli_message(CLI_USAGE, "%s %s: unknown name '%s'%s", setting->option,
-                       setting->text, name, closest.hint);
+    return cli_usage("%s %s: unknown name '%s'%s", setting->option,
+                     setting->text, name, closest.hint);
   }
   CLI_TRY(
       cli_read_number(setting->option, setting->text, setting->value, &value));
   if (!cli_parameter_fits(number, value)) {
-    return cli_message(CLI_REFUSED, "%s %s: %s must be a whole number",
-                       setting->option, setting->text, name);
+    return cli_refuse("%s %s: %s must be a whole number", setting->option,
+                      setting->text, name);
   }
   char *to =
       number < TF_PARAMETERS ? (char *)&setup->params : (char *)&setup->start;
@@ -102,16 +97,13 @@ static int read_rule(const char *select, tf_params_t *params, uint32_t *seed) {
   (void)snprintf(name, sizeof name, "%.*s", (int)length, select);
   CLI_TRY(cli_set_word(params, "rule", "--select", select, name));
   if (select[length] == '\0') return CLI_DONE;
-  if (params->rule != TF_RULE_RANDOM) {
-    return cli_message(
-        CLI_USAGE, "--select %s: only the rule random takes a seed", select);
-  }
+  if (params->rule != TF_RULE_RANDOM)
+    return cli_usage("--select %s: only the rule random takes a seed", select);
   uint64_t value = 0;
   if (!cli_read_whole(select + length + 1, 0, UINT32_MAX, &value)) {
-    return cli_message(CLI_USAGE,
-                       "--select %s: the seed must be a whole number in "
-                       "[0, 4294967295]",
-                       select);
+    return cli_usage(
+        "--select %s: the seed must be a whole number in [0, 4294967295]",
+        select);
   }
   *seed = (uint32_t)value;
   return CLI_DONE;
@@ -152,14 +144,12 @@ int cli_setup_machine(cli_setup_t *setup) {
     char text[CLI_REAL_ROOM];
     (void)cli_write_real(text, value_of(setup, out));
     return setting != NULL
-               ? cli_message(CLI_REFUSED, "%s %s: %s %s", setting->option,
-                             setting->text, range->name, cli_must(range))
-               : cli_message(CLI_REFUSED,
-                             "scene %s with law %s: %s = %s %s; give --set "
-                             "%s=VALUE",
-                             setup->scene->name,
-                             tf_tyre_law_name(setup->params.law), range->name,
-                             text, cli_must(range), range->name);
+               ? cli_refuse("%s %s: %s %s", setting->option, setting->text,
+                            range->name, cli_must(range))
+               : cli_refuse(
+                     "scene %s with law %s: %s = %s %s; give --set %s=VALUE",
+                     setup->scene->name, tf_tyre_law_name(setup->params.law),
+                     range->name, text, cli_must(range), range->name);
   }
   (void)tf_prepare(&setup->machine, &setup->params, NULL);
   setup->input = tf_scene_input(setup->scene, &setup->machine, 0);
@@ -169,17 +159,16 @@ int cli_setup_machine(cli_setup_t *setup) {
 int cli_setup_check_starts(const cli_setup_t *setup) {
   const cli_setting_t *v = setup->set[CLI_V], *h = setup->set[CLI_H];
   if (v != NULL && h != NULL) {
-    return cli_message(CLI_USAGE,
-                       "%s %s, %s %s: give h or v, each follows from the other",
-                       v->option, v->text, h->option, h->text);
+    return cli_usage("%s %s, %s %s: give h or v, each follows from the other",
+                     v->option, v->text, h->option, h->text);
   }
   for (size_t i = CLI_R; i < CLI_NUMBERS; i++) {
     const cli_setting_t *setting = setup->set[i];
     const tf_parameter_range_t *range = cli_number(i);
     const tf_real_t value = value_of(setup, i);
     if (setting != NULL && !cli_is_in(range, value)) {
-      return cli_message(CLI_REFUSED, "%s %s: %s %s", setting->option,
-                         setting->text, range->name, cli_must(range));
+      return cli_refuse("%s %s: %s %s", setting->option, setting->text,
+                        range->name, cli_must(range));
     }
   }
   return CLI_DONE;
@@ -193,19 +182,18 @@ static int refuse_start(const cli_setup_t *setup, tf_status_t status) {
   tf_state_t x = setup->start.state;
   if (setup->start.from_h &&
       tf_speed_for_slip(k, x.r, x.w, omega0, h, &x.v) != TF_OK) {
-    return cli_message(CLI_REFUSED,
-                       "%s %s: no speed v gives the slip speed h = %g m/s, "
-                       "because sin(gamma) = %g; give --set v=VALUE",
-                       setting != NULL ? setting->option : "scene",
-                       setting != NULL ? setting->text : setup->scene->name,
-                       (double)h, (double)k->sin_gamma);
+    return cli_refuse(
+        "%s %s: no speed v gives the slip speed h = %g m/s, because sin(gamma) "
+        "= %g; give --set v=VALUE",
+        setting != NULL ? setting->option : "scene",
+        setting != NULL ? setting->text : setup->scene->name, (double)h,
+        (double)k->sin_gamma);
   }
-  return cli_message(CLI_REFUSED,
-                     "scene %s: the start r = %g m, v = %g m/s, omega = %g "
-                     "rad/s, h = %g m/s is refused: %s",
-                     setup->scene->name, (double)x.r, (double)x.v, (double)x.w,
-                     (double)tf_slip(k, x.r, x.v, x.w, omega0).h,
-                     tf_status_name(status));
+  return cli_refuse(
+      "scene %s: the start r = %g m, v = %g m/s, omega = %g rad/s, h = %g m/s "
+      "is refused: %s",
+      setup->scene->name, (double)x.r, (double)x.v, (double)x.w,
+      (double)tf_slip(k, x.r, x.v, x.w, omega0).h, tf_status_name(status));
 }
 
 int cli_setup_start(cli_setup_t *setup) {
@@ -241,10 +229,8 @@ void cli_setup_notes(const cli_setup_t *setup) {
                    located ? " but where a step falls back on moreau"
                            : ": it belongs to --scheme located");
     }
-    if (reason.used > 0) {
-      (void)cli_message(CLI_DONE, "note: %s %s has no effect%s",
-                        setting->option, setting->text, text);
-    }
+    if (reason.used > 0)
+      cli_note("%s %s has no effect%s", setting->option, setting->text, text);
   }
 }
 
@@ -258,23 +244,20 @@ int cli_setup_scheme(cli_setup_t *setup, const char *file) {
   if (setup->scheme == MOTION_SCHEMES) {
     setup->scheme = usual;
     if (rounds) {
-      (void)cli_message(CLI_DONE,
-                        "note: float at dt = %g s: --scheme compensated; "
-                        "moreau would lose slow motions in the rounding of the "
-                        "state",
-                        (double)dt);
+      cli_note(
+          "float at dt = %g s: --scheme compensated; moreau would lose slow "
+          "motions in the rounding of the state",
+          (double)dt);
     }
   } else if (file != NULL && setup->scheme != usual) {
-    (void)cli_message(CLI_DONE, "note: --scheme %s, which is that of %s",
-                      motion_scheme_name(setup->scheme), file);
+    cli_note("--scheme %s, which is that of %s",
+             motion_scheme_name(setup->scheme), file);
   }
-  return motion_takes_law(setup->scheme, setup->params.law)
-             ? CLI_DONE
-             : cli_message(CLI_REFUSED,
-                           "--scheme %s: law must be " MOTION_LOCATED_LAWS
-                           ", not %s; --scheme moreau takes every law",
-                           motion_scheme_name(setup->scheme),
-                           tf_tyre_law_name(setup->params.law));
+  if (motion_takes_law(setup->scheme, setup->params.law)) return CLI_DONE;
+  return cli_refuse("--scheme %s: law must be " MOTION_LOCATED_LAWS
+                    ", not %s; --scheme moreau takes every law",
+                    motion_scheme_name(setup->scheme),
+                    tf_tyre_law_name(setup->params.law));
 }
 
 tf_real_t cli_end_of(const tf_scene_t *scene, const cli_range_t *t_end) {
@@ -288,10 +271,10 @@ int cli_count_steps(const cli_setup_t *setup, const cli_range_t *t_end,
   const double count = round(end / dt);
   const double most = (double)CLI_MAX_STEPS;
   if (!(end >= 0 && count <= most)) {
-    return cli_message(CLI_REFUSED,
-                       "--t-end %s: t-end must lie in [0, %g] s (at most 1e15 "
-                       "steps of dt = %g s)",
-                       t_end->text != NULL ? t_end->text : "", most * dt, dt);
+    return cli_refuse(
+        "--t-end %s: t-end must lie in [0, %g] s (at most 1e15 steps of dt = "
+        "%g s)",
+        t_end->text != NULL ? t_end->text : "", most * dt, dt);
   }
   *steps = (uint64_t)count;
   return CLI_DONE;

@@ -7,11 +7,6 @@
 
 #include "point.h"
 
-#include <inttypes.h>
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
-
 #include "../run/events.h"
 #include "../text/summary.h"
 

@@ -3,11 +3,6 @@
 // machine is refused is an answer and no failure: its row says so, and the
 // program ends with code 0.
 
-#include <inttypes.h>
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
-
 #include "../text/summary.h"
 #include "point.h"
 
@@ -81,9 +76,9 @@ static int do_points(cli_sweep_t *sweep) {
   if (sheets->done.done == sheets->total) return CLI_DONE;
   if (sheets->sheet->output.error != 0)
     return CLI_STOPPED; // cli_sheets_close has the message
-  return cli_message(CLI_STOPPED, "%s at point %" PRIu64,
-                     cli_stop_asked() ? "interrupted" : "a process ended",
-                     sheets->first + sheets->done.done);
+  return cli_stop("%s at point %" PRIu64,
+                  cli_stop_asked() ? "interrupted" : "a process ended",
+                  sheets->first + sheets->done.done);
 }
 
 static void summarise(const cli_sweep_t *sweep, double seconds) {
@@ -183,7 +178,7 @@ static int open_sheet(cli_sweep_t *sweep) {
   cli_add_form(&about, "shard %" PRIu64 "/%" PRIu64, args->shard.index,
                args->shard.of);
   if (begin.truncated || about.truncated)
-    return cli_message(CLI_USAGE, "sweep: the command line is too long");
+    return cli_usage("sweep: the command line is too long");
   sheets->what = "sweep";
   sheets->resume = args->resume;
   sheets->noted = true;
@@ -235,18 +230,17 @@ int cli_sweep(const cli_args_t *args) {
 static int check_seed(const cli_args_t *args, const cli_range_t *range) {
   for (size_t i = 0; i < args->axes; i++) {
     if (args->axis[i].is_seed) {
-      return cli_message(CLI_USAGE,
-                         "--over %s: seed was already given by --over %s",
-                         range->text, args->axis[i].range.text);
+      return cli_usage("--over %s: seed was already given by --over %s",
+                       range->text, args->axis[i].range.text);
     }
   }
   for (uint64_t i = 0; i < range->count; i++) {
     const double value = cli_range_at(range, i);
     if (!(value >= 0 && value <= UINT32_MAX && floor(value) >= value)) {
-      return cli_message(CLI_REFUSED,
-                         "--over %s: seed must be whole numbers in "
-                         "[0, 4294967295]; value %" PRIu64 " is %.10g",
-                         range->text, i + 1, value);
+      return cli_refuse(
+          "--over %s: seed must be whole numbers in [0, 4294967295]; value "
+          "%" PRIu64 " is %.10g",
+          range->text, i + 1, value);
     }
   }
   return CLI_DONE;
@@ -256,11 +250,9 @@ int cli_read_over(cli_args_t *args, const cli_given_t *option) {
   const char *text = option->value, *equals = strchr(text, '=');
   cli_axis_t *axis = &args->axis[args->axes];
   if (equals == NULL || equals == text)
-    return cli_message(CLI_USAGE, "--over %s: expected NAME=A:B:N", text);
-  if (args->axes == CLI_AXES) {
-    return cli_message(CLI_USAGE, "--over %s: more than %d axes", text,
-                       CLI_AXES);
-  }
+    return cli_usage("--over %s: expected NAME=A:B:N", text);
+  if (args->axes == CLI_AXES)
+    return cli_usage("--over %s: more than %d axes", text, CLI_AXES);
   axis->is_seed = strncmp(text, "seed=", 5) == 0;
   CLI_TRY(cli_read_range(option->name, text, equals + 1, MAX_VALUES,
                          axis->is_seed, &axis->range));
@@ -272,10 +264,8 @@ int cli_read_over(cli_args_t *args, const cli_given_t *option) {
     axis->name = args->settings.list[axis->setting].name;
     CLI_TRY(cli_settings_add(&args->settings, option->name, text));
   }
-  if (args->points > MAX_POINTS / axis->range.count) {
-    return cli_message(CLI_REFUSED, "--over %s: more than %llu points", text,
-                       MAX_POINTS);
-  }
+  if (args->points > MAX_POINTS / axis->range.count)
+    return cli_refuse("--over %s: more than %llu points", text, MAX_POINTS);
   args->points *= axis->range.count;
   args->axes++;
   return CLI_DONE;
@@ -286,16 +276,14 @@ static int add_measure(cli_args_t *args, const char *name, const char *text) {
   const unsigned found = (unsigned)cli_closest_find(
       &closest, cli_measures, CLI_MEASURES, sizeof cli_measures[0]);
   if (found == CLI_MEASURES) {
-    return cli_message(CLI_USAGE,
-                       "--outcome %s: unknown outcome '%s'%s ('twofold help "
-                       "sweep' lists them)",
-                       text, name, closest.hint);
+    return cli_usage(
+        "--outcome %s: unknown outcome '%s'%s ('twofold help sweep' lists "
+        "them)",
+        text, name, closest.hint);
   }
   for (size_t i = 0; i < args->measures; i++) {
-    if (args->measure[i] == found) {
-      return cli_message(CLI_USAGE, "--outcome %s: %s was already given", text,
-                         name);
-    }
+    if (args->measure[i] == found)
+      return cli_usage("--outcome %s: %s was already given", text, name);
   }
   args->measure[args->measures++] = found;
   return CLI_DONE;
@@ -316,15 +304,14 @@ int cli_read_outcome(cli_args_t *args, const cli_given_t *option) {
 int cli_sweep_check(cli_args_t *args) {
   static const cli_given_t usual = {"--outcome",
                                     "modes,rest,recurrence,energy,ambiguous"};
-  if (args->axes == 0)
-    return cli_message(CLI_USAGE, "sweep: --over NAME=A:B:N is missing");
+  if (args->axes == 0) return cli_usage("sweep: --over NAME=A:B:N is missing");
   if (args->resume && (args->out == NULL || strcmp(args->out, "-") == 0))
-    return cli_message(CLI_USAGE, "--resume: only with --out FILE");
+    return cli_usage("--resume: only with --out FILE");
   for (size_t i = 0; i < args->axes; i++) {
     if (args->axis[i].is_seed &&
         (args->select == NULL || strcmp(args->select, "random") != 0)) {
-      return cli_message(CLI_USAGE, "--over %s: only with --select random",
-                         args->axis[i].range.text);
+      return cli_usage("--over %s: only with --select random",
+                       args->axis[i].range.text);
     }
   }
   return args->measures > 0 ? CLI_DONE : cli_read_outcome(args, &usual);

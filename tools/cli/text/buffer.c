@@ -1,9 +1,6 @@
 // Text in buffers, in lines, and the names that are closest to a mistyped one.
 
 #include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "text.h"
 

@@ -3,9 +3,6 @@
 
 #include <errno.h>
 #include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "text.h"
 
@@ -52,8 +49,8 @@ int cli_message(int code, const char *format, ...) {
 int cli_finish_stdout(void) {
   errno = 0;
   if (fflush(stdout) == 0 && ferror(stdout) == 0) return CLI_DONE;
-  return cli_message(CLI_STOPPED, "standard output: %s",
-                     errno != 0 ? strerror(errno) : "write error");
+  return cli_stop("standard output: %s",
+                  errno != 0 ? strerror(errno) : "write error");
 }
 
 // Text files are in memory as a whole before the first line is looked at.
@@ -86,11 +83,10 @@ int cli_read_text(const char *option, const char *path, size_t most,
   if (error == 0 && !has_lone_cr(*text)) return CLI_DONE;
   free(*text);
   *text = NULL;
-  return cli_message(error == ENOMEM ? CLI_STOPPED : CLI_USAGE, "%s%s: %s",
-                     option, path,
-                     error != 0 ? strerror(error)
-                                : "a line ends with CR alone, expected LF or "
-                                  "CR LF");
+  return cli_message(
+      error == ENOMEM ? CLI_STOPPED : CLI_USAGE, "%s%s: %s", option, path,
+      error != 0 ? strerror(error)
+                 : "a line ends with CR alone, expected LF or CR LF");
 }
 
 int cli_note_open(const char *name) {

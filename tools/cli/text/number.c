@@ -8,11 +8,6 @@
 #include <ctype.h>
 #include <errno.h>
 #include <float.h>
-#include <inttypes.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "../../../src/link/parts.h"
 #include "text.h"
@@ -60,7 +55,7 @@ int cli_read_number(const char *option, const char *whole, const char *text,
                     tf_real_t *value) {
   const char *why = "";
   if (cli_read_real(text, value, &why)) return CLI_DONE;
-  return cli_message(CLI_USAGE, "%s %s: '%s' %s", option, whole, text, why);
+  return cli_usage("%s %s: '%s' %s", option, whole, text, why);
 }
 
 static int read_end(const char *option, const char *whole, const char *text,
@@ -78,24 +73,21 @@ int cli_read_range(const char *option, const char *whole, const char *text,
   for (int i = 0; i < 3; i++) {
     const size_t length = strcspn(text, ":");
     if (length >= CLI_REAL_ROOM || (text[length] == ':') != (i < 2))
-      return cli_message(CLI_USAGE, "%s %s: expected A:B:N", option, whole);
+      return cli_usage("%s %s: expected A:B:N", option, whole);
     memcpy(parts[i], text, length);
     parts[i][length] = '\0';
     text += length + (i < 2 ? 1 : 0);
   }
   if (!cli_read_whole(parts[2], 1, most, &range->count)) {
-    return cli_message(CLI_USAGE,
-                       "%s %s: N must be a whole number in [1, %" PRIu64 "]",
-                       option, whole, most);
+    return cli_usage("%s %s: N must be a whole number in [1, %" PRIu64 "]",
+                     option, whole, most);
   }
   CLI_TRY(read_end(option, whole, parts[0], exact, &range->from));
   CLI_TRY(read_end(option, whole, parts[1], exact, &range->to));
-  return range->count > 1 ||
-                 !(range->to > range->from || range->to < range->from)
-             ? CLI_DONE
-             : cli_message(CLI_USAGE,
-                           "%s %s: one value cannot be both %s and %s", option,
-                           whole, parts[0], parts[1]);
+  if (range->count > 1 || !(range->to > range->from || range->to < range->from))
+    return CLI_DONE;
+  return cli_usage("%s %s: one value cannot be both %s and %s", option, whole,
+                   parts[0], parts[1]);
 }
 
 static bool is_whole(double value) {

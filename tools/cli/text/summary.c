@@ -3,10 +3,7 @@
 
 #include "summary.h"
 
-#include <inttypes.h>
-#include <math.h>
 #include <stdarg.h>
-#include <stdio.h>
 
 #include "twofold.h"
 

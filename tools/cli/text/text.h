@@ -6,6 +6,12 @@
 /// was written; a header says where it is something else, or more than that.
 #pragma once
 
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
 #include "../../decimal.h"
 #include "twofold/real.h"
 
@@ -30,6 +36,10 @@ enum {
 /// Writes "twofold: ", the message and a newline to standard error.
 /// Returns: code, so that a failing path is a single return statement.
 int cli_message(int code, const char *format, ...) CLI_PRINTF(2, 3);
+#define cli_usage(...) cli_message(CLI_USAGE, __VA_ARGS__)
+#define cli_refuse(...) cli_message(CLI_REFUSED, __VA_ARGS__)
+#define cli_stop(...) cli_message(CLI_STOPPED, __VA_ARGS__)
+#define cli_note(...) (void)cli_message(CLI_DONE, "note: " __VA_ARGS__)
 
 /// From now on there are no messages of CLI_DONE, nor summaries but as JSON.
 void cli_be_quiet(bool from_now);
