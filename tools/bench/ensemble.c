@@ -24,6 +24,7 @@
 
 typedef struct {
   run_t chaos;
+  tf_machine_t machine;
   tf_state_t start[N], states[N];
   tf_report_t reports[N];
   tf_state_block_t state_blocks[TF_BLOCKS(N)];
@@ -35,11 +36,11 @@ static ensemble_t ensemble;
 static void advance(ensemble_t *e, tf_state_t *x, int steps) {
   tf_report_t report;
   for (int i = 0; i < steps; i++)
-    tf_step(&e->chaos.machine.machine, x, &e->chaos.input, &report);
+    tf_step(&e->machine, x, &e->chaos.input, &report);
 }
 
 static void begin_spread(ensemble_t *e) {
-  tf_state_t x = e->chaos.state;
+  tf_state_t x = e->chaos.motion.state;
   for (size_t i = 0; i < N; i++) {
     e->start[i * STRIDE % N] = x;
     advance(e, &x, SPREAD_STEPS);
@@ -47,9 +48,9 @@ static void begin_spread(ensemble_t *e) {
 }
 
 static void begin_seeds(ensemble_t *e) {
-  e->chaos.machine.machine.contact.rule = TF_RULE_RANDOM;
+  e->machine.contact.rule = TF_RULE_RANDOM;
   for (size_t i = 0; i < N; i++) {
-    e->start[i] = e->chaos.state;
+    e->start[i] = e->chaos.motion.state;
     e->start[i].seed = (uint32_t)i;
     advance(e, &e->start[i], SEEDS_STEPS);
   }
@@ -65,8 +66,7 @@ static double time_steps(ensemble_t *e) {
   const clock_t begin = clock();
   for (int n = 0; n < STEPS; n++)
     for (size_t i = 0; i < N; i++)
-      tf_step(&e->chaos.machine.machine, &e->states[i], &e->chaos.input,
-              &e->reports[i]);
+      tf_step(&e->machine, &e->states[i], &e->chaos.input, &e->reports[i]);
   return since(begin);
 }
 
@@ -74,8 +74,8 @@ static double time_steps(ensemble_t *e) {
 static size_t run_ensemble(ensemble_t *e, int steps) {
   size_t alone = 0;
   for (int n = 0; n < steps; n++)
-    alone += tf_ensemble_step(&e->chaos.machine.machine, e->state_blocks, N,
-                              &e->chaos.input, e->report_blocks);
+    alone += tf_ensemble_step(&e->machine, e->state_blocks, N, &e->chaos.input,
+                              e->report_blocks);
   return alone;
 }
 
@@ -122,8 +122,9 @@ static void race(const char *name, ensemble_t *e) {
 
 int ensemble_main(void) {
   const problem_t problem = problem_number(0);
-  if (run_begin(&ensemble.chaos, &problem, MOREAU, 10000, 0, 0) != TF_OK)
-    return 1;
+  run_t *chaos = &ensemble.chaos;
+  if (run_begin(chaos, &problem, MOTION_MOREAU, 10000, 0, 0) != TF_OK) return 1;
+  ensemble.machine = chaos->motion.machine.machine;
   begin_spread(&ensemble);
   race("spread", &ensemble);
   begin_seeds(&ensemble);

@@ -5,12 +5,10 @@
 #include <stdio.h>
 #include <string.h>
 
-const char *const scheme_names[SCHEMES] = {"moreau", "compensated", "located"};
-
-scheme_t scheme_named(const char *name) {
-  int i = 0;
-  while (i < SCHEMES && strcmp(name, scheme_names[i]) != 0) i++;
-  return (scheme_t)i;
+motion_scheme_t scheme_named(const char *name) {
+  unsigned i = 0;
+  while (i < MOTION_SCHEMES && strcmp(name, motion_scheme_name(i)) != 0) i++;
+  return (motion_scheme_t)i;
 }
 
 // A member of the state, and what rounding it leaves over.
@@ -19,33 +17,34 @@ static void split(long double x, tf_real_t *high, tf_real_t *low) {
   *low = (tf_real_t)(x - (long double)*high);
 }
 
-tf_status_t run_begin(run_t *run, const problem_t *problem, scheme_t scheme,
-                      long n, double tolerance, int segments) {
+tf_status_t run_begin(run_t *run, const problem_t *problem,
+                      motion_scheme_t scheme, long n, double tolerance,
+                      int segments) {
   tf_params_t params = problem->params;
+  tf_machine_t *machine = &run->motion.machine.machine;
+  motion_start_t start = {.state = {.mode = problem->mode}};
+  tf_compensation_t low = {0};
   *run = (run_t){.scheme = scheme};
-  if (scheme == SCHEMES) return TF_BAD_PARAMETER;
+  if (scheme == MOTION_SCHEMES) return TF_BAD_PARAMETER;
   params.dt = (tf_real_t)(problem->length / (double)n);
   params.segments = (tf_real_t)segments;
   if (tolerance <= 1e-2) params.tolerance = (tf_real_t)tolerance;
-  const tf_status_t status =
-      scheme == COMPENSATED
-          ? tf_prepare_compensated(&run->machine, &params, NULL)
-          : tf_prepare(&run->machine.machine, &params, NULL);
+  tf_status_t status = motion_prepare(&run->motion, scheme, &params, NULL);
   if (status != TF_OK) return status;
-  if (tolerance > 1e-2) run->machine.machine.tolerance = (tf_real_t)tolerance;
-  run->input = tf_input_default(&run->machine.machine);
-  split(problem->start[0], &run->state.r, &run->compensation.r);
-  split(problem->start[1], &run->state.v, &run->compensation.v);
-  split(problem->start[2], &run->state.w, &run->compensation.w);
-  run->state.mode = problem->mode;
-  return tf_begin(&run->machine.machine, &run->state, &run->input,
-                  &run->report);
+  if (tolerance > 1e-2) machine->tolerance = (tf_real_t)tolerance;
+  run->input = tf_input_default(machine);
+  split(problem->start[0], &start.state.r, &low.r);
+  split(problem->start[1], &start.state.v, &low.v);
+  split(problem->start[2], &start.state.w, &low.w);
+  status = motion_begin(&run->motion, scheme, &start, &run->input);
+  if (scheme == MOTION_COMPENSATED) run->motion.low = low;
+  return status;
 }
 
-// The numbers: dt, and of LOCATED tolerance and segments; behind them theta.
+// The numbers: dt, and of located tolerance and segments; behind them theta.
 static void solve(const problem_t *problem, const char *solver,
                   const double number[NUMBERS], answer_t *answer) {
-  const scheme_t scheme = scheme_named(solver);
+  const motion_scheme_t scheme = scheme_named(solver);
   const long steps = harness_steps(problem, number[0]);
   problem_t q = *problem;
   run_t run;
@@ -63,12 +62,11 @@ static void solve(const problem_t *problem, const char *solver,
     status = run_step(&run);
     answer->flagged += status > 0;
   }
-  const tf_state_t *x = &run.state;
-  const tf_compensation_t *c = &run.compensation;
-  const int carries = scheme == COMPENSATED;
-  answer->x[0] = (double)x->r + (carries ? (double)c->r : 0);
-  answer->x[1] = (double)x->v + (carries ? (double)c->v : 0);
-  answer->x[2] = (double)x->w + (carries ? (double)c->w : 0);
+  const tf_state_t *x = &run.motion.state;
+  const tf_compensation_t *c = &run.motion.low;
+  answer->x[0] = (double)x->r + (double)c->r;
+  answer->x[1] = (double)x->v + (double)c->v;
+  answer->x[2] = (double)x->w + (double)c->w;
   answer->lost = status < 0;
   answer->mode = x->mode;
 }

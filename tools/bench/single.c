@@ -29,9 +29,9 @@ __attribute__((noinline)) tf_status_t sample(run_t *run) {
 
 // The step from a state once more, with a line of its own.
 static void look_at(run_t before, const run_t *after) {
-  const char *const name = tf_mode_name(before.state.mode);
+  const char *const name = tf_mode_name(before.motion.state.mode);
   sample(&before);
-  printf("%s,%s\n", name, tf_mode_name(after->state.mode));
+  printf("%s,%s\n", name, tf_mode_name(after->motion.state.mode));
 }
 
 static int follow(run_t *run, long steps, long every) {
@@ -39,10 +39,10 @@ static int follow(run_t *run, long steps, long every) {
   for (long i = 0; i < steps; i++) {
     const run_t before = *run;
     if (run_step(run) < 0) return 1;
-    const int slip = tf_mode_is_slip(before.state.mode) && slips < SLIPS;
+    const uint8_t mode = before.motion.state.mode;
+    const int slip = tf_mode_is_slip(mode) && slips < SLIPS;
     slips += slip;
-    if (i % every != 0 && before.state.mode == run->state.mode && !slip)
-      continue;
+    if (i % every != 0 && mode == run->motion.state.mode && !slip) continue;
     look_at(before, run);
   }
   return 0;
@@ -57,19 +57,20 @@ static tf_params_t ordinary_params(draw_t *d, tf_real_t dt) {
 }
 
 // As hash_of_steps() of population.h does.
-static int follow_machines(scheme_t scheme, long machines, long steps,
+static int follow_machines(motion_scheme_t scheme, long machines, long steps,
                            tf_real_t dt) {
   draw_t d = population(1);
   for (long n = 0; n < machines; n++) {
     run_t run = {.scheme = scheme};
-    tf_machine_t *k = &run.machine.machine;
+    tf_machine_t *k = &run.motion.machine.machine;
+    tf_state_t *x = &run.motion.state;
     const tf_params_t p =
         dt > 0 ? ordinary_params(&d, dt) : any_params(&d, (unsigned)n);
     if (tf_prepare(k, &p, NULL) != TF_OK) continue;
     run.input = any_input(&d, k);
-    run.state = any_state(&d, k, &run.input);
-    if ((n % 4 != 0 || run.state.mode == TF_NO_MODE) &&
-        tf_begin(k, &run.state, &run.input, &run.report) != TF_OK)
+    *x = any_state(&d, k, &run.input);
+    if ((n % 4 != 0 || x->mode == TF_NO_MODE) &&
+        tf_begin(k, x, &run.input, &run.motion.report) != TF_OK)
       continue;
     for (long i = 0; i < steps; i++) {
       if (i == steps / 2) run.input.torque += between(&d, -1, 1);
@@ -86,8 +87,9 @@ int single_main(int argc, char **argv) {
   problem_t problem;
   run_t run;
   if (argc < 5) return 2;
-  const scheme_t scheme = scheme_named(argv[1]);
-  if (argc == 6 && scheme != COMPENSATED && strcmp(argv[2], "machines") == 0)
+  const motion_scheme_t scheme = scheme_named(argv[1]);
+  if (argc == 6 && scheme != MOTION_COMPENSATED &&
+      strcmp(argv[2], "machines") == 0)
     return follow_machines(scheme, strtol(argv[3], NULL, 10),
                            strtol(argv[4], NULL, 10),
                            (tf_real_t)strtod(argv[5], NULL));
