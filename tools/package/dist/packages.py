@@ -7,11 +7,10 @@ usage: packages.py C FOLDER HELP
 C: the folder with twofold.h, twofold.c and the headers of PREPARED. HELP: what
 the command line prints, as C.
 """
-import gzip
 import re
 import shutil
+import subprocess
 import sys
-import tarfile
 from pathlib import Path
 
 from sources import ROOT, version
@@ -79,18 +78,10 @@ def keywords(package):
 
 def archive(package, to):
     """A tar with the same bytes for the same files."""
-    def plain(info):
-        info.uid = info.gid = info.mtime = 0
-        info.uname = info.gname = ""
-        info.mode = 0o755 if info.isdir() else 0o644
-        return info
-
-    with open(to, "wb") as file, \
-            gzip.GzipFile("", "wb", 9, file, mtime=0) as packed, \
-            tarfile.open(mode="w", fileobj=packed) as tar:
-        for path in [package, *sorted(package.rglob("*"))]:
-            tar.add(path, path.relative_to(package.parent), recursive=False,
-                    filter=plain)
+    subprocess.run(
+        ["tar", "-I", "gzip -n9", "--sort=name", "--owner=0", "--group=0",
+         "--numeric-owner", "--mtime=@0", "--mode=u=rw,go=r,a+X", "-C",
+         package.parent, "-cf", to.absolute(), package.name], check=True)
 
 
 def main():
