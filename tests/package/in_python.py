@@ -5,7 +5,7 @@ import sys
 from harness import BUILD, DIST, ROOT, equal, folder, lacks, run, version
 
 PROGRAM = """\
-import contextlib, ctypes, signal, sys
+import contextlib, signal, sys
 import numpy as np
 import twofold
 from twofold import _core
@@ -61,21 +61,6 @@ for real, scene in ("double", "chaos"), ("float", "driven"):
             step()
         tick, = set(ticks())
         assert tick < 10**7 and (inputs.alpha == 0) == (tick > 0), tick
-    # Another rounding mode than to nearest, here upwards, is refused by name.
-    libm = ctypes.CDLL("libm.so.6")
-    many.step(1)
-    for call in (lambda: machine.run(0.01), lambda: many.step(1),
-                 lambda: twofold.Machine(scene, real=real)):
-        libm.fesetround(0x800)
-        try:
-            call()
-        except FloatingPointError as refusal:
-            assert "FE_TONEAREST" in str(refusal)
-        else:
-            raise AssertionError("a wrong rounding mode is taken")
-        finally:
-            libm.fesetround(0)
-        call()
 """
 
 

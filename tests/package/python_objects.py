@@ -237,6 +237,7 @@ def arithmetic_is_checked():
              *entries(machine, ensemble)[machine][4:8], ensemble.step,
              machine.energy, lambda: machine.r, lambda: machine.turntable_to(
                  machine.input(), -1), lambda: Machine(OWN),
+             lambda: Machine(real="float"),
              lambda: twofold.simulate("chaos", 0.1),
              lambda: twofold.sweep("chaos", {"r": [0.1]}, 0.1)]
     fast = PLACE / "fast.c"
@@ -280,7 +281,9 @@ def pictures_show_modes():
     (PLACE / "b.csv").write_text("point,kappa\n1,2\n")
     for words, code, text in (
             ([*program, "plot", PLACE / "b.csv"], 1, "rows of a run"),
-            ([*program, "plot", PLACE / "c.csv"], 1, "No such file"),
+            ([*program, "plot", PLACE / "c.csv"], 1,
+             f"twofold: {PLACE}/c.csv: No such file or directory\n"),
+            ([*program, "plot", "/dev/null"], 1, "twofold: /dev/null: no "),
             ([*program, "plot"], 1, "usage"),
             ([*program, "rnu"], 2, "did you mean 'run'?"),
             ([sys.executable, "-c", "import runpy, sys\nsys.modules["

@@ -36,8 +36,10 @@ def plot(words):
             return "there is no display: give -o PICTURE.png"
         else:
             plt.show()
-    except (OSError, ValueError) as error:
-        return f"{words[0]}: {error}"
+    except OSError as error:
+        return f"{error.filename}: {error.strerror}"
+    except ValueError as error:  # which may begin with the name
+        return f"{words[0]}: {str(error).removeprefix(f'{words[0]}: ')}"
     return None
 
 

@@ -63,9 +63,9 @@ class Ensemble:
     def step(self, steps: int = 1, inputs: Struct | None = None) -> None:
         """Takes so many steps. inputs: of Machine.input(), held; their alpha is
         that of the first step, and 0 behind it. None: those of the scene. A
-        state whose step is refused stays where it is; see status. Where
-        KeyboardInterrupt ends it, all states have taken as many of the
-        steps."""
+        table over time drives single motions only: Machine.run(). A state whose
+        step is refused stays where it is; see status. Where KeyboardInterrupt
+        ends it, all states have taken as many of the steps."""
         steps = integer("steps", steps, 0, STEPS)
         held = None if inputs is None else self.machine._held(inputs)
         most = max(1, _core.SLICE // self.n)

@@ -377,8 +377,8 @@ class Machine:
     def step(self, steps: int = 1, inputs: Struct | None = None,
              scheme: Scheme | str | None = None) -> Status:
         """Takes so many steps; what they came to is in r, mode and the others.
-        inputs: of input(), as in run(). Returns: the status of the last one.
-        Raises ValueError where a step is refused."""
+        inputs: of input(), as in run(), which takes a table, too. Returns: the
+        status of the last one. Raises ValueError where a step is refused."""
         steps = integer("steps", steps, 1, STEPS)
         self._follow(steps, steps, scheme, inputs, None)
         return self.status
