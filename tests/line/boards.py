@@ -20,7 +20,7 @@ from pathlib import Path
 sys.path[:0] = [str(Path(__file__).resolve().parents[2] / place)
                 for place in ("tests/support", "tests/cli",
                                "tools/board/protocol")]
-from decode import decode  # noqa: E402  (the paths come first)
+from decode import decode, framed  # noqa: E402  (the paths come first)
 from tap import TWOFOLD, call, check  # noqa: E402
 
 BUILD = Path(TWOFOLD).parents[1]
@@ -39,24 +39,6 @@ def says(said, *patterns):
 
 def program(real, name):
     return f"{FIRMWARE}-{real}/firmware-{name}.elf"
-
-
-def stuffed(body):
-    """COBS of a body without a block of 254."""
-    return b"".join(bytes([len(part) + 1]) + part
-                    for part in body.split(b"\0"))
-
-
-def sealed(code):
-    """With its CRC, which is right whatever the bytes are."""
-    crc = zlib.crc32(code)
-    return code + bytes(128 | crc >> 7 * i & 127 for i in range(5))
-
-
-def framed(kind, number, tick, payload):
-    """The bytes of a frame on the line (docs/PROTOCOL.md, section 1)."""
-    body = struct.pack("<BBBIQ", 5, kind, len(payload), number, tick) + payload
-    return b"\0" + sealed(stuffed(body)) + b"\0"
 
 
 def chained(sent):

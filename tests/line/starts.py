@@ -7,14 +7,13 @@ each other start it is played as soon as the board listens. No session comes
 twice, the stop is foreign and the machine goes on."""
 import os
 import socket
-import struct
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
 from boards import STATE, STOP, Board, Line, framed
-from decode import siphash
+from decode import tagged
 from tap import check, same
 
 KEY = bytes(0x1f * i % 256 for i in range(16))
@@ -33,12 +32,6 @@ def keyed(port="pty"):
     return Board("double", "keyed", port)
 
 
-def tagged(kind, number, tick, payload):
-    """The payload with its tag, by docs/PROTOCOL.md, section 4."""
-    body = struct.pack("<BBBIQ", 5, kind, len(payload) + 8, number, tick)
-    return payload + struct.pack("<Q", siphash(KEY, body + payload))
-
-
 def is_running(line):
     """Whether its machine steps, by three states."""
     ticks = [line.listen(lambda frame: frame[0] == STATE)[2] for _ in range(3)]
@@ -52,7 +45,7 @@ def played(line, stop):
     line.describe()
     check(is_running(line), "the machine stands")
     if not stop:
-        stop = framed(STOP, 0, 0, tagged(STOP, 0, 0, line.session))
+        stop = framed(STOP, 0, 0, tagged(KEY, STOP, 0, 0, line.session))
         same(line.answer(STOP, stop), 0)
         check(not is_running(line), "the stop does nothing")
     return line.session, stop

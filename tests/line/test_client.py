@@ -3,6 +3,7 @@
 host port on a pseudo-terminal: the loop of docs/USE.md; setpoints that act at
 their ticks; either side that stands still for a while; a key."""
 import contextlib
+import functools
 import io
 import os
 import re
@@ -12,8 +13,10 @@ import sys
 import termios
 import time
 import types
+from concurrent.futures import ThreadPoolExecutor
 
 from boards import BUILD, Board as Firmware
+from decode import decode, framed, sealed, stuffed
 from starts import KEY, keyed
 from tap import ROOT, check, main, same
 
@@ -75,27 +78,111 @@ def test_either_side_may_stand_still():
             same((state.input, board.set("mu", 1.25)[0]), (1, 1.25))
 
 
+def refused(call, said, code=None):
+    try:
+        call()
+        check(False, f"not refused: {said}")
+    except BoardError as error:
+        check(re.search(said, str(error)), error)
+        same(error.code, code)
+
+
+def steers(board, **inputs):
+    """With a setpoint, of which an answer says that it is refused."""
+    board.setpoint(**inputs)
+    board.record(100)
+
+
 def test_errors_say_why():
     with Firmware("double") as firmware, Board(firmware.name) as board:
-        for call, code in ((lambda: board.set("mu", -1), -1),
-                           (lambda: board.every(0), -1),
-                           (lambda: board.command(0x60), -16)):
-            try:
-                call()
-                check(False, "not refused")
-            except BoardError as error:
-                same(error.code, code)
+        board.every(1)
+        for call, said, code in (
+                (lambda: board.set("mu", -1), "out of range", -1),
+                (lambda: board.every(0), "out of range", -1),
+                (lambda: board.command(0x60), "does not know it", -16),
+                (lambda: steers(board, omega0=float("nan")), "not finite", -2),
+                (lambda: steers(board, omega0=0, tick=2**40), "too far", -19)):
+            refused(call, said, code)
         same(board.set("mu", 0.5)[:2], (0.5, 0.0))
+        with Board(firmware.name) as other:
+            other.setpoint(-1)
+        refused(lambda: board.record(1500), "another host commands", -20)
+        firmware.run.kill()
+        refused(lambda: board.record(1000), "the line fails")
+        refused(board.stop, "the line fails")
+    for words in {"port": "/dev/null"}, {"port": "x", "key": b"short"}:
+        try:
+            Board(**words)
+            check(False, words)
+        except (ValueError, OSError) as error:
+            check(re.search("16|no serial line", str(error)), error)
+
+
+def test_threads_may_send():
+    with Firmware("float") as firmware, Board(firmware.name) as board:
+        board.every(1)
+
+        def steer():
+            for _ in range(300):
+                board.setpoint(-1)
+                time.sleep(0.001)
+        with ThreadPoolExecutor() as pool:
+            jobs = [pool.submit(steer), pool.submit(
+                lambda: [board.set("mu", 1 + i / 64)[0] for i in range(50)])]
+            ticks = [state.tick for state in board.states(1000)]
+            same([job.result() for job in jobs],
+                 [None, [1 + i / 64 for i in range(50)]])
+        check(ticks == sorted(set(ticks)), ticks)
 
 
 class Port:
-    """As pyserial's objects are."""
+    """As pyserial's objects are. change: what a frame from the board becomes,
+    by its bytes and what they say."""
 
-    def __init__(self, name):
+    def __init__(self, name, change=lambda wire, *_: wire):
         self.device = Board.__init__.__globals__["_Device"](name, 1, None)
-        self.in_waiting = 0
+        self.change, self.rest, self.in_waiting = change, b"", 0
         self.write, self.close = self.device.write, self.device.close
-        self.read = lambda count: os.read(self.device.line, count)
+
+    def read(self, _):
+        *pieces, self.rest = (self.rest + self.device.read(0)).split(b"\0")
+        return b"".join(self.change(b"\0" + piece + b"\0", *decode(piece))
+                        for piece in pieces if decode(piece))
+
+
+def test_nonsense_is_told():
+    wrong = [framed(kind, 0, 0, data) for kind, data in (
+        (1, b"\4" * 10), (1, b"\x09" * 40 + b"a\0b\0"),
+        (2, b""), (2, b"\3r,quad"), (2, b"\3\xff"), (3, b"short"),
+        (6, b"short"), (8, b"short"))]
+    other = b"\0" + sealed(stuffed(b"\4" + bytes(20))) + b"\0"
+    with Firmware("float") as firmware:
+        for bad in *wrong, other:
+            def put(wire, kind, *_, bad=bad):
+                return wire + bad if kind == 3 else wire
+            with Board(firmware.name) as board:
+                board._port = Port(firmware.name, put)
+                refused(lambda: board.record(100), "version 4, here it is 5"
+                        if bad is other else "no frame of type 0")
+
+
+def test_what_is_put_between_is_told():
+    """A row in front of another or in its place; one that is missing counts."""
+    def put(wire, kind, number, tick, _, how=None, seen=[]):
+        seen.append(kind)
+        if kind != 3 or not 60 < len(seen) < 64:
+            return wire
+        fake = framed(3, number, tick, bytes(37))
+        return {"put": fake + wire, "replace": fake, "lose": b""}[how]
+    with keyed() as firmware:
+        for how, said in ("put", "numbers go back"), ("replace", "were put in"):
+            with Board(Port(firmware.name, functools.partial(
+                    put, how=how, seen=[])), key=KEY) as board:
+                refused(lambda: board.record(200), said)
+        with Board(Port(firmware.name, functools.partial(
+                put, how="lose", seen=[])), key=KEY) as board:
+            board.record(100)
+            check(board.line.lost > 0, "it does not count")
 
 
 def test_a_path_has_a_speed():
@@ -125,11 +212,7 @@ def test_a_board_that_breaks_is_heard():
     line = "fault: stack overflow at 00000000 cause 00000092"
     with Firmware("float") as firmware, Board(Port(firmware.name)) as board:
         board._port.read = lambda _: f"\0\r\n{line}\r\n\0".encode()
-        try:
-            board.record(10)
-            check(False, "it goes on")
-        except BoardError as error:
-            check(line in str(error), error)
+        refused(lambda: board.record(10), line)
 
 
 def test_only_the_key_is_answered():
@@ -138,14 +221,10 @@ def test_only_the_key_is_answered():
             board.stop()
             board.setpoint(-1)
             same(board.set("mu", 1.25)[0], 1.25)
-        for key, said in (bytes(16), "with the tag of the key"), \
-                (None, "wants its key"):
-            try:
-                with Board(firmware.name, key=key, timeout=5) as board:
-                    board.stop()
-                check(False, "it is taken")
-            except BoardError as error:
-                check(said in str(error), error)
+        refused(lambda: Board(firmware.name, key=bytes(16)),
+                "with the tag of the key")
+        with Board(firmware.name, timeout=5) as board:
+            refused(board.stop, "wants its key", -22)
 
 
 def test_loop_in_c():

@@ -19,8 +19,8 @@ from pathlib import Path
 import starts
 from boards import (ANSWER, DESCRIBE, INPUT, RUN, STATE, STOP, Board, Line,
                     framed, program, relayed, says)
-from decode import breaks, frames
-from starts import keyed
+from decode import breaks, frames, tagged
+from starts import KEY, keyed
 from tap import ROOT, TWOFOLD, call, check, main, output, same, until
 
 
@@ -286,7 +286,7 @@ def test_a_key_is_satisfied_by_its_board_alone():
     with keyed() as board:
         with Line(board.name) as line:
             line.describe()
-            stop = framed(STOP, 9, 0, starts.tagged(STOP, 9, 0, line.session))
+            stop = framed(STOP, 9, 0, tagged(KEY, STOP, 9, 0, line.session))
             os.write(line.line, framed(DESCRIBE, 0, 0, bytes(4) + b"a nonce!"))
             os.write(line.line, stop)
             recorded = b""

@@ -14,8 +14,8 @@ import zlib
 from pathlib import Path
 
 from boards import (HEARTBEAT, REPORT, RUN, SCHEMA, STATE, chained, framed,
-                    program, sealed, says, stuffed)
-from decode import breaks, frames, runs
+                    program, says)
+from decode import breaks, frames, runs, sealed, stuffed
 from outputs import says_each
 from tap import ROOT, TWOFOLD, call, check, main, output, same, until
 

@@ -15,8 +15,9 @@ import json
 import re
 import struct
 
-from boards import RUN, program, sealed, stuffed
+from boards import RUN, program
 import decode
+from decode import sealed, stuffed
 from tap import check, main, output, same
 
 MODES = ["slip+", "slip-", "stick+", "stick-", "pinned"]

@@ -25,6 +25,7 @@ static struct {
   tf_state_t state;
   tf_heartbeat_t first, last;
   bool is_described, has_beat, waits;
+  const char *wrong;          // why it ends
   uint64_t answers[BINS + 1]; // by the ticks that they took; then more
   uint64_t several;           // steps with several possible modes,
   unsigned possible;          // and all these modes
@@ -64,6 +65,8 @@ static void take_answer(const tf_frame_t *frame) {
   const uint32_t number = (uint32_t)tf_wire_get(frame->payload, 4);
   // A schema from before may name old numbers.
   if (frame->payload[4] == TF_UP_DESCRIBE) board.is_described = false;
+  if (frame->payload[4] == TF_UP_SETPOINT)
+    board.wrong = "a setpoint is refused";
   if (!board.waits || frame->payload[4] != TF_UP_SNAPSHOT ||
       number != board.asked)
     return;
@@ -75,8 +78,10 @@ static void take_answer(const tf_frame_t *frame) {
 // Returns: whether it is a state.
 static bool take(const tf_frame_t *frame) {
   const uint8_t *at = frame->payload;
-  if (frame->type == TF_DOWN_SCHEMA && at[0] == TF_REAL_BYTES &&
-      !board.is_described) {
+  if (frame->type == TF_DOWN_SCHEMA && board.is_described) {
+    if (board.session != 0 && tf_wire_get(at + 13, 4) != board.session)
+      board.wrong = "the board was started anew";
+  } else if (frame->type == TF_DOWN_SCHEMA && at[0] == TF_REAL_BYTES) {
     board.is_described = true;
     board.session = (uint32_t)tf_wire_get(at + 13, 4);
     board.number = (uint32_t)tf_wire_get(at + 17, 4);
@@ -157,6 +162,7 @@ int main(int argc, char **argv) {
   while (sent < wanted) {
     const int states = listen_once();
     if (states < 0) return fail("the board is silent");
+    if (board.wrong != NULL) return fail(board.wrong);
     if (states == 0) continue; // of several, the newest is answered
     const tf_input_t input = control(&board.state);
     if (!send_command(TF_UP_SETPOINT, board.tick + AHEAD, &input))

@@ -3,13 +3,17 @@ import struct
 import zlib
 
 
+def sealed(stuffed):
+    """With its CRC."""
+    crc = zlib.crc32(stuffed)
+    return stuffed + bytes(128 | crc >> 7 * i & 127 for i in range(5))
+
+
 def decode(piece):
     """The bytes between two zeros as (type, sequence, tick, payload), or None
     where they are no frame."""
-    stuffed, tail = piece[:-5], piece[-5:]
-    crc = zlib.crc32(stuffed)
-    if not 21 <= len(piece) <= 259 or \
-            tail != bytes(128 | crc >> 7 * i & 127 for i in range(5)):
+    stuffed = piece[:-5]
+    if not 21 <= len(piece) <= 259 or piece != sealed(stuffed):
         return None
     body, at = b"", 0
     while at < len(stuffed):
@@ -23,6 +27,18 @@ def decode(piece):
     if version != 5 or length != len(body) - 15:
         return None
     return kind, sequence, tick, body[15:]
+
+
+def stuffed(body):
+    """Its COBS; no 254 bytes of it are without a zero."""
+    return b"".join(bytes([len(part) + 1]) + part
+                    for part in body.split(b"\0"))
+
+
+def framed(kind, number, tick, payload):
+    """The bytes of a frame on the line."""
+    body = struct.pack("<BBBIQ", 5, kind, len(payload), number, tick) + payload
+    return b"\0" + sealed(stuffed(body)) + b"\0"
 
 
 def frames(stream):
@@ -39,24 +55,40 @@ def runs(found):
             for kind, _, _, payload in found if kind in (1, 6)}
 
 
-def breaks(stream):
-    """The ticks of the heartbeats among bytes that have another chain than that
-    of the frames before them, none of which is missing: there are two runs."""
-    found, chain, follows = [], None, None
-    for piece in stream.split(b"\0")[:-1]:
-        if (frame := decode(piece)) is None:
-            continue
-        kind, number, tick, payload = frame
-        if number != follows:
-            chain = None if number else 0
+class Line:
+    """Follows the frames of a line: lost counts those that are missing; back,
+    how often their numbers went back."""
+
+    def __init__(self):
+        self.lost, self.back, self.next, self.chain = 0, 0, None, None
+
+    def breaks(self, piece, frame):
+        """Takes the next frame, and the bytes that it had. Returns: whether it
+        is a heartbeat with another chain than that of the frames before it,
+        none of which is missing."""
+        kind, number, _, payload = frame
+        if number != self.next:
+            gap = 0 if self.next is None else (number - self.next) % 2**32
+            self.lost += gap if gap < 2**31 else 0
+            self.back += gap >= 2**31
+            self.chain = None if number else 0
+        chain = self.chain
         if kind == 6:
-            told, = struct.unpack_from("<I", payload, 84)
-            found += [tick] if chain not in (None, told) else []
-            chain = told
-        if chain is not None:
-            chain = zlib.crc32(piece[-5:], chain)
-        follows = (number + 1) % 2**32
-    return found
+            self.chain, = struct.unpack_from("<I", payload, 84)
+        broken = chain not in (None, self.chain)
+        if self.chain is not None:
+            self.chain = zlib.crc32(piece[-5:], self.chain)
+        self.next = (number + 1) % 2**32
+        return broken
+
+
+def breaks(stream):
+    """The ticks of the heartbeats among bytes that have another chain: there
+    are two runs."""
+    line = Line()
+    found = ((piece, decode(piece)) for piece in stream.split(b"\0")[:-1])
+    return [frame[2] for piece, frame in found
+            if frame and line.breaks(piece, frame)]
 
 
 WORD = 2**64 - 1
@@ -90,3 +122,9 @@ def siphash(key, message):
     v[2] ^= 0xff
     rounds(4)
     return v[0] ^ v[1] ^ v[2] ^ v[3]
+
+
+def tagged(key, kind, number, tick, payload, nonce=b""):
+    """A payload with the tag of a key behind it."""
+    body = struct.pack("<BBBIQ", 5, kind, len(payload) + 8, number, tick)
+    return payload + struct.pack("<Q", siphash(key, body + payload + nonce))

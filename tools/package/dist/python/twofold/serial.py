@@ -11,7 +11,8 @@ a serial line.
 
 A state has the fields tick, t and those of the layouts that the board sends: r,
 v, omega, phi, seed, mode, h, g, F, M, delassus, residual, set, choices, status,
-input; in SI units. docs/PROTOCOL.md says what goes over the line."""
+input; in SI units. Another thread may send meanwhile. docs/PROTOCOL.md says what goes
+over the line."""
 from __future__ import annotations
 
 import collections
@@ -19,10 +20,10 @@ import itertools
 import os
 import select
 import struct
+import threading
 import time
-import zlib
 
-from .decode import decode, siphash
+from .decode import Line, decode, framed, sealed, tagged
 
 __all__ = ["Board", "BoardError"]
 SCHEMA, LAYOUT, STATE, REPORT, HEARTBEAT, ANSWER, EXPIRED = 1, 2, 3, 4, 6, 8, 9
@@ -58,40 +59,64 @@ class _Device:
         if baud and speed is None:
             raise ValueError(f"baud={baud!r}: not a speed of this system")
         self.timeout = timeout
-        self.line = os.open(path, os.O_RDWR | os.O_NOCTTY)
-        tty.setraw(self.line, termios.TCSANOW)
-        if baud:
+        self.line = os.open(path, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
+        try:
+            tty.setraw(self.line, termios.TCSANOW)
             of = termios.tcgetattr(self.line)
+        except termios.error as error:
+            self.close()
+            raise OSError(error.args[0], "no serial line", path) from None
+        of[0] &= ~termios.IXOFF
+        of[2] &= ~(termios.CSTOPB | termios.CRTSCTS)
+        of[2] |= termios.CREAD | termios.CLOCAL
+        if baud:
             of[4:6] = speed, speed
-            termios.tcsetattr(self.line, termios.TCSANOW, of)
+        termios.tcsetattr(self.line, termios.TCSANOW, of)
+        termios.tcflush(self.line, termios.TCIFLUSH)
 
     def read(self, _):
         there = select.select([self.line], [], [], self.timeout)[0]
-        return os.read(self.line, 65536) if there else b""
+        came = os.read(self.line, 65536) if there else b""
+        if there and not came:
+            raise OSError("the device went away")
+        return came
 
     def write(self, wire):
         while wire:
+            if not select.select([], [self.line], [], TRIES * self.timeout)[1]:
+                raise OSError("the line takes nothing")
             wire = wire[os.write(self.line, wire):]
 
     def close(self):
-        os.close(self.line)
+        line, self.line = self.line, None
+        if line is not None:
+            os.close(line)
 
 
 class Board:
     """A board at a port: a path, or an object with read, write and close, as
     pyserial's, whose timeout is not None. baud: of a path, which keeps its
     speed without it. key: its 16 bytes, where it has one; then answers and
-    counts are the board's, and none of a recording."""
+    counts are the board's, and none of a recording. `line.lost` counts the
+    frames from the board that did not come, or came broken."""
 
     def __init__(self, port, key=None, timeout=1.0, baud=None):
+        if key is not None and len(key) != 16:
+            raise ValueError(f"key has {len(key)} bytes, not 16")
         self._port = _Device(port, timeout, baud) \
             if isinstance(port, (str, os.PathLike)) else port
         self._key, self._timeout = key, timeout
         self._rest, self._nonce, self._trusts = b"", b"", False
         self._answers, self._rows = {}, collections.deque()
+        self._sends, self._reads = threading.RLock(), threading.Lock()
+        self.line = Line()
         self.schema, self.heartbeat, self._layouts = None, {}, {}
         self._session, self._number, self._state = bytes(4), 0, None
-        self.describe()
+        try:
+            self.describe()
+        except BaseException:
+            self.close()
+            raise
 
     def __enter__(self):
         return self
@@ -105,7 +130,8 @@ class Board:
     def describe(self):
         """What the board says of itself: scene, build, real, dt, seed, deadman,
         the hash of its parameters, whether it has a key."""
-        self._nonce, self._trusts, self._asks = os.urandom(8), False, True
+        self._nonce, self._trusts = os.urandom(8), False
+        self._asks, = struct.unpack("I", os.urandom(4))  # for an answer to us
         self.command(DESCRIBE, bytes(4) + self._nonce if self._key else b"")
         self._rows.clear()
         until = time.monotonic() + TRIES * self._timeout
@@ -137,12 +163,15 @@ class Board:
                  tick=0):
         """Inputs from a tick on; 0: from the next step on. Without an answer:
         the newest wins, and `heartbeat` counts those superseded and late."""
-        self._send(SETPOINT, struct.pack("<5" + self._real, omega0, r0, force,
-                                         torque, alpha), tick, self._number)
-        self._number += 1
+        inputs = struct.pack("<5" + self._real, omega0, r0, force, torque, alpha)
+        with self._sends:
+            self._send(SETPOINT, inputs, tick, self._number)
+            self._number += 1
 
     def set(self, name, value):
         """A parameter. Returns: its value in effect, smallest, largest."""
+        if name not in PARAMETERS:
+            raise ValueError(f"{name!r} is none of {' '.join(PARAMETERS)}")
         payload = self.command(PARAMETER, struct.pack(
             "<B" + self._real, PARAMETERS.index(name), value))[1]
         return struct.unpack_from("<3" + self._real, payload, 8)
@@ -168,8 +197,13 @@ class Board:
     def command(self, kind, data=b"", tick=0):
         """Sends it until it is answered. Returns: the tick at which it took
         effect, and the payload of the answer."""
-        number = 0 if kind == DESCRIBE else self._number
-        self._answers.pop((kind, number), None)
+        with self._sends:
+            return self._command(kind, data, tick)
+
+    def _command(self, kind, data, tick):
+        number = self._asks if kind == DESCRIBE else self._number
+        self._number += kind != DESCRIBE
+        self._answers.clear()
         for again in range(TRIES):
             self._send(kind, data, tick, number)
             until = time.monotonic() + self._timeout
@@ -182,48 +216,73 @@ class Board:
             raise BoardError("no answer" + (
                 " with the tag of the key" if self._key and not self._trusts
                 else ": does the board take commands?"))
-        self._number += kind != DESCRIBE
         code, = struct.unpack_from("b", found[1], 5)
-        if code and not (code == -20 and again):  # only its answer was lost
-            raise BoardError(f"command {kind:02X} refused: "
-                             f"{REASONS.get(code, code)}", code)
+        if not (code == -20 and again):  # only its answer was lost
+            self._judge(kind, code)
         return found
 
+    @staticmethod
+    def _judge(kind, code):
+        if code:
+            raise BoardError(f"command {kind:02X} refused: "
+                             f"{REASONS.get(code, code)}", code)
+
     def _send(self, kind, data, tick, number):
-        payload = data if kind == DESCRIBE else self._session + data
-        tags = self._key and kind != DESCRIBE
-        body = struct.pack("<BBBIQ", 5, kind, len(payload) + 8 * bool(tags),
-                           number, tick) + payload
-        if tags:
-            body += struct.pack("<Q", siphash(self._key, body))
-        code = b"".join(bytes([len(part) + 1]) + part
-                        for part in body.split(b"\0"))
-        crc = zlib.crc32(code)
-        self._port.write(b"\0" + code + bytes(
-            128 | crc >> 7 * i & 127 for i in range(5)) + b"\0")
+        if kind != DESCRIBE:
+            data = self._session + data
+            if self._key:
+                data = tagged(self._key, kind, number, tick, data)
+        try:
+            self._port.write(framed(kind, number, tick, data))
+        except OSError as error:
+            raise BoardError(f"the line fails: {error}") from error
 
     def _read(self, until=None, what=""):
         """Takes what comes, at least something within the port's timeout."""
         if until is not None and time.monotonic() > until:
             raise BoardError(f"the board {what}")
-        came = self._port.read(max(1, getattr(self._port, "in_waiting", 1)))
-        *pieces, self._rest = (self._rest + came).split(b"\0")
-        for piece in filter(None, pieces):
-            if piece.startswith(b"\r\nfault: "):  # it broke (port_fault)
-                raise BoardError("the board says: " +
-                                 piece.decode("ascii", "replace").strip())
-            frame = decode(piece)
-            if frame is not None and self._is_ours(frame):
+        if not self._reads.acquire(timeout=0.001):
+            return  # another thread takes it
+        try:
+            came = self._port.read(max(1, getattr(self._port, "in_waiting", 1)))
+            *pieces, self._rest = (self._rest + came).split(b"\0")
+            for piece in filter(None, pieces):
+                self._take_piece(piece)
+        except OSError as error:
+            raise BoardError(f"the line fails: {error}") from error
+        finally:
+            self._reads.release()
+
+    def _take_piece(self, piece):
+        if piece.startswith(b"\r\nfault: "):  # it broke (port_fault)
+            raise BoardError("the board says: " +
+                             piece.decode("ascii", "replace").strip())
+        frame = decode(piece)
+        if frame is None:
+            if len(piece) > 20 and piece[1] != 5 and \
+                    piece == sealed(piece[:-5]):
+                raise BoardError(f"its protocol is version {piece[1]}, here it "
+                                 "is 5: build what sends it")
+            return
+        back = self.line.back
+        try:
+            if self.line.breaks(piece, frame) and self._trusts:
+                raise BoardError("frames were put in, or are of another run")
+            if self._is_ours(frame):
                 self._take(*frame)
+        except (struct.error, ValueError, LookupError) as error:
+            raise BoardError(f"no frame of type {frame[0]:02X} of this "
+                             "protocol") from error
+        if self._key and self._trusts and back < self.line.back:
+            raise BoardError("numbers go back: somebody else sends")
 
     def _is_ours(self, frame):
         """With a key: tagged for the nonce, or behind one that was."""
         kind, number, tick, payload = frame
         if not self._key or kind not in TAGGED:
             return self._trusts or not self._key
-        body = struct.pack("<BBBIQ", 5, kind, len(payload), number, tick)
-        right = payload[-8:] == struct.pack("<Q", siphash(
-            self._key, body + payload[:-8] + self._nonce))
+        right = payload == tagged(self._key, kind, number, tick, payload[:-8],
+                                  self._nonce)
         if self._trusts and not right:
             raise BoardError("a frame without the tag of the key: somebody "
                              "else sends, or the board was started anew")
@@ -241,11 +300,14 @@ class Board:
                                         *report[7:]))
             self._state = None
         elif kind == ANSWER:
-            number, = struct.unpack_from("<I", payload)
-            self._answers[payload[4], number] = tick, payload
-            if payload[4] == DESCRIBE:  # what came before may be of another
-                self.schema, self._layouts, self._asks = None, {}, False
-        elif kind == SCHEMA and not self._asks:
+            number, of, code = struct.unpack_from("<IBb", payload)
+            self._answers[of, number] = tick, payload
+            if of == DESCRIBE and number == self._asks:
+                # What came before may be of another.
+                self.schema, self._layouts, self._asks = None, {}, None
+            elif of == SETPOINT and code != -20:  # a line may double frames
+                self._judge(of, code)
+        elif kind == SCHEMA and self._asks is None:
             self._take_schema(payload)
         elif kind == LAYOUT and self.schema:
             self._take_layout(payload)
@@ -254,12 +316,14 @@ class Board:
             self.heartbeat = dict(zip(names, form.unpack_from(payload)))
 
     def _take_schema(self, payload):
-        self._real = "f" if payload[0] == 4 else "d"
+        self._real = {4: "f", 8: "d"}[payload[0]]
         seed, parameters, session, number, deadman, _, dt = struct.unpack_from(
             "<6I" + self._real, payload, 5)
         first = self.schema is None
         if not first and payload[13:17] != self._session:
-            raise BoardError("the board was started anew", -21)
+            raise BoardError(REASONS[-21], -21)
+        if not first and number > self._number:
+            raise BoardError(REASONS[-20], -20)
         scene, build = payload[29 + payload[0]:].split(b"\0")[:2]
         self._session = payload[13:17]
         if first:
