@@ -20,7 +20,8 @@ from pathlib import Path
 sys.path[:0] = [str(Path(__file__).resolve().parents[2] / place)
                 for place in ("tests/support", "tests/cli",
                                "tools/board/protocol")]
-from decode import decode, framed  # noqa: E402  (the paths come first)
+from decode import (  # noqa: E402  (the paths come first)
+    ANSWER, DESCRIBE, HEARTBEAT, SCHEMA, decode, framed)
 from tap import TWOFOLD, call, check  # noqa: E402
 
 BUILD = Path(TWOFOLD).parents[1]
@@ -28,8 +29,6 @@ FIRMWARE = str(Path(os.environ.get("FIRMWARE") or
                     BUILD / "boards/host/chaos").resolve())
 REALS = (os.environ.get("REALS") or "double float").split()
 RUN = [TWOFOLD, "run", "chaos", "--t-end", "0.5", "--dt", "1e-3"]
-SCHEMA, STATE, REPORT, HEARTBEAT, ANSWER = 1, 3, 4, 6, 8
-INPUT, STOP, DESCRIBE = 0x41, 0x45, 0x4A
 
 
 def says(said, *patterns):

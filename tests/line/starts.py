@@ -12,8 +12,8 @@ import sys
 import tempfile
 from pathlib import Path
 
-from boards import STATE, STOP, Board, Line, framed
-from decode import tagged
+from boards import Board, Line
+from decode import STATE, STOP, framed, tagged
 from tap import check, same
 
 KEY = bytes(0x1f * i % 256 for i in range(16))

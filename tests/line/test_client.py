@@ -5,7 +5,6 @@ their ticks; either side that stands still for a while; a key."""
 import contextlib
 import functools
 import io
-import os
 import re
 import signal
 import subprocess
@@ -25,7 +24,7 @@ package = types.ModuleType("twofold")
 package.__path__ = [str(ROOT / "tools/package/dist/python/twofold"),
                     str(ROOT / "tools/board/protocol")]
 sys.modules["twofold"] = package
-from twofold.serial import Board, BoardError  # noqa: E402  (it is there now)
+from twofold.serial import Board, BoardError, _Device  # noqa: E402  (now)
 
 
 def test_loop_of_the_manual():
@@ -39,7 +38,7 @@ def test_loop_of_the_manual():
     same(about, "chaos double 0.001")
     # How far the motion comes depends on the load; it stays near the turntable.
     first, last = (float(part) for part in speeds.split(" -> "))
-    check(-1.5 < last < -0.5 and last != first, speeds)
+    check(-2 < last < -0.3 and last != first, speeds)
     check(re.fullmatch(r"0\.\d+ \{.*\} \{.*\}", rows), rows)
     same(len(counts.split()), 3)
 
@@ -61,7 +60,7 @@ def test_setpoints_act_at_their_ticks():
         same([(tick, of[tick].input) for tick in range(1, 41) if tick in of],
              [(tick, int(tick > 5)) for tick in range(1, 41) if tick in of])
         while board.heartbeat.get("superseded") != 1:
-            board.states(1).__next__()
+            board.record(1)
         same((board.heartbeat["late"], board.heartbeat["lost"]), (0, 0))
 
 
@@ -90,7 +89,7 @@ def refused(call, said, code=None):
 def steers(board, **inputs):
     """With a setpoint, of which an answer says that it is refused."""
     board.setpoint(**inputs)
-    board.record(100)
+    board.record(9999)
 
 
 def test_errors_say_why():
@@ -110,12 +109,13 @@ def test_errors_say_why():
         firmware.run.kill()
         refused(lambda: board.record(1000), "the line fails")
         refused(board.stop, "the line fails")
-    for words in {"port": "/dev/null"}, {"port": "x", "key": b"short"}:
+    for said, words in (("no serial line", {}), ("not 16", {"key": b"short"}),
+                        ("1234567: not a speed", {"baud": 1234567})):
         try:
-            Board(**words)
+            Board("/dev/null", **words)
             check(False, words)
         except (ValueError, OSError) as error:
-            check(re.search("16|no serial line", str(error)), error)
+            check(said in str(error), error)
 
 
 def test_threads_may_send():
@@ -140,7 +140,7 @@ class Port:
     by its bytes and what they say."""
 
     def __init__(self, name, change=lambda wire, *_: wire):
-        self.device = Board.__init__.__globals__["_Device"](name, 1, None)
+        self.device = _Device(name, 1, None)
         self.change, self.rest, self.in_waiting = change, b"", 0
         self.write, self.close = self.device.write, self.device.close
 
@@ -151,53 +151,47 @@ class Port:
 
 
 def test_nonsense_is_told():
-    wrong = [framed(kind, 0, 0, data) for kind, data in (
-        (1, b"\4" * 10), (1, b"\x09" * 40 + b"a\0b\0"),
-        (2, b""), (2, b"\3r,quad"), (2, b"\3\xff"), (3, b"short"),
-        (6, b"short"), (8, b"short"))]
-    other = b"\0" + sealed(stuffed(b"\4" + bytes(20))) + b"\0"
+    fault = "fault: stack overflow at 00000000 cause 00000092"
+    wrong = [(framed(kind, 0, 0, data), f"no frame of type 0{kind}")
+             for kind, data in ((1, b"\4" * 10), (1, b"\x09" * 40), (2, b""),
+                                (2, b"\3r,quad"), (2, b"\3\xff"), (3, b"short"),
+                                (6, b"short"), (8, b"short"))]
+    wrong += ((b"\0" + sealed(stuffed(b"\4" + bytes(20))) + b"\0",
+               "version 4, here it is 5"),
+              (b"\0\r\n" + fault.encode() + b"\r\n\0", fault))
     with Firmware("float") as firmware:
-        for bad in *wrong, other:
+        for bad, said in wrong:
             def put(wire, kind, *_, bad=bad):
                 return wire + bad if kind == 3 else wire
             with Board(firmware.name) as board:
                 board._port = Port(firmware.name, put)
-                refused(lambda: board.record(100), "version 4, here it is 5"
-                        if bad is other else "no frame of type 0")
+                refused(lambda: board.record(100), said)
 
 
 def test_what_is_put_between_is_told():
-    """A row in front of another or in its place; one that is missing counts."""
-    def put(wire, kind, number, tick, _, how=None, seen=[]):
+    """Behind the first heartbeat: a row in front of another or in its place;
+    one that is missing counts."""
+    def put(wire, kind, number, tick, _, how, seen):
         seen.append(kind)
-        if kind != 3 or not 60 < len(seen) < 64:
+        if kind != 3 or seen.count(3) != 60:
             return wire
         fake = framed(3, number, tick, bytes(37))
         return {"put": fake + wire, "replace": fake, "lose": b""}[how]
     with keyed() as firmware:
-        for how, said in ("put", "numbers go back"), ("replace", "were put in"):
+        for how, said in (("put", "numbers go back"), ("lose", ""),
+                          ("replace", "were put in")):
             with Board(Port(firmware.name, functools.partial(
                     put, how=how, seen=[])), key=KEY) as board:
-                refused(lambda: board.record(200), said)
-        with Board(Port(firmware.name, functools.partial(
-                put, how="lose", seen=[])), key=KEY) as board:
-            board.record(100)
-            check(board.line.lost > 0, "it does not count")
+                if said:
+                    refused(lambda: board.record(200), said)
+                else:
+                    same((len(board.record(99)), board.line.lost > 0), (99, 1))
 
 
 def test_a_path_has_a_speed():
-    with Firmware("float") as firmware:
-        for baud, speed in ((None, None), (1000000, termios.B1000000)):
-            with Board(firmware.name, baud=baud):
-                line = os.open(firmware.name, os.O_RDWR | os.O_NOCTTY)
-                got = termios.tcgetattr(line)[4:6]
-                os.close(line)
-                check(speed is None or got == [speed, speed], got)
-        try:
-            Board(firmware.name, baud=1234567)
-            check(False, "no speed of this system")
-        except ValueError as error:
-            check("1234567" in str(error), error)
+    with Firmware("float") as firmware, \
+            Board(firmware.name, baud=1000000) as board:
+        same(termios.tcgetattr(board._port.line)[4:6], 2 * [termios.B1000000])
 
 
 def test_an_object_is_a_port():
@@ -206,13 +200,6 @@ def test_an_object_is_a_port():
         same((board.schema["real"], len(rows)), ("float", 50))
         check((rows["tick"][1:] > rows["tick"][:-1]).all(), rows["tick"])
         check((rows["set"] >> rows["mode"] & 1).all(), rows["set"])
-
-
-def test_a_board_that_breaks_is_heard():
-    line = "fault: stack overflow at 00000000 cause 00000092"
-    with Firmware("float") as firmware, Board(Port(firmware.name)) as board:
-        board._port.read = lambda _: f"\0\r\n{line}\r\n\0".encode()
-        refused(lambda: board.record(10), line)
 
 
 def test_only_the_key_is_answered():
@@ -225,6 +212,13 @@ def test_only_the_key_is_answered():
                 "with the tag of the key")
         with Board(firmware.name, timeout=5) as board:
             refused(board.stop, "wants its key", -22)
+
+
+def test_loop_in_c_ends_where_no_board_of_its_kind_answers():
+    with Firmware("float") as firmware:
+        done = subprocess.run([BUILD / "double/loop", firmware.name],
+                              capture_output=True, check=False)
+    same(done.stderr, b"loop: no board of this real type answers\n")
 
 
 def test_loop_in_c():

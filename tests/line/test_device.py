@@ -17,9 +17,9 @@ import tty
 from pathlib import Path
 
 import starts
-from boards import (ANSWER, DESCRIBE, INPUT, RUN, STATE, STOP, Board, Line,
-                    framed, program, relayed, says)
-from decode import breaks, frames, tagged
+from boards import RUN, Board, Line, program, relayed, says
+from decode import (ANSWER, DESCRIBE, INPUT, STATE, STOP, breaks, framed,
+                    frames, tagged)
 from starts import KEY, keyed
 from tap import ROOT, TWOFOLD, call, check, main, output, same, until
 
@@ -68,27 +68,22 @@ def test_reader_leaves_and_comes_back():
 
 def test_speeds_of_boards_are_known():
     """To monitor and to the host port, if this system has them."""
-    speeds = {int(speed) for path in ROOT.glob("port/*/*.mk")
-              for speeds in re.findall("^BOARD_BAUDS :=(.*)", path.read_text(),
-                                       re.M) for speed in speeds.split()
-              if hasattr(termios, f"B{speed}")}
-    check({115200, 2000000} <= speeds, speeds)
+    speeds = {getattr(termios, f"B{speed}"): speed
+              for path in ROOT.glob("port/*/*.mk") for found in re.findall(
+                  "^BOARD_BAUDS :=(.*)", path.read_text(), re.M)
+              for speed in found.split() if hasattr(termios, f"B{speed}")}
+    check({termios.B115200, termios.B2000000} <= {*speeds}, speeds)
     near, far = pty.openpty()
     tty.setraw(near)
-    name = os.ttyname(far)
-
-    def has(speed, process):
-        until(lambda: termios.tcgetattr(near)[4] == getattr(
-            termios, f"B{speed}"), f"{speed} baud", process)
-    for speed in speeds:
-        with Board("double", port=f"{name}:{speed}") as board:
-            has(speed, board.run)
-        monitor = follow(name, "--baud", "9600")
-        has(9600, monitor)
-        monitor.kill()
-        monitor = follow(name, "--baud", str(speed))
-        has(speed, monitor)
-        monitor.kill()
+    name, how = os.ttyname(far), termios.tcgetattr(near)
+    for code, speed in speeds.items():
+        for start in (lambda: Board("double", port=f"{name}:{speed}").run,
+                      lambda: follow(name, "--baud", speed)):
+            termios.tcsetattr(near, termios.TCSANOW, how)
+            run = start()
+            until(lambda: code == termios.tcgetattr(near)[4],
+                  f"{speed} baud", run)
+            run.kill()
 
 
 def test_device_that_is_unplugged_ends_it():

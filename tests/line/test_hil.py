@@ -13,8 +13,8 @@ import subprocess
 import sys
 from pathlib import Path
 
-from boards import (ANSWER, BUILD, INPUT, REALS, REPORT, STATE, STOP, Board,
-                    relayed, says)
+from boards import BUILD, REALS, Board, relayed, says
+from decode import ANSWER, INPUT, REPORT, STATE, STOP
 from starts import keyed
 from tap import ROOT, call, check, run, same
 
@@ -38,10 +38,9 @@ def rows(path):
 
 def in_real_time(real):
     with Board(real) as board:
-        said = drive(board.name, *STEPS, real=real)
-        says(said, "states .* inputs: the same bits")
-        said = drive(board.name, *STEPS, "--delay", "0", real=real)
-        says(said, "[1-9][0-9]* late")
+        for said, words in (("states .* inputs: the same bits", []),
+                            ("[1-9][0-9]* late", ["--delay", "0"])):
+            says(drive(board.name, *STEPS, *words, real=real), said)
 
 
 def no_room():
@@ -130,9 +129,8 @@ def what_does_not_compare(real):
 
 
 def refusals():
-    drive("/dev/null", code=4)
-    drive("/dev/null", "--delay", "21", code=2)
-    drive("/dev/null", "--steps", "many", code=2)
+    for code, *words in (4,), (2, "--delay", "21"), (2, "--steps", "many"):
+        drive("/dev/null", *words, code=code)
     call(program=hil(), code=2)
 
 
@@ -142,15 +140,11 @@ def lockstep(up, *words):
         return relayed(up, board, hil(), "LINE", *LOCKSTEP, *words)
 
 
-class Losing:
+def losing(kind, number):
     """The Nth frame of a type is lost."""
-
-    def __init__(self, kind, number):
-        self.kind, self.left = kind, number
-
-    def __call__(self, kind, frame):
-        self.left -= kind == self.kind
-        return b"" if kind == self.kind and self.left == 0 else frame
+    seen = itertools.count(1)
+    return lambda found, frame: \
+        b"" if found == kind and next(seen) == number else frame
 
 
 def as_it_is(_, frame):
@@ -166,14 +160,14 @@ def doubled_commands_change_nothing():
 
 def a_stop_that_is_lost_ends_the_lockstep(number):
     """The first stop is that before the reset, which is sent again."""
-    code, said = lockstep(Losing(STOP, number), "--csv", "rows")
+    code, said = lockstep(losing(STOP, number), "--csv", "rows")
     same((code, " was lost" in said), (4, True))
     same(Path("rows").exists(), False)
 
 
 def an_input_that_is_lost_is_sent_again(number):
-    same(lockstep(as_it_is, "--csv", "one")[0], 0)
-    same(lockstep(Losing(INPUT, number), "--csv", "two")[0], 0)
+    for change, name in (as_it_is, "one"), (losing(INPUT, number), "two"):
+        same(lockstep(change, "--csv", name)[0], 0)
     same(rows("one") == rows("two"), True)
 
 

@@ -16,7 +16,8 @@ import sys
 import time
 from collections import deque
 
-from boards import ANSWER, DESCRIBE, REALS, SCHEMA, STATE, Board, Line, framed
+from boards import REALS, Board, Line
+from decode import ANSWER, DESCRIBE, SCHEMA, STATE, framed
 from tap import check, run, same, until
 
 FRAMES = int(os.environ.get("HOSTILE_FRAMES") or 20000)

@@ -13,9 +13,9 @@ import subprocess
 import zlib
 from pathlib import Path
 
-from boards import (HEARTBEAT, REPORT, RUN, SCHEMA, STATE, chained, framed,
-                    program, says)
-from decode import breaks, frames, runs, sealed, stuffed
+from boards import RUN, chained, program, says
+from decode import (HEARTBEAT, REPORT, SCHEMA, STATE, breaks, framed, frames,
+                    runs, sealed, stuffed)
 from outputs import says_each
 from tap import ROOT, TWOFOLD, call, check, main, output, same, until
 

@@ -13,13 +13,11 @@ import zlib
 from pathlib import Path
 
 from boards import FIRMWARE, Board
-from decode import frames
+from decode import PARAMETERS, frames
 from outputs import says, says_each
 import tap
 from tap import ROOT, TWOFOLD, check, main, output, same, until
 
-PARAMETERS = ("m d beta k2 c1 c2 r0 omega0 mu kappa gamma epsilon k delta "
-              "sigma rho a theta dt rate tolerance segments").split()
 RULES = ["persist", "slip+", "slip-", "random"]
 
 
@@ -172,8 +170,7 @@ def test_alpha_acts_on_one_step():
     that is lost or late leaves it where it is, and the next one makes up for
     that by a jump. All numbers are sums of powers of two."""
     parts, slope, count = 1024, 0.25, 400
-    r0 = float(dict(line.split()[:2] for line in call("scene", "chaos")[0]
-                    .splitlines() if line[:1].isalpha() and " " in line)["r0"])
+    r0 = float(re.search(r"^r0 +(\S+)", call("scene", "chaos")[0], re.M)[1])
 
     def speed(step):
         return -1 + slope * step / parts
@@ -214,8 +211,7 @@ def test_parameters_and_rule_stay():
         check((got["rule"], got["seed"]) == ("random", 7), got)
         check(got["replay"]["began_with"] != got["parameters"], got)
     # What is as it was in the end is not told, nor a seed without its rule.
-    old = dict(line.split()[:2] for line in call("scene", "chaos")[0]
-               .splitlines() if line[:1].isalpha() and " " in line)
+    old = dict(re.findall(r"^(\w+) +(\S+)", call("scene", "chaos")[0], re.M))
     undo = [(400, put(name, float(old[name])))
             for name in ("kappa", "mu", "rate")]
     joined("chaos", [*changes, *undo, (430, select("persist"))], 2500, *AT)

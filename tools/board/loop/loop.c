@@ -15,7 +15,7 @@
 
 #define AHEAD 2u      // ticks from a state to its setpoint
 #define ASKED 10u     // states from one command with an answer to the next
-#define PATIENCE 2000 // [ms]
+#define PATIENCE 2000 // [ms], and how often it listens for a first answer
 #define BINS 16u
 
 static struct {
@@ -131,8 +131,8 @@ static bool begin(const char *device) {
   tf_decoder_init(&board.decoder, board.buffer, sizeof board.buffer);
   board.is_described = true; // no schema counts before the answer
   if (!send_command(TF_UP_DESCRIBE, 0, NULL)) return false;
-  while (board.session == 0 || !board.is_described)
-    if (listen_once() < 0) return false;
+  for (int n = 0; board.session == 0 || !board.is_described; n++)
+    if (n == PATIENCE || listen_once() < 0) return false;
   return true;
 }
 

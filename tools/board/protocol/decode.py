@@ -2,6 +2,12 @@
 import struct
 import zlib
 
+SCHEMA, LAYOUT, STATE, REPORT, HEARTBEAT, ANSWER, EXPIRED = 1, 2, 3, 4, 6, 8, 9
+INPUT, PARAMETER, START, STOP, RESET = 0x41, 0x42, 0x44, 0x45, 0x46
+DESCRIBE, DEADMAN, EVERY, SETPOINT = 0x4A, 0x4B, 0x4C, 0x4D
+PARAMETERS = ("m d beta k2 c1 c2 r0 omega0 mu kappa gamma epsilon k delta "
+              "sigma rho a theta dt rate tolerance segments").split()
+
 
 def sealed(stuffed):
     """With its CRC."""
@@ -51,8 +57,8 @@ def frames(stream):
 def runs(found):
     """The hashes of the run in the schemas and heartbeats among frames. Where
     there are two, the frames are of two runs."""
-    return {struct.unpack_from("<I", payload, 25 if kind == 1 else 80)[0]
-            for kind, _, _, payload in found if kind in (1, 6)}
+    return {struct.unpack_from("<I", payload, 25 if kind == SCHEMA else 80)[0]
+            for kind, _, _, payload in found if kind in (SCHEMA, HEARTBEAT)}
 
 
 class Line:
@@ -73,7 +79,7 @@ class Line:
             self.back += gap >= 2**31
             self.chain = None if number else 0
         chain = self.chain
-        if kind == 6:
+        if kind == HEARTBEAT:
             self.chain, = struct.unpack_from("<I", payload, 84)
         broken = chain not in (None, self.chain)
         if self.chain is not None:

@@ -11,8 +11,8 @@ a serial line.
 
 A state has the fields tick, t and those of the layouts that the board sends: r,
 v, omega, phi, seed, mode, h, g, F, M, delassus, residual, set, choices, status,
-input; in SI units. Another thread may send meanwhile. docs/PROTOCOL.md says what goes
-over the line."""
+input; in SI units. Another thread may send meanwhile. docs/PROTOCOL.md says
+what goes over the line."""
 from __future__ import annotations
 
 import collections
@@ -23,15 +23,13 @@ import struct
 import threading
 import time
 
-from .decode import Line, decode, framed, sealed, tagged
+from .decode import (ANSWER, DEADMAN, DESCRIBE, EVERY, EXPIRED, HEARTBEAT,
+                     LAYOUT, PARAMETER, PARAMETERS, REPORT, RESET, SCHEMA,
+                     SETPOINT, START, STATE, STOP, Line, decode, framed, sealed,
+                     tagged)
 
 __all__ = ["Board", "BoardError"]
-SCHEMA, LAYOUT, STATE, REPORT, HEARTBEAT, ANSWER, EXPIRED = 1, 2, 3, 4, 6, 8, 9
 TAGGED = SCHEMA, HEARTBEAT, ANSWER, EXPIRED
-PARAMETER, START, STOP, RESET = 0x42, 0x44, 0x45, 0x46
-DESCRIBE, DEADMAN, EVERY, SETPOINT = 0x4A, 0x4B, 0x4C, 0x4D
-PARAMETERS = ("m d beta k2 c1 c2 r0 omega0 mu kappa gamma epsilon k delta "
-              "sigma rho a theta dt rate tolerance segments").split()
 REASONS = {-1: "out of range", -2: "not finite or out of range",
            -16: "the board does not know it", -17: "its length is wrong",
            -19: "dated too far ahead", -20: "another host commands the board",
@@ -163,9 +161,9 @@ class Board:
                  tick=0):
         """Inputs from a tick on; 0: from the next step on. Without an answer:
         the newest wins, and `heartbeat` counts those superseded and late."""
-        inputs = struct.pack("<5" + self._real, omega0, r0, force, torque, alpha)
+        data = struct.pack("<5" + self._real, omega0, r0, force, torque, alpha)
         with self._sends:
-            self._send(SETPOINT, inputs, tick, self._number)
+            self._send(SETPOINT, data, tick, self._number)
             self._number += 1
 
     def set(self, name, value):
