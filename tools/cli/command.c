@@ -54,7 +54,7 @@ static int apply(const cli_args_t *args, tf_scene_t *scene) {
   }
   if (setup.set[CLI_PHI] != NULL) {
     return cli_usage("--set %s: a scene starts with phi = 0; give it to 'run'",
-                     setup.set[CLI_PHI]->text);
+                     setup.set[CLI_PHI]->given.value);
   }
   CLI_TRY(cli_setup_machine(&setup));
   CLI_TRY(cli_setup_start(&setup));

@@ -7,6 +7,7 @@
 // offers what the tables of commands and options have, and never grows old.
 
 #include "command.h"
+#include "setup/scene_file.h"
 #include "sweep/point.h"
 
 #define WIDTH 79     // columns
@@ -174,17 +175,12 @@ static bool print_parameter(cli_closest_t *closest) {
 }
 
 static bool print_scene(cli_closest_t *closest) {
-  for (size_t i = 0; i < TF_SCENES; i++) {
-    const tf_scene_t *scene = tf_scenes[i];
-    if (strcmp(scene->name, closest->word) == 0) {
-      (void)printf(
-          "Scene %s: %s.\nIt leaves out: %s. 'twofold scene %s' prints it.\n",
-          scene->name, scene->shows, scene->leaves_out, scene->name);
-      return true;
-    }
-    cli_closest_offer(closest, scene->name);
-  }
-  return false;
+  const tf_scene_t *scene = cli_find_scene(closest);
+  if (scene == NULL) return false;
+  (void)printf(
+      "Scene %s: %s.\nIt leaves out: %s. 'twofold scene %s' prints it.\n",
+      scene->name, scene->shows, scene->leaves_out, scene->name);
+  return true;
 }
 
 static bool print_outcome(cli_closest_t *closest) {

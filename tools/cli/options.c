@@ -60,9 +60,9 @@ static int read_whole(const cli_option_t *option, const cli_given_t *given,
                       uint64_t *out) {
   const uint64_t low = (uint64_t)option->low, high = (uint64_t)option->high;
   if (cli_read_whole(given->value, low, high, out)) return CLI_DONE;
-  return cli_usage("%s %s: must be a whole number in [%" PRIu64 ", %" PRIu64
-                   "]",
-                   given->name, given->value, low, high);
+  return cli_blame(CLI_USAGE, given,
+                   "must be a whole number in [%" PRIu64 ", %" PRIu64 "]", low,
+                   high);
 }
 
 static bool lies_in(const cli_option_t *option, double value) {
@@ -76,16 +76,16 @@ static int check_range(const cli_option_t *option, const cli_given_t *given,
                        const char *what, double from, double to) {
   const bool is_open = option->kind == CLI_POSITIVE;
   if (lies_in(option, from) && lies_in(option, to)) return CLI_DONE;
-  return cli_refuse("%s %s: %smust lie in %s%g, %g]%s%s", given->name,
-                    given->value, what, is_open ? "(" : "[", option->low,
-                    option->high, option->unit != NULL ? " " : "",
-                    option->unit != NULL ? option->unit : "");
+  return cli_blame(CLI_REFUSED, given, "%smust lie in %s%g, %g]%s%s", what,
+                   is_open ? "(" : "[", option->low, option->high,
+                   option->unit != NULL ? " " : "",
+                   option->unit != NULL ? option->unit : "");
 }
 
 static int read_real(const cli_option_t *option, const cli_given_t *given,
                      double *out) {
   tf_real_t value = 0;
-  CLI_TRY(cli_read_number(given->name, given->value, given->value, &value));
+  CLI_TRY(cli_read_number(given, given->value, &value));
   *out = (double)value;
   return check_range(option, given, "", *out, *out);
 }
@@ -95,11 +95,10 @@ static int read_range(const cli_option_t *option, const cli_given_t *given,
   char what[32];
   (void)snprintf(what, sizeof what, "%s ", given->name + 2);
   if (option->kind == CLI_RANGE) {
-    CLI_TRY(cli_read_range(given->name, given->value, given->value, MAX_VALUES,
-                           false, out));
+    CLI_TRY(cli_read_range(given, given->value, MAX_VALUES, false, out));
   } else {
     tf_real_t value = 0;
-    CLI_TRY(cli_read_number(given->name, given->value, given->value, &value));
+    CLI_TRY(cli_read_number(given, given->value, &value));
     *out = (cli_range_t){given->value, (double)value, (double)value, 1};
   }
   return check_range(option, given, what, out->from, out->to);
@@ -119,11 +118,9 @@ static int refuse_choice(const cli_option_t *option, const cli_given_t *given) {
     cli_closest_offer(&closest, at->name);
   }
   return option->noun == NULL
-             ? cli_usage("%s %s: must be %s%s", given->name, given->value, list,
-                         closest.hint)
-             : cli_usage("%s %s: unknown %s; %ss are %s%s", given->name,
-                         given->value, option->noun, option->noun, list,
-                         closest.hint);
+             ? cli_blame(CLI_USAGE, given, "must be %s%s", list, closest.hint)
+             : cli_blame(CLI_USAGE, given, "unknown %s; %ss are %s%s",
+                         option->noun, option->noun, list, closest.hint);
 }
 
 // length: in, of the word at the begin of the value.

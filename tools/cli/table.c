@@ -92,13 +92,13 @@ static const cli_choice_t commands[] = {
     {"every:", ""},  {NULL, NULL}};
 
 static int read_set(cli_args_t *args, const cli_given_t *given) {
-  return cli_settings_add(&args->settings, given->name, given->value);
+  return cli_settings_add(&args->settings, given);
 }
 
 // An option that is the name of a setting.
 static int read_named(cli_args_t *args, const cli_given_t *given) {
-  return cli_settings_add_named(&args->settings, given->name, given->value,
-                                given->name + 2, given->value);
+  return cli_settings_add_named(&args->settings, given, given->name + 2,
+                                given->value);
 }
 
 static int read_shard(cli_args_t *args, const cli_given_t *given) {
@@ -110,21 +110,18 @@ static int read_shard(cli_args_t *args, const cli_given_t *given) {
   if (*second != '/' ||
       !cli_read_whole(first, 0, CLI_MAX_STEPS, &shard->index) ||
       !cli_read_whole(second + 1, 0, CLI_MAX_STEPS, &shard->of)) {
-    return cli_usage("%s %s: expected I/N, two whole numbers", given->name,
-                     given->value);
+    return cli_blame(CLI_USAGE, given, "expected I/N, two whole numbers");
   }
   if (shard->index < 1 || shard->index > shard->of) {
-    return cli_refuse("%s %s: I must lie in [1, N], N be at least 1",
-                      given->name, given->value);
+    return cli_blame(CLI_REFUSED, given,
+                     "I must lie in [1, N], N be at least 1");
   }
   return CLI_DONE;
 }
 
 static int read_events(cli_args_t *args, const cli_given_t *given) {
-  if (strcmp(given->value, "all") == 0) {
-    args->listed = UINT64_MAX;
-    return CLI_DONE;
-  }
+  args->listed = UINT64_MAX;
+  if (strcmp(given->value, "all") == 0) return CLI_DONE;
   if (cli_read_whole(given->value, 0, CLI_MAX_STEPS, &args->listed))
     return CLI_DONE;
   return cli_usage("--events %s: must be a whole number in [0, 1e15], or all",

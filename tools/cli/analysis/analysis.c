@@ -29,8 +29,9 @@ static void print_notes(bool finds_kappa) {
     const cli_setting_t *setting =
         cli_settings_find(&job.args->settings, unused[i]);
     if (setting != NULL) {
-      cli_note("%s %s has no effect: %s %s", setting->option, setting->text,
-               job.args->command, i < 2 ? "finds it" : "does not run");
+      cli_note("%s %s has no effect: %s %s", setting->given.name,
+               setting->given.value, job.args->command,
+               i < 2 ? "finds it" : "does not run");
     }
   }
 }
@@ -53,8 +54,9 @@ static int prepare(const cli_args_t *args, bool finds_kappa) {
 // Where a value came from: "--set NAME=VALUE" or "scene NAME".
 static cli_given_t origin_of(const char *name) {
   const cli_setting_t *setting = cli_settings_find(&job.args->settings, name);
-  return setting != NULL ? (cli_given_t){setting->option, setting->text}
-                         : (cli_given_t){"scene", job.args->scene->name};
+  return setting != NULL
+             ? (cli_given_t){setting->given.name, setting->given.value}
+             : (cli_given_t){"scene", job.args->scene->name};
 }
 
 static int needs_jump(bool needs_moment) {
@@ -62,12 +64,11 @@ static int needs_jump(bool needs_moment) {
   const cli_given_t origin = origin_of("law");
   if (needs_moment ? law == TF_TYRE_JUMP : tf_tyre_is_set_valued(law))
     return CLI_DONE;
-  return cli_refuse("%s %s: %s needs law %s, not %s: %s", origin.name,
-                    origin.value, job.args->command,
-                    needs_moment ? "jump" : "jump or coulomb",
-                    tf_tyre_law_name(law),
-                    tf_tyre_is_set_valued(law) ? "stick has no moment under it"
-                                               : "it does not jump at h = 0");
+  return cli_blame(CLI_REFUSED, &origin, "%s needs law %s, not %s: %s",
+                   job.args->command, needs_moment ? "jump" : "jump or coulomb",
+                   tf_tyre_law_name(law),
+                   tf_tyre_is_set_valued(law) ? "stick has no moment under it"
+                                              : "it does not jump at h = 0");
 }
 
 static int check_design(void) {
@@ -75,18 +76,16 @@ static int check_design(void) {
   const cli_given_t mu = origin_of("mu");
   const cli_given_t gamma = origin_of("gamma");
   CLI_TRY(needs_jump(true));
-  if (!(k->contact.tyre.mu > 0)) {
-    return cli_refuse("%s %s: %s needs mu > 0", mu.name, mu.value,
-                      job.args->command);
-  }
+  if (!(k->contact.tyre.mu > 0))
+    return cli_blame(CLI_REFUSED, &mu, "%s needs mu > 0", job.args->command);
   if (fabs((double)k->sin_gamma) >= (double)TF_MIN_SINE &&
       fabs((double)k->cos_gamma) >= (double)TF_MIN_SINE)
     return CLI_DONE;
-  return cli_refuse(
-      "%s %s: %s needs |sin(gamma)| and |cos(gamma)| in [1e-06, 1], they are "
-      "%g and %g",
-      gamma.name, gamma.value, job.args->command, (double)k->sin_gamma,
-      (double)k->cos_gamma);
+  return cli_blame(CLI_REFUSED, &gamma,
+                   "%s needs |sin(gamma)| and |cos(gamma)| in [1e-06, 1], they "
+                   "are %g and %g",
+                   job.args->command, (double)k->sin_gamma,
+                   (double)k->cos_gamma);
 }
 
 static void begin_json(const char *units, cli_buffer_t *text) {
@@ -361,10 +360,10 @@ static int check_gamma(void) {
   const cli_given_t origin = origin_of("gamma");
   const double sine = (double)job.setup.machine.sin_gamma;
   if (fabs(sine) >= (double)TF_MIN_SINE) return CLI_DONE;
-  return cli_refuse(
-      "%s %s: regions needs |sin(gamma)| in [%g, 1], it is %g: no speed v "
-      "follows from h = 0",
-      origin.name, origin.value, (double)TF_MIN_SINE, fabs(sine));
+  return cli_blame(CLI_REFUSED, &origin,
+                   "regions needs |sin(gamma)| in [%g, 1], it is %g: no speed "
+                   "v follows from h = 0",
+                   (double)TF_MIN_SINE, fabs(sine));
 }
 
 int cli_regions(const cli_args_t *args) {

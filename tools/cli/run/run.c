@@ -268,8 +268,8 @@ static int check_start(const cli_args_t *args, const cli_setup_t *setup,
                        const char *option, const char *path, uint32_t seed) {
   const cli_setting_t *setting = cli_setup_start_set(setup);
   if (setting != NULL) {
-    return cli_usage("%s %s: %s %s gives the state", setting->option,
-                     setting->text, option, path);
+    return cli_blame(CLI_USAGE, &setting->given, "%s %s gives the state",
+                     option, path);
   }
   if (args->select != NULL && strchr(args->select, ':') != NULL &&
       seed != setup->seed) {

@@ -364,8 +364,9 @@ void cli_drive_notes(const cli_drive_t *drive, const cli_setup_t *setup,
     const cli_setting_t *setting =
         number < TF_PARAMETERS ? setup->set[number] : NULL;
     if (drive->table.given[i] && setting != NULL) {
-      cli_note("%s %s has no effect: %s gives %s", setting->option,
-               setting->text, drive->table.name, cli_input_columns[i].name);
+      cli_note("%s %s has no effect: %s gives %s", setting->given.name,
+               setting->given.value, drive->table.name,
+               cli_input_columns[i].name);
     }
   }
 }

@@ -89,18 +89,18 @@ static const struct {
     {"rest", "law of rest", "they are", tf_rest_law_name, TF_REST_LAWS},
     {"rule", "rule", "rules are", tf_rule_name, TF_RULES}};
 
-int cli_set_word(tf_params_t *params, const char *what, const char *option,
-                 const char *text, const char *name) {
+int cli_set_word(tf_params_t *params, const char *what,
+                 const cli_given_t *given, const char *name) {
   char list[256] = ""; // as "a, b and c"
   cli_buffer_t all = {list, 0, sizeof list, false};
   cli_closest_t closest = cli_closest_to(name);
   unsigned kind = 0, i = 0;
   while (strcmp(kinds[kind].name, what) != 0) kind++;
   if (kind == 2 && strchr(name, ':') != NULL) {
-    return cli_usage(
-        "%s %s: a seed is not part of a scene: give the rule alone here, and "
-        "--select %s to 'run'",
-        option, text, name);
+    return cli_blame(CLI_USAGE, given,
+                     "a seed is not part of a scene: give the rule alone here, "
+                     "and --select %s to 'run'",
+                     name);
   }
   const unsigned count = kinds[kind].count;
   for (; i < count && strcmp(kinds[kind].name_of(i), name) != 0; i++) {
@@ -112,7 +112,7 @@ int cli_set_word(tf_params_t *params, const char *what, const char *option,
                  kinds[kind].name_of(i));
   }
   if (i == count) {
-    return cli_usage("%s %s: unknown %s '%s'; %s %s%s", option, text,
+    return cli_blame(CLI_USAGE, given, "unknown %s '%s'; %s %s%s",
                      kinds[kind].what, name, kinds[kind].all, list,
                      closest.hint);
   }

@@ -19,8 +19,8 @@ typedef struct {
   cli_lines_t lines;
   unsigned long given[KEYS]; // line that gave the key, 0: none
   bool has_keys;             // before the present one
-  const char *key;           // the present one
   char place[PLACE_ROOM];    // "PATH:LINE:" of the present line
+  cli_given_t here;          // that, and the present key
 } reader_t;
 
 static const tf_parameter_range_t *number_of(size_t key) {
@@ -29,17 +29,17 @@ static const tf_parameter_range_t *number_of(size_t key) {
   return key == T_END ? &t_end : cli_number(key);
 }
 
-static const char *place_of(reader_t *reader, unsigned long line) {
+static void go_to(reader_t *reader, unsigned long line) {
   (void)snprintf(reader->place, sizeof reader->place,
                  "%s:%lu:", reader->lines.name, line);
-  return reader->place;
+  reader->here.name = reader->place;
 }
 
 static int refuse(const reader_t *reader, const tf_parameter_range_t *range,
                   tf_real_t value) {
   char text[CLI_REAL_ROOM];
   (void)cli_write_real(text, value);
-  return cli_refuse("%s %s = %s %s", reader->place, range->name, text,
+  return cli_refuse("%s %s = %s %s", reader->here.name, range->name, text,
                     cli_must(range));
 }
 
@@ -51,17 +51,17 @@ static int read_number(reader_t *reader, size_t key, const char *text) {
                                 &scene->t_end};
   tf_real_t value = 0;
   if (reader->given[CLI_V] != 0 && reader->given[CLI_H] != 0) {
-    return cli_usage("%s %s: give h or v, each follows from the other",
-                     reader->place, reader->key);
+    return cli_blame(CLI_USAGE, &reader->here,
+                     "give h or v, each follows from the other");
   }
   if (key == CLI_V || key == CLI_H) {
     scene->v_is_given = key == CLI_V;
     scene->v = scene->h = 0;
   }
-  CLI_TRY(cli_read_number(reader->place, reader->key, text, &value));
+  CLI_TRY(cli_read_number(&reader->here, text, &value));
   if (!cli_parameter_fits(key, value)) {
-    return cli_refuse("%s %s must be a whole number", reader->place,
-                      reader->key);
+    return cli_refuse("%s %s must be a whole number", reader->here.name,
+                      reader->here.value);
   }
   if (key >= TF_PARAMETERS && !cli_is_in(number_of(key), value))
     return refuse(reader, number_of(key), value);
@@ -79,29 +79,27 @@ static int read_knot(reader_t *reader, char *text) {
   tf_scene_t *scene = &reader->file->scene;
   tf_knot_t knot = {0, 0};
   char *omega0 = strchr(text, ':');
-  if (omega0 == NULL) {
-    return cli_usage("%s profile: '%s': expected T:OMEGA0", reader->place,
-                     text);
-  }
+  if (omega0 == NULL)
+    return cli_blame(CLI_USAGE, &reader->here, "'%s': expected T:OMEGA0", text);
   *omega0++ = '\0';
-  CLI_TRY(cli_read_number(reader->place, "profile", text, &knot.t));
+  CLI_TRY(cli_read_number(&reader->here, text, &knot.t));
   if (!cli_is_in(&times, knot.t)) return refuse(reader, &times, knot.t);
-  CLI_TRY(cli_read_number(reader->place, "profile", omega0, &knot.omega0));
+  CLI_TRY(cli_read_number(&reader->here, omega0, &knot.omega0));
   if (!cli_is_in(range, knot.omega0)) {
-    return cli_refuse("%s profile: omega0 = %s %s", reader->place, omega0,
-                      cli_must(range));
+    return cli_blame(CLI_REFUSED, &reader->here, "omega0 = %s %s", omega0,
+                     cli_must(range));
   }
   if (scene->knots == TF_SCENE_KNOTS) {
-    return cli_usage(
-        "%s profile: more than %d knots; a table of any length is given by "
-        "'run --inputs FILE'",
-        reader->place, TF_SCENE_KNOTS);
+    return cli_blame(CLI_USAGE, &reader->here,
+                     "more than %d knots; a table of any length is given by "
+                     "'run --inputs FILE'",
+                     TF_SCENE_KNOTS);
   }
   const tf_knot_t *end = scene->profile + scene->knots;
   if ((scene->knots > 0 && !(knot.t >= end[-1].t)) ||
       (scene->knots > 1 && !(knot.t > end[-2].t))) {
-    return cli_refuse("%s profile: %s s is not later than the knots before",
-                      reader->place, text);
+    return cli_blame(CLI_REFUSED, &reader->here,
+                     "%s s is not later than the knots before", text);
   }
   scene->profile[scene->knots++] = knot;
   return CLI_DONE;
@@ -121,30 +119,24 @@ static int read_profile(reader_t *reader, char *text) {
   return CLI_DONE;
 }
 
-// place, besides: in, for the message, before it and at its end.
-static int find_scene(const char *place, const char *name, const char *besides,
-                      const tf_scene_t **scene) {
-  cli_closest_t closest = cli_closest_to(name);
+const tf_scene_t *cli_find_scene(cli_closest_t *closest) {
   for (size_t i = 0; i < TF_SCENES; i++) {
-    if (strcmp(tf_scenes[i]->name, name) == 0) {
-      *scene = tf_scenes[i];
-      return CLI_DONE;
-    }
-    cli_closest_offer(&closest, tf_scenes[i]->name);
+    if (strcmp(tf_scenes[i]->name, closest->word) == 0) return tf_scenes[i];
+    cli_closest_offer(closest, tf_scenes[i]->name);
   }
-  return cli_usage("%sunknown scene '%s'%s ('twofold scenes' lists them%s)",
-                   place, name, closest.hint, besides);
+  return NULL;
 }
 
 static int read_base(reader_t *reader, char *text) {
-  char place[PLACE_ROOM + 16];
-  const tf_scene_t *base = NULL;
-  if (reader->has_keys) {
-    return cli_usage("%s %s: must be the first key", reader->place,
-                     reader->key);
+  cli_closest_t closest = cli_closest_to(text);
+  const tf_scene_t *base = cli_find_scene(&closest);
+  if (reader->has_keys)
+    return cli_blame(CLI_USAGE, &reader->here, "must be the first key");
+  if (base == NULL) {
+    return cli_blame(CLI_USAGE, &reader->here,
+                     "unknown scene '%s'%s ('twofold scenes' lists them)", text,
+                     closest.hint);
   }
-  (void)snprintf(place, sizeof place, "%s %s: ", reader->place, reader->key);
-  CLI_TRY(find_scene(place, text, "", &base));
   cli_scene_file_t *file = reader->file;
   file->scene = *base;
   (void)snprintf(file->shows, sizeof file->shows, "%s", base->shows);
@@ -157,11 +149,13 @@ static int read_base(reader_t *reader, char *text) {
 static int read_about(reader_t *reader, char *text) {
   cli_scene_file_t *file = reader->file;
   if (strlen(text) >= CLI_SCENE_ABOUT || strpbrk(text, "\"\\") != NULL) {
-    return cli_usage("%s %s: expected at most %d characters without \" and \\",
-                     reader->place, reader->key, CLI_SCENE_ABOUT - 1);
+    return cli_blame(CLI_USAGE, &reader->here,
+                     "expected at most %d characters without \" and \\",
+                     CLI_SCENE_ABOUT - 1);
   }
-  memcpy(strcmp(reader->key, "shows") == 0 ? file->shows : file->leaves_out,
-         text, strlen(text) + 1);
+  memcpy(
+      strcmp(reader->here.value, "shows") == 0 ? file->shows : file->leaves_out,
+      text, strlen(text) + 1);
   return CLI_DONE;
 }
 
@@ -174,24 +168,24 @@ static bool is_name(const char *text, size_t length) {
 
 static int read_name(reader_t *reader, char *text) {
   if (!is_name(text, strlen(text))) {
-    return cli_usage("%s %s: '%s' must have 1 to %d letters, digits and _",
-                     reader->place, reader->key, text, CLI_SCENE_NAME - 1);
+    return cli_blame(CLI_USAGE, &reader->here,
+                     "'%s' must have 1 to %d letters, digits and _", text,
+                     CLI_SCENE_NAME - 1);
   }
   memcpy(reader->file->name, text, strlen(text) + 1);
   return CLI_DONE;
 }
 
 static int read_word(reader_t *reader, char *text) {
-  return cli_set_word(&reader->file->scene.params, reader->key, reader->place,
-                      reader->key, text);
+  return cli_set_word(&reader->file->scene.params, reader->here.value,
+                      &reader->here, text);
 }
 
 static int read_yes(reader_t *reader, char *text) {
   const bool yes = strcmp(text, "yes") == 0;
   reader->file->scene.params.with_angle = yes;
   if (yes || strcmp(text, "no") == 0) return CLI_DONE;
-  return cli_usage("%s %s: '%s' must be yes or no", reader->place, reader->key,
-                   text);
+  return cli_blame(CLI_USAGE, &reader->here, "'%s' must be yes or no", text);
 }
 
 static const struct {
@@ -208,18 +202,11 @@ static const char *name_of(size_t key) {
   return key < BASED_ON ? number_of(key)->name : words[key - BASED_ON].name;
 }
 
-static size_t key_of(const char *name) {
+static size_t key_of(cli_closest_t *closest) {
   size_t key = 0;
-  while (key < KEYS && strcmp(name_of(key), name) != 0) key++;
+  for (; key < KEYS && strcmp(name_of(key), closest->word) != 0; key++)
+    cli_closest_offer(closest, name_of(key));
   return key;
-}
-
-static int unknown_key(const reader_t *reader, const char *name) {
-  cli_closest_t closest = cli_closest_to(name);
-  for (size_t key = 0; key < KEYS; key++)
-    cli_closest_offer(&closest, name_of(key));
-  return cli_usage("%s unknown key '%s'%s ('twofold help scene' lists them)",
-                   reader->place, name, closest.hint);
 }
 
 static int read_line(reader_t *reader, char *line) {
@@ -230,16 +217,20 @@ static int read_line(reader_t *reader, char *line) {
   char *value = end + strspn(end, " \t");
   value = cli_trim(*value == '=' ? value + 1 : value);
   *end = '\0';
-  const size_t key = key_of(line);
-  if (key == KEYS) return unknown_key(reader, line);
+  cli_closest_t closest = cli_closest_to(line);
+  const size_t key = key_of(&closest);
+  if (key == KEYS) {
+    return cli_usage("%s unknown key '%s'%s ('twofold help scene' lists them)",
+                     reader->place, line, closest.hint);
+  }
+  reader->here.value = line;
   if (*value == '\0')
-    return cli_usage("%s %s: expected a value", reader->place, line);
+    return cli_blame(CLI_USAGE, &reader->here, "expected a value");
   if (reader->given[key] != 0) {
-    return cli_usage("%s %s was already given in line %lu", reader->place, line,
-                     reader->given[key]);
+    return cli_usage("%s %s was already given in line %lu", reader->here.name,
+                     line, reader->given[key]);
   }
   reader->given[key] = reader->lines.line;
-  reader->key = line;
   CLI_TRY(key < BASED_ON ? read_number(reader, key, value)
                          : words[key - BASED_ON].read(reader, value));
   reader->has_keys = true;
@@ -249,16 +240,16 @@ static int read_line(reader_t *reader, char *line) {
 static int read_lines(reader_t *reader) {
   char line[LINE_ROOM];
   while (cli_next_line(&reader->lines, line, sizeof line)) {
-    (void)place_of(reader, reader->lines.line);
+    go_to(reader, reader->lines.line);
     if (reader->lines.length >= sizeof line) {
       return cli_usage("%s the line has more than %zu characters",
-                       reader->place, sizeof line - 1);
+                       reader->here.name, sizeof line - 1);
     }
     for (size_t i = 0; i < reader->lines.length; i++) {
       const unsigned char byte = (unsigned char)line[i];
       if ((byte < ' ' && byte != '\t') || byte > '~') {
         return cli_usage("%s column %zu: byte %u is not ASCII text",
-                         reader->place, i + 1, byte);
+                         reader->here.name, i + 1, byte);
       }
     }
     CLI_TRY(read_line(reader, line));
@@ -272,7 +263,7 @@ static int check_parameters(reader_t *reader) {
   if (out == TF_PARAMETERS) return CLI_DONE;
   const tf_parameter_range_t *range = cli_number(out);
   if (reader->given[out] != 0) {
-    (void)place_of(reader, reader->given[out]);
+    go_to(reader, reader->given[out]);
     return refuse(reader, range, cli_parameter(params, out));
   }
   return cli_refuse(
@@ -287,7 +278,8 @@ static int check_start(const reader_t *reader) {
   static const char *const needed[] = {"law", "r", "omega", "t-end"};
   const unsigned long *given = reader->given;
   for (size_t i = 0; i < 4 && given[BASED_ON] == 0; i++) {
-    if (given[key_of(needed[i])] == 0) {
+    cli_closest_t closest = cli_closest_to(needed[i]);
+    if (given[key_of(&closest)] == 0) {
       return cli_usage(
           "%s: %s is missing; give it, or begin with 'based-on SCENE'",
           reader->lines.name, needed[i]);
@@ -355,7 +347,13 @@ int cli_take_scene(const tf_scene_t **scene, const char *word) {
     *scene = &file.scene;
     return CLI_DONE;
   }
-  return find_scene("", word, "; a file has a . or a / in its name", scene);
+  cli_closest_t closest = cli_closest_to(word);
+  *scene = cli_find_scene(&closest);
+  if (*scene != NULL) return CLI_DONE;
+  return cli_usage(
+      "unknown scene '%s'%s ('twofold scenes' lists them; a file has a . or a "
+      "/ in its name)",
+      word, closest.hint);
 }
 
 // Scenes into text.

@@ -33,6 +33,9 @@ int cli_scene_parse(cli_scene_file_t *file, const char *path, const char *text,
 void cli_scene_print(const tf_scene_t *scene, const tf_params_t *params,
                      cli_buffer_t *out);
 
+/// The scene of a name, NULL: there is none.
+const tf_scene_t *cli_find_scene(cli_closest_t *closest);
+
 /// Takes a word for the name of the scene, or of its file where it has a point
 /// or a slash. scene: in/out, NULL before the first: a second one is refused.
 /// What is read from a file stays until the next one is read.

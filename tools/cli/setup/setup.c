@@ -15,39 +15,34 @@ const cli_setting_t *cli_settings_find(const cli_settings_t *settings,
   return NULL;
 }
 
-int cli_settings_add_named(cli_settings_t *settings, const char *option,
-                           const char *text, const char *name,
-                           const char *value) {
-  if (settings->count == CLI_SETTINGS) {
-    return cli_usage("%s %s: more than %d settings", option, text,
-                     CLI_SETTINGS);
-  }
+int cli_settings_add_named(cli_settings_t *settings, const cli_given_t *given,
+                           const char *name, const char *value) {
+  if (settings->count == CLI_SETTINGS)
+    return cli_blame(CLI_USAGE, given, "more than %d settings", CLI_SETTINGS);
   const cli_setting_t *first = cli_settings_find(settings, name);
   if (first != NULL) {
-    return cli_usage("%s %s: %s was already given by %s %s", option, text, name,
-                     first->option, first->text);
+    return cli_blame(CLI_USAGE, given, "%s was already given by %s %s", name,
+                     first->given.name, first->given.value);
   }
   cli_setting_t *setting = &settings->list[settings->count++];
-  setting->option = option;
-  setting->text = text;
+  setting->given = *given;
   setting->value = value;
   (void)snprintf(setting->name, sizeof setting->name, "%s", name);
   return CLI_DONE;
 }
 
-int cli_settings_add(cli_settings_t *settings, const char *option,
-                     const char *text) {
+int cli_settings_add(cli_settings_t *settings, const cli_given_t *given) {
+  const char *text = given->value;
   char name[CLI_NAME_ROOM];
   const size_t length = strcspn(text, "=");
   if (length == 0 || text[length] == '\0')
-    return cli_usage("%s %s: expected NAME=VALUE", option, text);
+    return cli_blame(CLI_USAGE, given, "expected NAME=VALUE");
   if (length >= sizeof name) {
-    return cli_usage("%s %s: unknown name ('twofold help run' lists them)",
-                     option, text);
+    return cli_blame(CLI_USAGE, given,
+                     "unknown name ('twofold help run' lists them)");
   }
   (void)snprintf(name, sizeof name, "%.*s", (int)length, text);
-  return cli_settings_add_named(settings, option, text, name,
-                                text + length + 1);
+  return cli_settings_add_named(settings, given, name, text + length + 1);
 }
 
 static tf_real_t value_of(const cli_setup_t *setup, size_t number) {
@@ -64,24 +59,21 @@ static int read_setting(cli_setup_t *setup, const cli_setting_t *setting) {
   const char *name = setting->name;
   const size_t number = cli_number_index(name);
   tf_real_t value = 0;
-  if (strcmp(name, "law") == 0 || strcmp(name, "rest") == 0) {
-    return cli_set_word(&setup->params, name, setting->option, setting->text,
-                        setting->value);
-  }
+  if (strcmp(name, "law") == 0 || strcmp(name, "rest") == 0)
+    return cli_set_word(&setup->params, name, &setting->given, setting->value);
   if (number == CLI_NUMBERS) {
     cli_closest_t closest = cli_closest_to(name);
     for (size_t i = 0; i < CLI_NUMBERS; i++)
       cli_closest_offer(&closest, cli_number(i)->name);
     cli_closest_offer(&closest, "law");
     cli_closest_offer(&closest, "rest");
-    return cli_usage("%s %s: unknown name '%s'%s", setting->option,
-                     setting->text, name, closest.hint);
+    return cli_blame(CLI_USAGE, &setting->given, "unknown name '%s'%s", name,
+                     closest.hint);
   }
-  CLI_TRY(
-      cli_read_number(setting->option, setting->text, setting->value, &value));
+  CLI_TRY(cli_read_number(&setting->given, setting->value, &value));
   if (!cli_parameter_fits(number, value)) {
-    return cli_refuse("%s %s: %s must be a whole number", setting->option,
-                      setting->text, name);
+    return cli_blame(CLI_REFUSED, &setting->given, "%s must be a whole number",
+                     name);
   }
   char *to =
       number < TF_PARAMETERS ? (char *)&setup->params : (char *)&setup->start;
@@ -92,18 +84,18 @@ static int read_setting(cli_setup_t *setup, const cli_setting_t *setting) {
 
 // Reads RULE[:SEED] of --select. Without SEED, seed is left as it is.
 static int read_rule(const char *select, tf_params_t *params, uint32_t *seed) {
+  const cli_given_t given = {"--select", select};
   char name[CLI_NAME_ROOM];
   const size_t length = strcspn(select, ":");
   (void)snprintf(name, sizeof name, "%.*s", (int)length, select);
-  CLI_TRY(cli_set_word(params, "rule", "--select", select, name));
+  CLI_TRY(cli_set_word(params, "rule", &given, name));
   if (select[length] == '\0') return CLI_DONE;
   if (params->rule != TF_RULE_RANDOM)
-    return cli_usage("--select %s: only the rule random takes a seed", select);
+    return cli_blame(CLI_USAGE, &given, "only the rule random takes a seed");
   uint64_t value = 0;
   if (!cli_read_whole(select + length + 1, 0, UINT32_MAX, &value)) {
-    return cli_usage(
-        "--select %s: the seed must be a whole number in [0, 4294967295]",
-        select);
+    return cli_blame(CLI_USAGE, &given,
+                     "the seed must be a whole number in [0, 4294967295]");
   }
   *seed = (uint32_t)value;
   return CLI_DONE;
@@ -144,8 +136,8 @@ int cli_setup_machine(cli_setup_t *setup) {
     char text[CLI_REAL_ROOM];
     (void)cli_write_real(text, value_of(setup, out));
     return setting != NULL
-               ? cli_refuse("%s %s: %s %s", setting->option, setting->text,
-                            range->name, cli_must(range))
+               ? cli_blame(CLI_REFUSED, &setting->given, "%s %s", range->name,
+                           cli_must(range))
                : cli_refuse(
                      "scene %s with law %s: %s = %s %s; give --set %s=VALUE",
                      setup->scene->name, tf_tyre_law_name(setup->params.law),
@@ -160,15 +152,16 @@ int cli_setup_check_starts(const cli_setup_t *setup) {
   const cli_setting_t *v = setup->set[CLI_V], *h = setup->set[CLI_H];
   if (v != NULL && h != NULL) {
     return cli_usage("%s %s, %s %s: give h or v, each follows from the other",
-                     v->option, v->text, h->option, h->text);
+                     v->given.name, v->given.value, h->given.name,
+                     h->given.value);
   }
   for (size_t i = CLI_R; i < CLI_NUMBERS; i++) {
     const cli_setting_t *setting = setup->set[i];
     const tf_parameter_range_t *range = cli_number(i);
     const tf_real_t value = value_of(setup, i);
     if (setting != NULL && !cli_is_in(range, value)) {
-      return cli_refuse("%s %s: %s %s", setting->option, setting->text,
-                        range->name, cli_must(range));
+      return cli_blame(CLI_REFUSED, &setting->given, "%s %s", range->name,
+                       cli_must(range));
     }
   }
   return CLI_DONE;
@@ -182,12 +175,11 @@ static int refuse_start(const cli_setup_t *setup, tf_status_t status) {
   tf_state_t x = setup->start.state;
   if (setup->start.from_h &&
       tf_speed_for_slip(k, x.r, x.w, omega0, h, &x.v) != TF_OK) {
-    return cli_refuse(
-        "%s %s: no speed v gives the slip speed h = %g m/s, because sin(gamma) "
-        "= %g; give --set v=VALUE",
-        setting != NULL ? setting->option : "scene",
-        setting != NULL ? setting->text : setup->scene->name, (double)h,
-        (double)k->sin_gamma);
+    const cli_given_t scene = {"scene", setup->scene->name};
+    return cli_blame(CLI_REFUSED, setting != NULL ? &setting->given : &scene,
+                     "no speed v gives the slip speed h = %g m/s, because "
+                     "sin(gamma) = %g; give --set v=VALUE",
+                     (double)h, (double)k->sin_gamma);
   }
   return cli_refuse(
       "scene %s: the start r = %g m, v = %g m/s, omega = %g rad/s, h = %g m/s "
@@ -230,7 +222,8 @@ void cli_setup_notes(const cli_setup_t *setup) {
                            : ": it belongs to --scheme located");
     }
     if (reason.used > 0)
-      cli_note("%s %s has no effect%s", setting->option, setting->text, text);
+      cli_note("%s %s has no effect%s", setting->given.name,
+               setting->given.value, text);
   }
 }
 

@@ -17,8 +17,7 @@ typedef struct {
 #define CLI_SETTINGS 64  ///< of a command line: more than there are names
 
 typedef struct {
-  const char *option;       ///< "--set" or "--dt"
-  const char *text;         ///< what followed it
+  cli_given_t given;        ///< "--set" or "--dt", and what followed it
   char name[CLI_NAME_ROOM]; ///< left of '='
   const char *value;        ///< right of '='
 } cli_setting_t;
@@ -31,15 +30,11 @@ typedef struct {
 
 /// Splits NAME=VALUE and appends it. A name that was given before is refused:
 /// which of the two values is meant cannot be known.
-/// option: "--set". text: in, kept.
-int cli_settings_add(cli_settings_t *settings, const char *option,
-                     const char *text);
+int cli_settings_add(cli_settings_t *settings, const cli_given_t *given);
 
-/// Likewise the setting of an option that implies the name: --dt VALUE, whose
-/// text is the value.
-int cli_settings_add_named(cli_settings_t *settings, const char *option,
-                           const char *text, const char *name,
-                           const char *value);
+/// Likewise the setting of an option that implies the name: --dt VALUE.
+int cli_settings_add_named(cli_settings_t *settings, const cli_given_t *given,
+                           const char *name, const char *value);
 
 /// The setting of a name, NULL where it was not given.
 const cli_setting_t *cli_settings_find(const cli_settings_t *settings,
@@ -135,9 +130,9 @@ size_t cli_parameter_out(const tf_params_t *params);
 bool cli_parameter_fits(size_t index, tf_real_t value);
 
 /// Sets law, rest or rule by its name.
-/// what: in, one of these words. option, text: in, for the message.
-int cli_set_word(tf_params_t *params, const char *what, const char *option,
-                 const char *text, const char *name);
+/// what: in, one of these words. given: in, for the message.
+int cli_set_word(tf_params_t *params, const char *what,
+                 const cli_given_t *given, const char *name);
 
 /// Writes a set of modes, bits TF_MODE_BIT: their names in a fixed order, with
 /// `|` between them. Returns: out.

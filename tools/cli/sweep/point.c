@@ -203,8 +203,8 @@ static void place(point_t *point, const cli_sweep_t *sweep, uint64_t index) {
     } else {
       cli_setting_t *setting = &point->settings.list[axis->setting];
       cli_add_real(&text, (tf_real_t)value);
-      setting->option = "--set";
-      setting->text = point->text[i];
+      setting->given.name = "--set";
+      setting->given.value = point->text[i];
       setting->value = digits;
     }
   }
@@ -235,8 +235,8 @@ static int check_end(cli_sweep_t *sweep, bool last) {
     const cli_axis_t *axis = &args->axis[i];
     if (!axis->is_seed) {
       cli_setting_t *setting = &point.settings.list[axis->setting];
-      setting->option = "--over";
-      setting->text = axis->range.text;
+      setting->given.name = "--over";
+      setting->given.value = axis->range.text;
     }
     if (cli_number_index(axis->name) < TF_PARAMETERS) sweep->together = 1;
   }

@@ -132,8 +132,8 @@ static void add_provenance(const cli_sweep_t *sweep, cli_buffer_t *text) {
   }
   for (size_t i = 0; i < args->settings.count; i++) {
     const cli_setting_t *setting = &args->settings.list[i];
-    if (strcmp(setting->option, "--over") != 0)
-      cli_add_form(text, " %s %s", setting->option, setting->text);
+    if (strcmp(setting->given.name, "--over") != 0)
+      cli_add_form(text, " %s %s", setting->given.name, setting->given.value);
   }
   for (size_t i = 0; i < args->axes; i++)
     cli_add_form(text, " --over %s", args->axis[i].range.text);
@@ -227,75 +227,77 @@ int cli_sweep(const cli_args_t *args) {
 #define MAX_POINTS 1000000000000000ull // exact in a double
 
 // The seed is a number of rule random, not a real parameter of the machine.
-static int check_seed(const cli_args_t *args, const cli_range_t *range) {
+static int check_seed(const cli_args_t *args, const cli_given_t *given,
+                      const cli_range_t *range) {
   for (size_t i = 0; i < args->axes; i++) {
     if (args->axis[i].is_seed) {
-      return cli_usage("--over %s: seed was already given by --over %s",
-                       range->text, args->axis[i].range.text);
+      return cli_blame(CLI_USAGE, given, "seed was already given by --over %s",
+                       args->axis[i].range.text);
     }
   }
   for (uint64_t i = 0; i < range->count; i++) {
     const double value = cli_range_at(range, i);
     if (!(value >= 0 && value <= UINT32_MAX && floor(value) >= value)) {
-      return cli_refuse(
-          "--over %s: seed must be whole numbers in [0, 4294967295]; value "
-          "%" PRIu64 " is %.10g",
-          range->text, i + 1, value);
+      return cli_blame(
+          CLI_REFUSED, given,
+          "seed must be whole numbers in [0, 4294967295]; value %" PRIu64
+          " is %.10g",
+          i + 1, value);
     }
   }
   return CLI_DONE;
 }
 
-int cli_read_over(cli_args_t *args, const cli_given_t *option) {
-  const char *text = option->value, *equals = strchr(text, '=');
+int cli_read_over(cli_args_t *args, const cli_given_t *given) {
+  const char *text = given->value, *equals = strchr(text, '=');
   cli_axis_t *axis = &args->axis[args->axes];
   if (equals == NULL || equals == text)
-    return cli_usage("--over %s: expected NAME=A:B:N", text);
+    return cli_blame(CLI_USAGE, given, "expected NAME=A:B:N");
   if (args->axes == CLI_AXES)
-    return cli_usage("--over %s: more than %d axes", text, CLI_AXES);
+    return cli_blame(CLI_USAGE, given, "more than %d axes", CLI_AXES);
   axis->is_seed = strncmp(text, "seed=", 5) == 0;
-  CLI_TRY(cli_read_range(option->name, text, equals + 1, MAX_VALUES,
-                         axis->is_seed, &axis->range));
+  CLI_TRY(cli_read_range(given, equals + 1, MAX_VALUES, axis->is_seed,
+                         &axis->range));
   if (axis->is_seed) {
     axis->name = "seed";
-    CLI_TRY(check_seed(args, &axis->range));
+    CLI_TRY(check_seed(args, given, &axis->range));
   } else {
     axis->setting = args->settings.count;
     axis->name = args->settings.list[axis->setting].name;
-    CLI_TRY(cli_settings_add(&args->settings, option->name, text));
+    CLI_TRY(cli_settings_add(&args->settings, given));
   }
   if (args->points > MAX_POINTS / axis->range.count)
-    return cli_refuse("--over %s: more than %llu points", text, MAX_POINTS);
+    return cli_blame(CLI_REFUSED, given, "more than %llu points", MAX_POINTS);
   args->points *= axis->range.count;
   args->axes++;
   return CLI_DONE;
 }
 
-static int add_measure(cli_args_t *args, const char *name, const char *text) {
+static int add_measure(cli_args_t *args, const char *name,
+                       const cli_given_t *given) {
   cli_closest_t closest = cli_closest_to(name);
   const unsigned found = (unsigned)cli_closest_find(
       &closest, cli_measures, CLI_MEASURES, sizeof cli_measures[0]);
   if (found == CLI_MEASURES) {
-    return cli_usage(
-        "--outcome %s: unknown outcome '%s'%s ('twofold help sweep' lists "
-        "them)",
-        text, name, closest.hint);
+    return cli_blame(CLI_USAGE, given,
+                     "unknown outcome '%s'%s ('twofold help sweep' lists them)",
+                     name, closest.hint);
   }
   for (size_t i = 0; i < args->measures; i++) {
     if (args->measure[i] == found)
-      return cli_usage("--outcome %s: %s was already given", text, name);
+      return cli_blame(CLI_USAGE, given, "%s was already given", name);
   }
   args->measure[args->measures++] = found;
   return CLI_DONE;
 }
 
-int cli_read_outcome(cli_args_t *args, const cli_given_t *option) {
-  const char *at = option->value;
+int cli_read_outcome(cli_args_t *args, const cli_given_t *given) {
+  const char *at = given->value;
   do {
     char name[32];
     const size_t length = strcspn(at, ",");
     (void)snprintf(name, sizeof name, "%.*s", (int)length, at);
-    CLI_TRY(add_measure(args, name, option->value));
+    CLI_TRY(add_measure(args, name, given));
     at += length;
   } while (*at++ == ',');
   return CLI_DONE;

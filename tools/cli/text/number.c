@@ -8,6 +8,7 @@
 #include <ctype.h>
 #include <errno.h>
 #include <float.h>
+#include <stdarg.h>
 
 #include "../../../src/link/parts.h"
 #include "text.h"
@@ -51,42 +52,51 @@ size_t cli_write_real(char out[CLI_REAL_ROOM], tf_real_t value) {
 // Evenly spaced values. Each is computed from its number alone, so that a part
 // of a range has the values of the whole.
 
-int cli_read_number(const char *option, const char *whole, const char *text,
+int cli_blame(int code, const cli_given_t *given, const char *format, ...) {
+  char text[8192];
+  va_list arguments;
+  va_start(arguments, format);
+  (void)vsnprintf(text, sizeof text, format, arguments);
+  va_end(arguments);
+  return cli_message(code, "%s %s: %s", given->name, given->value, text);
+}
+
+int cli_read_number(const cli_given_t *given, const char *text,
                     tf_real_t *value) {
   const char *why = "";
   if (cli_read_real(text, value, &why)) return CLI_DONE;
-  return cli_usage("%s %s: '%s' %s", option, whole, text, why);
+  return cli_blame(CLI_USAGE, given, "'%s' %s", text, why);
 }
 
-static int read_end(const char *option, const char *whole, const char *text,
-                    bool exact, double *value) {
+static int read_end(const cli_given_t *given, const char *text, bool exact,
+                    double *value) {
   tf_real_t real = 0;
-  const int code = cli_read_number(option, whole, text, &real);
+  const int code = cli_read_number(given, text, &real);
   *value = exact ? strtod(text, NULL) : (double)real;
   return code;
 }
 
-int cli_read_range(const char *option, const char *whole, const char *text,
-                   uint64_t most, bool exact, cli_range_t *range) {
+int cli_read_range(const cli_given_t *given, const char *text, uint64_t most,
+                   bool exact, cli_range_t *range) {
   char parts[3][CLI_REAL_ROOM];
-  range->text = whole;
+  range->text = given->value;
   for (int i = 0; i < 3; i++) {
     const size_t length = strcspn(text, ":");
     if (length >= CLI_REAL_ROOM || (text[length] == ':') != (i < 2))
-      return cli_usage("%s %s: expected A:B:N", option, whole);
+      return cli_blame(CLI_USAGE, given, "expected A:B:N");
     memcpy(parts[i], text, length);
     parts[i][length] = '\0';
     text += length + (i < 2 ? 1 : 0);
   }
   if (!cli_read_whole(parts[2], 1, most, &range->count)) {
-    return cli_usage("%s %s: N must be a whole number in [1, %" PRIu64 "]",
-                     option, whole, most);
+    return cli_blame(CLI_USAGE, given,
+                     "N must be a whole number in [1, %" PRIu64 "]", most);
   }
-  CLI_TRY(read_end(option, whole, parts[0], exact, &range->from));
-  CLI_TRY(read_end(option, whole, parts[1], exact, &range->to));
+  CLI_TRY(read_end(given, parts[0], exact, &range->from));
+  CLI_TRY(read_end(given, parts[1], exact, &range->to));
   if (range->count > 1 || !(range->to > range->from || range->to < range->from))
     return CLI_DONE;
-  return cli_usage("%s %s: one value cannot be both %s and %s", option, whole,
+  return cli_blame(CLI_USAGE, given, "one value cannot be both %s and %s",
                    parts[0], parts[1]);
 }
 

@@ -41,6 +41,16 @@ int cli_message(int code, const char *format, ...) CLI_PRINTF(2, 3);
 #define cli_stop(...) cli_message(CLI_STOPPED, __VA_ARGS__)
 #define cli_note(...) (void)cli_message(CLI_DONE, "note: " __VA_ARGS__)
 
+/// What was given, as typed: an option and its value, "" where it takes none;
+/// or the place of a line ("PATH:LINE:") and its key.
+typedef struct {
+  const char *name, *value;
+} cli_given_t;
+
+/// A message about what was given, with both of it before the text.
+int cli_blame(int code, const cli_given_t *given, const char *format, ...)
+    CLI_PRINTF(3, 4);
+
 /// From now on there are no messages of CLI_DONE, nor summaries but as JSON.
 void cli_be_quiet(bool from_now);
 bool cli_is_quiet(void);
@@ -112,15 +122,9 @@ bool cli_read_whole(const char *text, uint64_t low, uint64_t high,
 /// Writes it as decimal_write does.
 size_t cli_write_real(char out[CLI_REAL_ROOM], tf_real_t value);
 
-/// Reads a number that stands in the value `whole` of an option; both: in, for
-/// the message.
-int cli_read_number(const char *option, const char *whole, const char *text,
+/// Reads a number that stands in what was given.
+int cli_read_number(const cli_given_t *given, const char *text,
                     tf_real_t *value);
-
-/// An option as typed. value: "" where it takes none.
-typedef struct {
-  const char *name, *value;
-} cli_given_t;
 
 #define CLI_NOT_GIVEN UINT32_MAX ///< usual value of a choice without one
 
@@ -131,10 +135,10 @@ typedef struct {
   uint64_t count;
 } cli_range_t;
 
-/// Reads A:B:N, N in [1, most], from text. option, whole: in, for messages.
+/// Reads A:B:N, N in [1, most], from text, which stands in what was given.
 /// exact: in, of whole numbers that a float may not have.
-int cli_read_range(const char *option, const char *whole, const char *text,
-                   uint64_t most, bool exact, cli_range_t *range);
+int cli_read_range(const cli_given_t *given, const char *text, uint64_t most,
+                   bool exact, cli_range_t *range);
 
 /// Value i of a range, i in [0, count - 1]: A and B themselves at its ends.
 double cli_range_at(const cli_range_t *range, uint64_t i);
