@@ -179,7 +179,7 @@ static int perform(const cli_command_t *command, int argc, char *const argv[]) {
   if (code == CLI_DONE && command->raw == NULL) code = command->perform(&args);
   if (asks_for_json(argc, argv) && !cli_put_ended()) {
     cli_put_begin(command->name);
-    cli_put_word("message", cli_last_message());
+    cli_put("'message': %s, ", cli_last_message());
     cli_put_exit(code);
   }
   return code;

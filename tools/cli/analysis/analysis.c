@@ -4,6 +4,7 @@
 #include "../host/host.h"
 #include "../host/output.h"
 #include "../setup/args.h"
+#include "../text/summary.h"
 
 // The command that runs, ready to compute and write.
 static struct {
@@ -88,72 +89,64 @@ static int check_design(void) {
                    (double)k->cos_gamma);
 }
 
-static void begin_json(const char *units, cli_buffer_t *text) {
-  cli_add_form(
-      text,
-      "{\n  \"version\": \"%s\", \"commit\": \"%s\", \"number\": \"%s\",\n"
-      "  \"scene\": \"%s\", \"parameters\": \"",
-      TF_VERSION, cli_commit, CLI_NUMBER_TYPE, job.args->scene->name);
-  cli_add_hash(text, tf_params_hash(&job.setup.params));
-  cli_add_form(text, "\",\n  \"units\": {%s},\n", units);
-}
-
-// The commands that write two-folds as JSON, which has no infinities; the core
-// only returns two-folds whose numbers are all finite. K, J1, J2 and the
-// eigenvalues are in the paper's time, the other units are these.
-#define FOLD_UNITS                                                       \
-  "\"r\": \"m\", \"v\": \"m/s\", \"omega\": \"rad/s\", \"g\": \"m/s\", " \
-  "\"lambda\": \"N\", \"time_scale\": \"kg m^2\", \"physical\": \"m/s^3\""
+// The commands that write two-folds as JSON. The core only returns two-folds
+// whose numbers are all finite. K, J1, J2 and the eigenvalues are in the paper's
+// time, the other units are these.
+#define FOLD_UNITS                                                      \
+  "'r': 'm', 'v': 'm/s', 'omega': 'rad/s', 'g': 'm/s', 'lambda': 'N', " \
+  "'time_scale': 'kg m^2', 'physical': 'm/s^3'},\n"
 #define ROOM 32768 // bytes; eight two-folds take less than half of it
-#define DESIGN_UNITS "\"kappa\": \"m\", \"k2\": \"N/m\", " FOLD_UNITS
+
+static void begin_json(cli_buffer_t *text) {
+  cli_add_json(text,
+               "{\n  'version': %s, 'commit': %s, 'number': %s,\n"
+               "  'scene': %s, 'parameters': %x,\n"
+               "  'units': {",
+               TF_VERSION, cli_commit, CLI_NUMBER_TYPE, job.args->scene->name,
+               tf_params_hash(&job.setup.params));
+}
 
 static void add_K(cli_buffer_t *text, const tf_two_fold_t *at,
                   tf_real_t scale) {
-  cli_add_form(text, "\"K++\": %g, \"K+-\": %g, \"K-+\": %g, \"K--\": %g",
+  cli_add_json(text, "'K++': %g, 'K+-': %g, 'K-+': %g, 'K--': %g",
                (double)(scale * at->Kpp), (double)(scale * at->Kpm),
                (double)(scale * at->Kmp), (double)(scale * at->Kmm));
 }
 
 static void add_direction(cli_buffer_t *text, const tf_direction_t *direction) {
-  cli_add_form(text, "      {\"eigenvalue\": %g, \"velocity\": [%g, %g, %g], ",
-               (double)direction->value, (double)direction->velocity.r,
-               (double)direction->velocity.v, (double)direction->velocity.w);
-  if (direction->sticks) {
-    cli_add_form(text, "\"lambda\": %g, \"sticks\": true}",
-                 (double)direction->lambda);
-  } else {
-    cli_add(text, "\"lambda\": null, \"sticks\": false}");
-  }
+  cli_add_json(
+      text, "      {'eigenvalue': %g, 'velocity': [%g, %g, %g], 'lambda': %g, ",
+      (double)direction->value, (double)direction->velocity.r,
+      (double)direction->velocity.v, (double)direction->velocity.w,
+      direction->sticks ? (double)direction->lambda : (double)NAN);
+  cli_add_json(text,
+               direction->sticks ? "'sticks': true}" : "'sticks': false}");
 }
 
 static void add_two_fold(cli_buffer_t *text, const tf_two_fold_t *at) {
-  static const char *const cases[] = {"null", "1", "2", "3"};
   const bool through_first = at->through.value > at->across.value;
   const tf_direction_t *first = through_first ? &at->through : &at->across;
   const tf_direction_t *second = through_first ? &at->across : &at->through;
-  cli_add_form(text,
-               "    {\n"
-               "      \"r\": %g, \"v\": %g, \"omega\": %g, \"g\": %g,\n"
+  cli_add_json(text,
+               "    {\n      'r': %g, 'v': %g, 'omega': %g, 'g': %g,\n"
                "      ",
                (double)at->point.r, (double)at->point.v, (double)at->point.w,
                (double)at->point.g);
   add_K(text, at, at->time_scale * at->time_scale);
-  cli_add_form(text,
-               ",\n"
-               "      \"J1\": %g, \"J2\": %g,\n"
-               "      \"eigenvalues\": [%g, %g],\n"
-               "      \"directions\": [\n  ",
+  cli_add_json(text,
+               ",\n      'J1': %g, 'J2': %g,\n"
+               "      'eigenvalues': [%g, %g],\n      'directions': [\n"
+               "  ",
                (double)at->J1, (double)at->J2, (double)first->value,
                (double)second->value);
   add_direction(text, first);
   cli_add(text, ",\n  ");
   add_direction(text, second);
-  cli_add_form(text,
-               "],\n"
-               "      \"type\": \"%s\", \"case\": %s,\n"
-               "      \"time_scale\": %g, \"residual\": %g,\n"
-               "      \"physical\": {",
-               tf_folds_name(at->type), cases[at->paper_case],
+  cli_add_json(text,
+               "],\n      'type': %s, 'case': %f,\n"
+               "      'time_scale': %g, 'residual': %g,\n      'physical': {",
+               tf_folds_name(at->type),
+               at->paper_case > 0 ? at->paper_case : (double)NAN,
                (double)at->time_scale, (double)at->residual);
   add_K(text, at, 1);
   cli_add(text, "}\n    }");
@@ -166,14 +159,11 @@ static int describe_all(cli_buffer_t *text) {
   const cli_setup_t *setup = &job.setup;
   tf_status_t status =
       tf_two_folds(&setup->machine, &setup->input, points, &count, &absence);
-  begin_json(FOLD_UNITS, text);
-  const bool absent = absence != TF_ABSENCE_NONE;
-  const char *quote = absent ? "\"" : "";
-  cli_add_form(text,
-               "  \"count\": %" PRIu64
-               ",\n  \"reason\": %s%s%s,\n  \"two_folds\": [",
-               (uint64_t)count, quote,
-               absent ? tf_absence_name(absence) : "null", quote);
+  begin_json(text);
+  cli_add_json(text,
+               FOLD_UNITS "  'count': %u,\n  'reason': %s,\n  'two_folds': [",
+               (unsigned)count,
+               absence != TF_ABSENCE_NONE ? tf_absence_name(absence) : NULL);
   for (int i = 0; i < count && status == TF_OK; i++) {
     tf_two_fold_t at;
     status = tf_normal_form(&setup->machine, &setup->input, &points[i], &at);
@@ -243,12 +233,12 @@ static int describe_design(cli_buffer_t *text) {
                          (tf_real_t)job.args->r.from,
                          (tf_real_t)job.args->omega.from, &design) != TF_OK)
     return refuse(&design);
-  begin_json(DESIGN_UNITS, text);
+  begin_json(text);
   const double kappa = (double)design.kappa, k2 = (double)design.k2;
-  cli_add_form(text,
-               "  \"kappa\": %g,\n  \"k2\": %g,\n"
-               "  \"set\": \"--set kappa=%g --set k2=%g\",\n"
-               "  \"two_fold\":\n",
+  cli_add_json(text,
+               "'kappa': 'm', 'k2': 'N/m', " FOLD_UNITS
+               "  'kappa': %g,\n  'k2': %g,\n"
+               "  'set': '--set kappa=%g --set k2=%g',\n  'two_fold':\n",
                kappa, k2, kappa, k2);
   add_two_fold(text, &design.two_fold);
   cli_add(text, "\n}\n");

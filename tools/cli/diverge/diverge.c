@@ -286,14 +286,12 @@ static void summarise_json(const work_t *work, double seconds, int code) {
   const cli_args_t *args = work->job->args;
   const cli_done_t *done = &work->sheets.done;
   cli_put_begin("diverge");
-  cli_put_word("scene", args->scene->name);
-  cli_put_word("by", mechanism_of(work));
-  cli_put_count("seed", args->seed);
-  cli_put_count("samples", work->sheets.total);
-  cli_put_count("done", done->done);
-  cli_put_count("cycles", done->count[CYCLES]);
+  cli_put("'scene': %s, 'by': %s, 'seed': %" PRIu64 ", 'samples': %" PRIu64
+          ", 'done': %" PRIu64 ", 'cycles': %" PRIu64 ", ",
+          args->scene->name, mechanism_of(work), args->seed, work->sheets.total,
+          done->done, done->count[CYCLES]);
   for (int i = 1; i < CLI_OUTCOMES; i++)
-    cli_put_count(outcomes[i], done->count[i]);
+    cli_put("%s: %" PRIu64 ", ", outcomes[i], done->count[i]);
   cli_put_end(cycles_of(work), seconds, code);
 }
 

@@ -174,11 +174,10 @@ int cli_exhaustive(const cli_job_t *job, cli_sheets_t *sheets) {
   code = cli_sheets_close(sheets, code);
   if (job->args->summary != 0) {
     cli_put_begin("diverge --exhaustive");
-    cli_put_word("scene", job->setup.scene->name);
-    cli_put_count("nodes", search.used);
-    cli_put_count("branches", search.branches);
-    cli_put_count("joined", search.joined);
-    cli_put_count("dropped", search.dropped);
+    cli_put("'scene': %s, 'nodes': %" PRIu64 ", 'branches': %" PRIu64
+            ", 'joined': %" PRIu64 ", 'dropped': %" PRIu64 ", ",
+            job->setup.scene->name, search.used, search.branches, search.joined,
+            search.dropped);
     cli_put_end((double)search.visited, cli_now() - sheets->progress.started,
                 code);
   } else {

@@ -328,79 +328,69 @@ static void print_summary(const cli_receiver_t *receiver) {
 
 static void put_sender(const cli_receiver_t *receiver) {
   if (!receiver->has_schema) {
-    cli_put_double("sender", (double)NAN);
+    cli_put("'sender': null, ");
     return;
   }
-  cli_put_word("sender", receiver->build);
-  cli_put_word("scene", receiver->scene);
-  cli_put_word("number", receiver->is_float ? "float" : "double");
-  cli_put_hash("parameters", receiver->hash);
-  cli_put_double("dt", receiver->dt);
+  cli_put(
+      "'sender': %s, 'scene': %s, 'number': %s, 'parameters': %x, "
+      "'dt': %f, ",
+      receiver->build, receiver->scene, receiver->is_float ? "float" : "double",
+      receiver->hash, receiver->dt);
 }
 
 static void put_counts(const cli_receiver_t *receiver) {
   const tf_decoder_t *decoder = &receiver->decoder;
-  cli_put_count("bytes", receiver->bytes);
-  cli_put_count("frames", decoder->frames);
-  cli_put_count("rows", receiver->rows);
-  cli_put_count("unmatched", receiver->incomplete + receiver->has_state);
-  cli_put_count("unknown", receiver->unknown);
-  cli_put_count("lost", decoder->lost);
-  cli_put_count("broken", decoder->bad);
-  cli_put_count("too_long", decoder->too_long);
-  cli_put_count("other_version", decoder->bad_version);
-  cli_put_count("restarts", decoder->restarts);
-  cli_put_count("other_runs", receiver->other_runs);
-  cli_put_count("missing", cli_receiver_missing(receiver));
-  cli_put_count("not_finite", receiver->not_finite);
+  cli_put("'bytes': %" PRIu64 ", 'frames': %u, 'rows': %" PRIu64
+          ", 'unmatched': %" PRIu64 ", 'unknown': %" PRIu64
+          ", 'lost': %u, "
+          "'broken': %u, 'too_long': %u, 'other_version': %u, 'restarts': %u, "
+          "'other_runs': %" PRIu64 ", 'missing': %" PRIu64
+          ", 'not_finite': %" PRIu64 ", ",
+          receiver->bytes, decoder->frames, receiver->rows,
+          receiver->incomplete + receiver->has_state, receiver->unknown,
+          decoder->lost, decoder->bad, decoder->too_long, decoder->bad_version,
+          decoder->restarts, receiver->other_runs,
+          cli_receiver_missing(receiver), receiver->not_finite);
 }
 
 static void put_board(const cli_receiver_t *receiver) {
   const tf_heartbeat_t *beat = &receiver->heartbeat;
   if (!receiver->has_heartbeat) {
-    cli_put_double("board", (double)NAN);
+    cli_put("'board': null, ");
     return;
   }
-  cli_say("\"board\": {");
-  cli_put_count("steps", beat->steps);
-  cli_put_count("overruns", beat->overruns);
-  cli_put_count("skipped", beat->skipped);
-  cli_put_count("dropped", beat->dropped);
-  cli_put_count("broken", beat->bad);
-  cli_put_count("lost", beat->lost);
-  cli_put_count("ignored", beat->ignored);
-  cli_put_count("unread", beat->unread);
-  cli_put_count("superseded", beat->superseded);
-  cli_put_count("late", beat->late);
-  cli_put_count("expired", beat->expired);
-  cli_put_count("exec_min_ns", beat->exec_min);
-  cli_put_count("exec_mean_ns", beat->exec_mean);
-  cli_put_count("exec_max_ns", beat->exec_max);
-  cli_say("\"refused\": %" PRIu32 "}, ", beat->refused);
+  cli_put(
+      "'board': {'steps': %u, 'overruns': %u, 'skipped': %u, "
+      "'dropped': %u, 'broken': %u, 'lost': %u, 'ignored': %u, "
+      "'unread': %u, 'superseded': %u, 'late': %u, 'expired': %u, "
+      "'exec_min_ns': %u, 'exec_mean_ns': %u, 'exec_max_ns': %u, "
+      "'refused': %u}, ",
+      beat->steps, beat->overruns, beat->skipped, beat->dropped, beat->bad,
+      beat->lost, beat->ignored, beat->unread, beat->superseded, beat->late,
+      beat->expired, beat->exec_min, beat->exec_mean, beat->exec_max,
+      beat->refused);
 }
 
 static void put_last(const cli_receiver_t *receiver) {
   if (!receiver->has_schema || receiver->rows == 0) {
-    cli_put_double("last", (double)NAN);
+    cli_put("'last': null, ");
     return;
   }
-  cli_say("\"last\": {");
-  cli_put_count("step", receiver->tick);
+  cli_put("'last': {'step': %" PRIu64 ", ", receiver->tick);
   for (int i = 0; i < 3; i++) {
     static const char *const names[] = {"r", "v", "omega"};
-    cli_put_number(names[i], receiver->state[i], receiver->is_float);
-    cli_say(", ");
+    const double value = receiver->state[i];
+    char digits[CLI_REAL_ROOM] = "null";
+    if (isfinite(value)) (void)decimal_write(digits, value, receiver->is_float);
+    cli_say("\"%s\": %s, ", names[i], digits);
   }
-  cli_say("\"mode\": \"%s\"}, ", tf_mode_name(receiver->mode));
+  cli_put("'mode': %s}, ", tf_mode_name(receiver->mode));
 }
 
 static void put_summary(const cli_receiver_t *receiver, int code) {
   const tf_tally_t tally = cli_receiver_flagged(receiver);
-  cli_say("{");
-  cli_put_word("version", TF_VERSION);
-  cli_put_word("commit", cli_commit);
-  cli_put_word("command", "monitor");
-  cli_put_word("source", receiver->source);
+  cli_put("{'version': %s, 'commit': %s, 'command': 'monitor', 'source': %s, ",
+          TF_VERSION, cli_commit, receiver->source);
   put_sender(receiver);
   put_counts(receiver);
   put_board(receiver);

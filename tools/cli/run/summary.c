@@ -276,117 +276,97 @@ static void print_end(const cli_run_t *run) {
 // last one on standard error, so that notes and messages before it do no harm.
 
 static void put_request(const cli_run_t *run) {
-  const cli_setup_t now = cli_run_setup(run), *setup = &now;
+  const cli_setup_t setup = cli_run_setup(run);
   cli_put_begin("run");
-  cli_put_word("scene", setup->scene->name);
-  cli_put_hash("scene_hash", cli_scene_hash(run->setup));
-  cli_put_hash("parameters", tf_params_hash(&setup->params));
-  cli_put_word("law", tf_tyre_law_name(setup->params.law));
-  cli_put_word("rule", tf_rule_name(setup->params.rule));
-  cli_put_count("seed", setup->seed);
-  cli_put_word("scheme", motion_scheme_name(run->setup->scheme));
-  cli_put_real("dt", setup->machine.dt);
-  cli_put_count("first", run->first);
-  cli_put_count("steps", run->done);
-  cli_put_count("asked", run->steps);
-  cli_put_double("t", cli_run_time(run, run->done));
+  cli_put(
+      "'scene': %s, 'scene_hash': %x, 'parameters': %x, 'law': %s, 'rule': %s, "
+      "'seed': %u, 'scheme': %s, 'dt': %g, 'first': %" PRIu64
+      ", 'steps': %" PRIu64 ", 'asked': %" PRIu64 ", 't': %f, ",
+      setup.scene->name, cli_scene_hash(run->setup),
+      tf_params_hash(&setup.params), tf_tyre_law_name(setup.params.law),
+      tf_rule_name(setup.params.rule), setup.seed,
+      motion_scheme_name(run->setup->scheme), (double)setup.machine.dt,
+      run->first, run->done, run->steps, cli_run_time(run, run->done));
 }
 
 static void put_replay(const cli_run_t *run) {
   char changes[CHANGES_ROOM];
   if (!run->replays) return;
   (void)changes_of(run, changes);
-  cli_say("\"replay\": {");
-  cli_put_word("name", run->replay.session.name);
-  cli_put_count("commands", run->replay.commands);
-  cli_put_count("states", run->replay.states);
-  cli_put_hash("began_with", tf_params_hash(&run->setup->params));
-  cli_say("\"changes\": \"%s\"}, ", changes + strspn(changes, " "));
+  cli_put("'replay': {'name': %s, 'commands': %" PRIu64 ", 'states': %" PRIu64
+          ", 'began_with': %x, 'changes': %s}, ",
+          run->replay.session.name, run->replay.commands, run->replay.states,
+          tf_params_hash(&run->setup->params), changes + strspn(changes, " "));
 }
 
 static void put_held(const tf_simulation_t *simulation) {
   const tf_input_t *input = &simulation->input;
   if (simulation->source == TF_INPUT_SCENE) return;
-  cli_say("\"held\": {");
-  cli_put_word("source",
-               simulation->source == TF_INPUT_SAFE ? "safe" : "outside");
-  cli_put_count("deadman", simulation->deadman);
-  cli_put_count("left", simulation->left);
-  cli_put_real("omega0", input->omega0);
-  cli_put_real("r0", input->r0);
-  cli_put_real("force", input->force);
-  cli_put_real("torque", input->torque);
-  cli_put_number("alpha", (double)input->alpha,
-                 sizeof input->alpha == sizeof(float));
-  cli_say("}, ");
+  cli_put(
+      "'held': {'source': %s, 'deadman': %u, 'left': %u, 'omega0': %g, 'r0': "
+      "%g, 'force': %g, 'torque': %g, 'alpha': %g}, ",
+      simulation->source == TF_INPUT_SAFE ? "safe" : "outside",
+      simulation->deadman, simulation->left, (double)input->omega0,
+      (double)input->r0, (double)input->force, (double)input->torque,
+      (double)input->alpha);
 }
 
 static void put_table(const char *key, const cli_inputs_t *table) {
   if (table->count == 0) return;
-  cli_say("\"%s\": {", key);
-  cli_put_word("name", table->name);
-  cli_put_word("between", table->linear ? "linear" : "held");
-  cli_put_count("rows", table->count);
-  cli_put_count("first", table->first);
-  cli_put_count("last", table->last);
-  cli_put_count("passed", table->passed);
-  cli_put_count("within", table->within);
-  cli_put_count("jumps", table->jumps);
-  cli_put_real("t_first", table->rows[table->first].t);
-  cli_put_real("t_last", table->rows[table->last].t);
-  cli_put_hash("crc32", cli_inputs_hash(table));
-  cli_say("\"applied\": {");
+  cli_put(
+      "%s: {'name': %s, 'between': %s, 'rows': %zu, 'first': %zu, 'last': %zu, "
+      "'passed': %zu, 'within': %zu, 'jumps': %zu, 't_first': %g, 't_last': "
+      "%g, 'crc32': %x, 'applied': {",
+      key, table->name, table->linear ? "linear" : "held", table->count,
+      table->first, table->last, table->passed, table->within, table->jumps,
+      (double)table->rows[table->first].t, (double)table->rows[table->last].t,
+      cli_inputs_hash(table));
   const char *comma = "";
   for (size_t i = 0; i < CLI_INPUTS; i++) {
     if (table->given[i] && table->applied) {
-      char low[CLI_REAL_ROOM], high[CLI_REAL_ROOM];
-      (void)cli_write_real(low, table->low[i]);
-      (void)cli_write_real(high, table->high[i]);
-      cli_say("%s\"%s\": [%s, %s]", comma, cli_input_columns[i].name, low,
-              high);
+      cli_say("%s", comma);
+      cli_put("%s: [%g, %g]", cli_input_columns[i].name, (double)table->low[i],
+              (double)table->high[i]);
       comma = ", ";
     }
   }
-  cli_say("}}, ");
+  cli_put("}}, ");
 }
 
 static void put_quality(const cli_run_t *run) {
-  const tf_tally_t *tally = &run->tally;
+  const cli_events_t *events = &run->events;
+  const double none = (double)NAN, since = cli_run_time(run, run->tally.first);
   char set[CLI_SET_ROOM];
-  cli_put_count("ambiguous", run->events.ambiguous);
-  cli_put_double("ambiguous_since", run->events.ambiguous_since);
-  cli_put_word("ambiguous_set", cli_write_set(set, run->events.set));
-  cli_put_double("choices_at_start", run->events.choices_at_start);
-  cli_tally_put(tally);
-  cli_put_double("reserved_since", cli_tally_reserved(tally) > 0
-                                       ? cli_run_time(run, tally->first)
-                                       : (double)NAN);
-  cli_put_double("largest_h_in_stick", run->largest_h);
-  cli_put_double("largest_residual", run->largest_residual);
-  cli_put_double("largest_error", run->args->accuracy > 0
-                                      ? (double)run->drive.error
-                                      : (double)NAN);
+  cli_put(
+      "'ambiguous': %" PRIu64
+      ", 'ambiguous_since': %f, 'ambiguous_set': %s, 'choices_at_start': %f, ",
+      events->ambiguous, events->ambiguous_since,
+      cli_write_set(set, events->set), events->choices_at_start);
+  cli_tally_put(&run->tally);
+  cli_put(
+      "'reserved_since': %f, 'largest_h_in_stick': %f, 'largest_residual': %f, "
+      "'largest_error': %f, ",
+      cli_tally_reserved(&run->tally) > 0 ? since : none, run->largest_h,
+      run->largest_residual,
+      run->args->accuracy > 0 ? (double)run->drive.error : none);
 }
 
 static void put_events(const cli_events_t *events) {
   static const char *const names[CLI_EVENT_KINDS] = {
       "slip_to_stick", "stick_to_slip", "slip_to_slip", "pinned_to_stick",
       "codim2",        "two_fold",      "returned"};
-  cli_say("\"events\": {");
+  cli_put("'events': {");
   for (size_t i = 0; i < CLI_EVENT_KINDS; i++)
-    cli_put_count(names[i], events->counts[i]);
-  cli_say("\"list\": [");
+    cli_put("%s: %" PRIu64 ", ", names[i], events->counts[i]);
+  cli_put("'list': [");
   for (size_t i = 0; i < events->used; i++) {
     const cli_event_t *event = &events->list[i];
-    (void)fputs(i > 0 ? ", {" : "{", stderr);
-    cli_put_double("t", event->t);
-    cli_put_double("r", event->r);
-    cli_put_double("omega", event->omega);
-    cli_put_double("g", event->g);
-    cli_put_double("lambda", event->lambda);
-    cli_put_word("from", tf_mode_name(event->from));
-    cli_put_word("to", tf_mode_name(event->to));
-    cli_say("\"kinds\": [");
+    cli_say("%s", i > 0 ? ", " : "");
+    cli_put(
+        "{'t': %f, 'r': %f, 'omega': %f, 'g': %f, 'lambda': %f, 'from': %s, "
+        "'to': %s, 'kinds': [",
+        event->t, event->r, event->omega, event->g, event->lambda,
+        tf_mode_name(event->from), tf_mode_name(event->to));
     const char *comma = "";
     for (size_t kind = 0; kind < CLI_EVENT_KINDS; kind++) {
       if (((event->kinds >> kind) & 1u) != 0) {
@@ -394,21 +374,9 @@ static void put_events(const cli_events_t *events) {
         comma = ", ";
       }
     }
-    cli_say("]}");
+    cli_put("]}");
   }
-  cli_say("]}, ");
-}
-
-static void put_final(const cli_run_t *run) {
-  const tf_state_t *state = &run->system.state;
-  cli_say("\"final\": {");
-  cli_put_real("r", state->r);
-  cli_put_real("v", state->v);
-  cli_put_real("omega", state->w);
-  cli_put_real("phi", state->phi);
-  cli_put_real("h", run->system.report.slip.h);
-  cli_put_real("g", run->system.report.slip.g);
-  cli_say("\"mode\": \"%s\"}, ", tf_mode_name(state->mode));
+  cli_put("]}, ");
 }
 
 static void put_all(const cli_run_t *run, int code) {
@@ -417,6 +385,8 @@ static void put_all(const cli_run_t *run, int code) {
                                      [CLI_STEP_REFUSED] = "refused",
                                      [CLI_NOT_REPLAYED] = "not replayed",
                                      [CLI_NOT_WRITTEN] = "not written"};
+  const tf_state_t *state = &run->system.state;
+  const tf_slip_t slip = run->system.report.slip;
   put_request(run);
   put_table("profile", &run->drive.profile);
   put_table("inputs", &run->drive.table);
@@ -424,11 +394,13 @@ static void put_all(const cli_run_t *run, int code) {
   put_held(&run->replay.simulation);
   put_events(&run->events);
   put_quality(run);
-  put_final(run);
-  cli_put_double("output_seconds", run->output_seconds);
-  cli_put_count("late", run->late);
-  cli_put_double("latest", run->latest);
-  cli_put_word("end", ends[run->end]);
+  cli_put(
+      "'final': {'r': %g, 'v': %g, 'omega': %g, 'phi': %g, 'h': %g, 'g': %g, "
+      "'mode': %s}, 'output_seconds': %f, 'late': %" PRIu64
+      ", 'latest': %f, 'end': %s, ",
+      (double)state->r, (double)state->v, (double)state->w, (double)state->phi,
+      (double)slip.h, (double)slip.g, tf_mode_name(state->mode),
+      run->output_seconds, run->late, run->latest, ends[run->end]);
   cli_put_end((double)(run->done - run->first), run->seconds, code);
 }
 

@@ -102,14 +102,13 @@ static void summarise(const cli_sweep_t *sweep, double seconds) {
 
 static void summarise_json(const cli_sweep_t *sweep, double seconds, int code) {
   cli_put_begin("sweep");
-  cli_put_word("scene", sweep->args->scene->name);
-  cli_put_word("scheme", motion_scheme_name(sweep->scheme));
-  cli_put_count("points", sweep->sheets.total);
-  cli_put_count("kept", sweep->sheets.kept.done);
+  cli_put("'scene': %s, 'scheme': %s, 'points': %" PRIu64 ", 'kept': %" PRIu64
+          ", ",
+          sweep->args->scene->name, motion_scheme_name(sweep->scheme),
+          sweep->sheets.total, sweep->sheets.kept.done);
   for (int i = 0; i < CLI_POINT_ENDS; i++)
-    cli_put_count(cli_point_ends[i], sweep->ends[i]);
-  cli_put_count("together", sweep->together);
-  cli_put_count("jobs", sweep->jobs);
+    cli_put("%s: %" PRIu64 ", ", cli_point_ends[i], sweep->ends[i]);
+  cli_put("'together': %zu, 'jobs': %u, ", sweep->together, sweep->jobs);
   cli_put_end(done_of(&sweep->sheets), seconds, code);
 }
 

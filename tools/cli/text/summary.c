@@ -15,55 +15,6 @@ void cli_say(const char *format, ...) {
   va_end(arguments);
 }
 
-void cli_put_begin(const char *command) {
-  cli_be_quiet(false);
-  cli_say("{");
-  cli_put_word("version", TF_VERSION);
-  cli_put_word("commit", cli_commit);
-  cli_put_word("number", CLI_NUMBER_TYPE);
-  cli_put_word("command", command);
-}
-
-void cli_put_number(const char *key, double value, bool is_float) {
-  char text[CLI_REAL_ROOM] = "null";
-  if (isfinite(value)) (void)decimal_write(text, value, is_float);
-  cli_say("\"%s\": %s", key, text);
-}
-
-void cli_put_real(const char *key, tf_real_t value) {
-  cli_put_number(key, (double)value, sizeof value == sizeof(float));
-  cli_say(", ");
-}
-
-void cli_put_double(const char *key, double value) {
-  cli_put_number(key, value, false);
-  cli_say(", ");
-}
-
-void cli_put_count(const char *key, uint64_t value) {
-  cli_say("\"%s\": %" PRIu64 ", ", key, value);
-}
-
-void cli_put_hash(const char *key, uint32_t value) {
-  cli_say("\"%s\": \"%08" PRIx32 "\", ", key, value);
-}
-
-static bool ended;
-
-void cli_put_exit(int code) {
-  cli_say("\"exit\": %d}\n", code);
-  (void)fflush(stderr);
-  ended = true;
-}
-
-void cli_put_end(double done, double seconds, int code) {
-  cli_say("\"seconds\": %.9g, \"per_second\": %.6g, ", seconds,
-          seconds > 0 ? done / seconds : 0.0);
-  cli_put_exit(code);
-}
-
-bool cli_put_ended(void) { return ended; }
-
 // The length of the character that begins here; 0: it is not UTF-8.
 static size_t utf8_length(const char *text) {
   static const uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
@@ -83,23 +34,96 @@ static size_t utf8_length(const char *text) {
   return code >= least[length] && code <= 0x10FFFF && !surrogate ? length : 0;
 }
 
-void cli_put_word(const char *key, const char *text) {
-  cli_say("\"%s\": \"", key);
-  while (*text != '\0') {
-    const unsigned char byte = (unsigned char)*text;
-    const size_t length = utf8_length(text);
-    if (length == 0)
-      cli_say("\\ufffd");
-    else if (byte == '"' || byte == '\\')
-      cli_say("\\%c", byte);
-    else if (byte < ' ' || byte == 0x7F)
-      cli_say("\\u%04x", (unsigned)byte);
-    else
-      (void)fwrite(text, 1, length, stderr);
-    text += length > 0 ? length : 1;
+static void add_word(cli_buffer_t *text, const char *word) {
+  cli_add(text, "\"");
+  for (size_t length; *word != '\0'; word += length > 0 ? length : 1) {
+    const unsigned char byte = (unsigned char)*word;
+    char out[8] = "\\ufffd";
+    length = utf8_length(word);
+    if (byte == '"' || byte == '\\')
+      (void)snprintf(out, sizeof out, "\\%c", byte);
+    else if (length > 0 && (byte < ' ' || byte == 0x7F))
+      (void)snprintf(out, sizeof out, "\\u%04x", (unsigned)byte);
+    else if (length > 0)
+      (void)snprintf(out, sizeof out, "%.*s", (int)length, word);
+    cli_add(text, out);
   }
-  cli_say("\", ");
+  cli_add(text, "\"");
 }
+
+static void add_finite(cli_buffer_t *text, double value, bool is_float) {
+  if (isfinite(value))
+    cli_add_number(text, value, is_float);
+  else
+    cli_add(text, "null");
+}
+
+static void add_json(cli_buffer_t *text, const char *form, va_list given) {
+  for (; *form != '\0'; form++) {
+    const char plain[] = {*form == '\'' ? '"' : *form, '\0'};
+    const char *word = NULL, size = form[1];
+    if (*form != '%') {
+      cli_add(text, plain);
+      continue;
+    }
+    form += 1 + strspn(form + 1, "lz");
+    if (*form == 's' && (word = va_arg(given, const char *)) != NULL) {
+      add_word(text, word);
+    } else if (*form == 's') {
+      cli_add(text, "null");
+    } else if (*form == 'x') {
+      cli_add(text, "\"");
+      cli_add_hash(text, va_arg(given, uint32_t));
+      cli_add(text, "\"");
+    } else if (*form == 'u') {
+      cli_add_count(text, size == 'l'   ? va_arg(given, uint64_t)
+                          : size == 'z' ? va_arg(given, size_t)
+                                        : va_arg(given, uint32_t));
+    } else {
+      add_finite(text, va_arg(given, double),
+                 *form == 'g' && sizeof(tf_real_t) == sizeof(float));
+    }
+  }
+}
+
+void cli_add_json(cli_buffer_t *text, const char *form, ...) {
+  va_list given;
+  va_start(given, form);
+  add_json(text, form, given);
+  va_end(given);
+}
+
+void cli_put(const char *form, ...) {
+  static char room[65536];
+  cli_buffer_t text = {room, 0, sizeof room, false};
+  va_list given;
+  va_start(given, form);
+  add_json(&text, form, given);
+  va_end(given);
+  cli_say("%s", room);
+}
+
+void cli_put_begin(const char *command) {
+  cli_be_quiet(false);
+  cli_put("{'version': %s, 'commit': %s, 'number': %s, 'command': %s, ",
+          TF_VERSION, cli_commit, CLI_NUMBER_TYPE, command);
+}
+
+static bool ended;
+
+void cli_put_exit(int code) {
+  cli_say("\"exit\": %d}\n", code);
+  (void)fflush(stderr);
+  ended = true;
+}
+
+void cli_put_end(double done, double seconds, int code) {
+  cli_say("\"seconds\": %.9g, \"per_second\": %.6g, ", seconds,
+          seconds > 0 ? done / seconds : 0.0);
+  cli_put_exit(code);
+}
+
+bool cli_put_ended(void) { return ended; }
 
 // The steps that were not TF_OK, in words and as an exit code. A step that fell
 // back on another scheme keeps its promise, so it is reported and does not
@@ -110,10 +134,9 @@ uint64_t cli_tally_reserved(const tf_tally_t *tally) {
 }
 
 void cli_tally_put(const tf_tally_t *tally) {
-  cli_put_count("degraded", tally->degraded);
-  cli_put_count("coarse", tally->coarse);
-  cli_put_count("stalled", tally->stalled);
-  cli_put_count("fell_back", tally->fell_back);
+  cli_put("'degraded': %" PRIu64 ", 'coarse': %" PRIu64 ", 'stalled': %" PRIu64
+          ", 'fell_back': %" PRIu64 ", ",
+          tally->degraded, tally->coarse, tally->stalled, tally->fell_back);
 }
 
 void cli_tally_print(const tf_tally_t *tally, const char *since, double t) {

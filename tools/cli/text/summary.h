@@ -12,23 +12,15 @@ void cli_say(const char *format, ...) CLI_PRINTF(1, 2);
 /// command.
 void cli_put_begin(const char *command);
 
-/// A number without a comma after it, in the digits of a float (is_float) or of
-/// a double; null where it is not finite.
-void cli_put_number(const char *key, double value, bool is_float);
+/// Appends JSON by a form, in which ' stands for ", %s for a text in quotes
+/// (it may be one from outside: the path of a file, what a board says of
+/// itself), %g for a number of the real type of this program, %f for a double,
+/// %x for 32 bits as eight hexadecimal digits in quotes, %u, %zu and PRIu64 for
+/// counts. NULL and what is not finite are null. There is nothing else.
+void cli_add_json(cli_buffer_t *text, const char *form, ...) CLI_PRINTF(2, 3);
 
-/// The same with a comma: of the number type of this program, or a double; NAN
-/// is what is not known.
-void cli_put_real(const char *key, tf_real_t value);
-void cli_put_double(const char *key, double value);
-
-void cli_put_count(const char *key, uint64_t value);
-
-/// 32 bits as eight hexadecimal digits in quotes.
-void cli_put_hash(const char *key, uint32_t value);
-
-/// A text, which may be one from outside: the path of a file, what a board says
-/// of itself.
-void cli_put_word(const char *key, const char *text);
+/// The same on standard error.
+void cli_put(const char *form, ...) CLI_PRINTF(1, 2);
 
 /// The member by which every summary ends, the brace and a newline.
 /// code: in, the exit code.
