@@ -113,7 +113,9 @@ static void take_block(monitor_t *monitor, size_t length) {
     cli_live_note(monitor->live, &row);
     if (as != NULL && as->row != NULL) {
       begin_rows(monitor);
-      (void)cli_output_lines(&monitor->output, line, as->row(&row, line));
+      cli_buffer_t text = {line, 0, sizeof line, false};
+      as->row(&row, &text);
+      (void)cli_output_lines(&monitor->output, line, text.used);
     }
   }
 }

@@ -16,63 +16,52 @@ static void add(cli_buffer_t *text, const cli_csv_t *row, size_t i) {
   cli_add_number(text, row->column[i], row->is_float);
 }
 
-static size_t csv(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
-  cli_buffer_t text = {out, 0, CLI_ROW_ROOM, false};
-  for (size_t i = 0; i < CLI_CSV_COLUMNS; i++) {
-    add(&text, row, i);
-    cli_add(&text, ",");
-  }
+static void csv(const cli_csv_t *row, cli_buffer_t *text) {
   char set[CLI_SET_ROOM];
-  cli_add_form(&text, "%s,%" PRIu64 ",%s\n", tf_mode_name(row->mode),
-               (uint64_t)row->choices, cli_write_set(set, row->set));
-  return text.used;
-}
-
-static size_t plotter(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
-  cli_buffer_t text = {out, 0, CLI_ROW_ROOM, false};
-  for (size_t i = 1; i < PLOTTED; i++) {
-    cli_add_form(&text, "%s:", cli_csv_columns[i].name);
-    add(&text, row, i);
-    cli_add(&text, " ");
+  for (size_t i = 0; i < CLI_CSV_COLUMNS; i++) {
+    add(text, row, i);
+    cli_add(text, ",");
   }
-  cli_add_form(&text, "mode:%" PRIu64 " choices:%" PRIu64 " set:%" PRIu64 "\n",
-               (uint64_t)row->mode, (uint64_t)row->choices, (uint64_t)row->set);
-  return text.used;
+  cli_add_form(text, "%s,%u,%s\n", tf_mode_name(row->mode), row->choices,
+               cli_write_set(set, row->set));
 }
 
-static size_t teleplot(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
-  cli_buffer_t text = {out, 0, CLI_ROW_ROOM, false};
+static void plotter(const cli_csv_t *row, cli_buffer_t *text) {
+  for (size_t i = 1; i < PLOTTED; i++) {
+    cli_add_form(text, "%s:", cli_csv_columns[i].name);
+    add(text, row, i);
+    cli_add(text, " ");
+  }
+  cli_add_form(text, "mode:%u choices:%u set:%u\n", row->mode, row->choices,
+               row->set);
+}
+
+static void teleplot(const cli_csv_t *row, cli_buffer_t *text) {
   char room[CLI_REAL_ROOM];
   const double ms = row->column[0] * 1000;
-  cli_buffer_t at = {room, 0, sizeof room, false};
-  cli_add_number(&at, row->is_float ? (double)(float)ms : ms, row->is_float);
+  (void)decimal_write(room, row->is_float ? (double)(float)ms : ms,
+                      row->is_float);
   for (size_t i = 1; i < CLI_CSV_COLUMNS; i++) {
-    cli_add_form(&text, "%s:%s:", cli_csv_columns[i].name, room);
-    add(&text, row, i);
+    cli_add_form(text, "%s:%s:", cli_csv_columns[i].name, room);
+    add(text, row, i);
     // The section sign stands before the unit.
-    cli_add_form(&text, "\xC2\xA7%s|g\n", cli_csv_columns[i].unit);
+    cli_add_form(text, "\xC2\xA7%s|g\n", cli_csv_columns[i].unit);
   }
-  cli_add_form(&text, "mode:%s:%s|t\nchoices:%s:%" PRIu64 "|g\n", room,
-               tf_mode_name(row->mode), room, (uint64_t)row->choices);
-  cli_add_form(&text, "set:%s:%" PRIu64 "|g\n", room, (uint64_t)row->set);
-  return text.used;
+  cli_add_form(text, "mode:%s:%s|t\nchoices:%s:%u|g\nset:%s:%u|g\n", room,
+               tf_mode_name(row->mode), room, row->choices, room, row->set);
 }
 
-static size_t json(const cli_csv_t *row, char out[CLI_ROW_ROOM]) {
-  cli_buffer_t text = {out, 0, CLI_ROW_ROOM, false};
+static void json(const cli_csv_t *row, cli_buffer_t *text) {
   for (size_t i = 0; i < CLI_CSV_COLUMNS; i++) {
-    cli_add_form(&text, "%s\"%s\":", i == 0 ? "{" : ",",
+    cli_add_form(text, "%s\"%s\":", i == 0 ? "{" : ",",
                  i == 0 ? "timestamp" : cli_csv_columns[i].name);
     if (isfinite(row->column[i]))
-      add(&text, row, i);
+      add(text, row, i);
     else
-      cli_add(&text, "null"); // JSON has no other word for it
+      cli_add(text, "null"); // JSON has no other word for it
   }
-  cli_add_form(&text,
-               ",\"mode\":%" PRIu64 ",\"choices\":%" PRIu64 ",\"set\":%" PRIu64
-               "}\n",
-               (uint64_t)row->mode, (uint64_t)row->choices, (uint64_t)row->set);
-  return text.used;
+  cli_add_form(text, ",\"mode\":%u,\"choices\":%u,\"set\":%u}\n", row->mode,
+               row->choices, row->set);
 }
 
 const cli_stream_t cli_streams[CLI_FORMATS] = {

@@ -46,8 +46,8 @@ typedef struct {
 /// The form of a row. The modes are numbers where the tool draws numbers only.
 typedef struct {
   const char *header; ///< the first line, may be empty
-  /// Writes a row with its newlines.
-  size_t (*row)(const cli_csv_t *row, char out[CLI_ROW_ROOM]);
+  /// Appends a row with its newlines.
+  void (*row)(const cli_csv_t *row, cli_buffer_t *text);
 } cli_stream_t;
 
 /// By cli_format_t; frames are no text, and have none.

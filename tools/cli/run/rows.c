@@ -201,7 +201,8 @@ void cli_rows_add(cli_run_t *run) {
   const double started = cli_now();
   const tf_real_t t = (tf_real_t)cli_run_time(run, run->system.state.tick);
   const cli_csv_t row = cli_row(t, &run->system.state, &run->system.report);
-  char text[CLI_ROW_ROOM];
+  char line[CLI_ROW_ROOM];
+  cli_buffer_t text = {line, 0, sizeof line, false};
   run->written = run->done;
   if (run->rowless) return;
   if (run->glance)
@@ -209,7 +210,8 @@ void cli_rows_add(cli_run_t *run) {
   else if (run->args->format == CLI_FORMAT_FRAMES)
     put_state(run);
   else
-    put(run, text, cli_streams[run->args->format].row(&row, text));
+    cli_streams[run->args->format].row(&row, &text);
+  put(run, line, text.used);
   run->output_seconds += cli_now() - started;
 }
 

@@ -93,7 +93,7 @@ static size_t changes_of(const cli_run_t *run, char out[CHANGES_ROOM]) {
   const bool draws = now.params.rule == TF_RULE_RANDOM;
   if (was->rule != now.params.rule || (draws && run->setup->seed != now.seed)) {
     cli_add_form(&text, " --select %s", tf_rule_name(now.params.rule));
-    if (draws) cli_add_form(&text, ":%" PRIu64, (uint64_t)now.seed);
+    if (draws) cli_add_form(&text, ":%u", now.seed);
   }
   return text.used;
 }

@@ -28,13 +28,15 @@ void cli_add_form(cli_buffer_t *buffer, const char *form, ...) {
     add_bytes(buffer, form, plain);
     form += plain;
     if (*form == '\0') break;
-    form += strspn(form, "%l"); // of a count: the length of its type
+    const bool is_long = form[1] == 'l'; // of a count: the length of its type
+    form += strspn(form, "%l");
     if (*form == 's')
       cli_add(buffer, va_arg(arguments, const char *));
     else if (*form == 'g')
       cli_add_real(buffer, (tf_real_t)va_arg(arguments, double));
     else
-      cli_add_count(buffer, va_arg(arguments, uint64_t));
+      cli_add_count(buffer, is_long ? va_arg(arguments, uint64_t)
+                                    : va_arg(arguments, unsigned));
     form++;
   }
   va_end(arguments);

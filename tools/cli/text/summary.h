@@ -16,7 +16,7 @@ void cli_put_begin(const char *command);
 /// (it may be one from outside: the path of a file, what a board says of
 /// itself), %g for a number of the real type of this program, %f for a double,
 /// %x for 32 bits as eight hexadecimal digits in quotes, %u, %zu and PRIu64 for
-/// counts. NULL and what is not finite are null. There is nothing else.
+/// counts. NULL and what is not finite are null. There are no others.
 void cli_add_json(cli_buffer_t *text, const char *form, ...) CLI_PRINTF(2, 3);
 
 /// The same on standard error.

@@ -162,7 +162,7 @@ typedef struct {
 void cli_add(cli_buffer_t *buffer, const char *text);
 
 /// Appends a form, in which %s stands for a text, %g for a number of the real
-/// type of this program, PRIu64 for a count. There are no other conversions.
+/// type of this program, PRIu64 and %u for counts. There are no others.
 void cli_add_form(cli_buffer_t *buffer, const char *form, ...) CLI_PRINTF(2, 3);
 
 void cli_add_real(cli_buffer_t *buffer, tf_real_t value);
