@@ -89,9 +89,8 @@ static int check_design(void) {
                    (double)k->cos_gamma);
 }
 
-// The commands that write two-folds as JSON. The core only returns two-folds
-// whose numbers are all finite. K, J1, J2 and the eigenvalues are in the paper's
-// time, the other units are these.
+// The commands that write two-folds as JSON. All numbers of one are finite. K,
+// J1, J2 and the eigenvalues are in the paper's time, others in these units.
 #define FOLD_UNITS                                                      \
   "'r': 'm', 'v': 'm/s', 'omega': 'rad/s', 'g': 'm/s', 'lambda': 'N', " \
   "'time_scale': 'kg m^2', 'physical': 'm/s^3'},\n"
