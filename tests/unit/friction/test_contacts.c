@@ -1,11 +1,9 @@
-/* Several contacts: one as contact.h has it, contacts that do not touch each
- * other, the order of contacts, redundant ones, forces, bounds of the room. */
+/* Several contacts: one as contact.h has it, redundant ones, the choice, bounds of
+ * the room. Their modes and forces: test_joint.c. */
 #include "common.h"
 #include "twofold/contacts.h"
 
 #define ROOM 640
-#define X_OF(i) ((size_t)2 * (i))
-#define Y_OF(i) ((size_t)2 * (i) + 1)
 #define NUMBERS ((size_t)2 * TF_CONTACTS * TF_TERMS(TF_CONTACTS))
 
 /* Forms of n contacts; slips before the step, modes before it. */
@@ -58,17 +56,6 @@ static unsigned modes_of(const mechanism_t *k, tf_joint_mode_t found[]) {
   return count;
 }
 
-static real value(const mechanism_t *k, unsigned f, const real m[]) {
-  const tf_real_t *c = k->forms + (size_t)f * TF_TERMS(k->n);
-  real sum = wide(c[0]);
-  for (unsigned j = 0; j < 2 * k->n; j++) {
-    sum += wide(c[1 + j]) * m[j];
-    for (unsigned i = 0; i <= j; i++)
-      sum += wide(c[product(k->n, i, j)]) * m[i] * m[j];
-  }
-  return sum;
-}
-
 TEST(one_contact_is_that_of_contact_h) {
   for (unsigned draw = 0; draw < 20000; draw++) {
     mechanism_t k = any_mechanism(1, 0.1, draw % 2 ? 1 : 8);
@@ -99,119 +86,6 @@ TEST(one_contact_is_that_of_contact_h) {
     const unsigned joint =
         tf_contacts_choose(1, k.contact, found, count, k.before, draw, 5);
     CHECK(one == (joint < count ? found[joint].mode[0] : TF_NO_MODE));
-  }
-}
-
-/* Contacts that do not touch each other have the product of their modes. */
-TEST(apart_contacts_have_the_product_of_their_sets) {
-  for (unsigned draw = 0; draw < 4000; draw++) {
-    mechanism_t k = any_mechanism(2 + draw % 2, draw % 3 ? 0 : 0.05, 1);
-    tf_joint_mode_t found[ROOM];
-    unsigned expected = 1;
-    for (unsigned f = 0; f < 2 * k.n; f++) {
-      mechanism_t one = {.n = 1, .contact = {k.contact[f / 2]}};
-      one.now[0] = k.now[f / 2];
-      for (unsigned j = 0; j < 2 * k.n; j++) {
-        if (j / 2 != f / 2) form(&k, f)[1 + j] = 0;
-        for (unsigned i = 0; i <= j; i++)
-          if (i / 2 != f / 2 || j / 2 != f / 2)
-            form(&k, f)[product(k.n, i, j)] = 0;
-      }
-      if (f % 2 == 0) continue;
-      for (unsigned g = 0; g < 2; g++) {
-        const tf_real_t *from = form(&k, f - 1 + g);
-        tf_real_t *to = form(&one, g);
-        to[0] = from[0];
-        for (unsigned j = 0; j < 2; j++) {
-          to[1 + j] = from[1 + f - 1 + j];
-          for (unsigned i = 0; i <= j; i++)
-            to[product(1, i, j)] = from[product(k.n, f - 1 + i, f - 1 + j)];
-        }
-      }
-      expected *= modes_of(&one, found);
-    }
-    CHECK(modes_of(&k, found) == expected);
-  }
-}
-
-/* The contacts in another order, and their multipliers. */
-static mechanism_t turned(const mechanism_t *k) {
-  mechanism_t t = {.n = k->n};
-  const unsigned n = k->n;
-  for (unsigned i = 0; i < n; i++) {
-    const unsigned from = (i + 1) % n;
-    t.contact[i] = k->contact[from];
-    t.now[i] = k->now[from];
-    for (unsigned f = 0; f < 2; f++) {
-      const tf_real_t *old = k->forms + (size_t)(2 * from + f) * TF_TERMS(n);
-      tf_real_t *new = form(&t, 2 * i + f);
-      new[0] = old[0];
-      for (unsigned a = 0; a < 2 * n; a++) {
-        new[1 + a] = old[1 + (a + 2) % (2 * n)];
-        for (unsigned b = a; b < 2 * n; b++)
-          new[product(n, a, b)] =
-              old[product(n, (a + 2) % (2 * n), (b + 2) % (2 * n))];
-      }
-    }
-  }
-  return t;
-}
-
-TEST(order_of_contacts_does_not_matter) {
-  unsigned several = 0;
-  for (unsigned draw = 0; draw < 2000; draw++) {
-    const mechanism_t k = any_mechanism(2 + draw % 2, draw % 3 ? 0 : 0.01, 1);
-    const mechanism_t t = turned(&k);
-    tf_joint_mode_t found[ROOM], other[ROOM];
-    const unsigned count = modes_of(&k, found);
-    CHECK(modes_of(&t, other) == count);
-    several += count > 1;
-    for (unsigned j = 0; j < count; j++) {
-      unsigned same = 0;
-      for (unsigned l = 0; l < count; l++) {
-        unsigned equal = 0;
-        for (unsigned i = 0; i < k.n; i++)
-          equal += other[l].mode[i] == found[j].mode[(i + 1) % k.n];
-        same += equal == k.n;
-      }
-      CHECK(same == 1);
-    }
-  }
-  CHECK(several > 500);
-}
-
-/* Under the hull there is always a joint mode; each holds, and so do its
- * forces under the law of slip. */
-TEST(joint_modes_hold) {
-  for (unsigned draw = 0; draw < 3000; draw++) {
-    const mechanism_t k = any_mechanism(2 + draw % 2, 0.01, draw % 4 ? 1 : 8);
-    tf_joint_mode_t found[ROOM];
-    const unsigned count = modes_of(&k, found);
-    CHECK(count > 0);
-    for (unsigned j = 0; j < count; j++) {
-      tf_force_t force[TF_CONTACTS];
-      real m[2 * TF_CONTACTS], by_law[2 * TF_CONTACTS];
-      CHECK(tf_contacts_force(k.n, k.contact, k.forms, &found[j], k.now,
-                              force) == TF_OK);
-      for (unsigned i = 0; i < k.n; i++) {
-        m[X_OF(i)] = wide(found[j].x[i]);
-        m[Y_OF(i)] = wide(found[j].y[i]);
-        by_law[X_OF(i)] = wide(force[i].F * k.contact[i].inv_mu);
-        by_law[Y_OF(i)] = wide(force[i].M * k.contact[i].inv_kappa_mu);
-      }
-      for (unsigned i = 0; i < k.n; i++) {
-        const unsigned mode = found[j].mode[i];
-        const real h = value(&k, 2 * i, m), law = value(&k, 2 * i, by_law);
-        if (tf_mode_is_slip(mode)) {
-          CHECK(mode == TF_SLIP_PLUS ? h > -400 * EPSILON : h < 400 * EPSILON);
-          CHECK(mode == TF_SLIP_PLUS ? law > -400 * EPSILON
-                                     : law < 400 * EPSILON);
-        } else {
-          CHECK(fabsl(h) < 4000 * EPSILON && fabsl(law) < 4000 * EPSILON);
-          CHECK(fabsl(m[X_OF(i)]) <= 4.0L / 3);
-        }
-      }
-    }
   }
 }
 
