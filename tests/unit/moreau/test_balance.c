@@ -3,7 +3,7 @@
 #include "../../../src/moreau/balance.h"
 #include "../../../src/moreau/scheme.h"
 #include "codim2_field.h"
-#include "reference.h"
+#include "scheme.h"
 #include "sim.h"
 
 static real energy_of(const ref_machine_t *q, end_state_t x) {
@@ -301,55 +301,41 @@ typedef struct {
   real r, v, w;
 } wide_end_t;
 
-/* What one step has been given: the machine, inputs, start and force. */
+/* One step: its machine, how it starts and the force that it reports. */
 typedef struct {
+  scheme_step_t at;
   ref_machine_t q;
-  real th, dt, force, torque, r, v, w, F, M;
+  real k, force, torque; /* k: theta dt */
+  ref_force_t by;
 } step_of_t;
 
 static step_of_t step_of(const sim_t *s, const tf_state_t *x) {
-  step_of_t a = {.q = {PARAMETERS_OF(real, &s->params)},
-                 .th = wide(s->params.theta),
-                 .dt = wide(s->params.dt),
+  const real from[3] = {wide(x->r), wide(x->v), wide(x->w)};
+  step_of_t a = {.at = scheme_step(&s->params, &s->u, from),
+                 .q = reference_of(&s->params, &s->u),
                  .force = wide(s->u.force),
                  .torque = wide(s->u.torque),
-                 .r = wide(x->r),
-                 .v = wide(x->v),
-                 .w = wide(x->w),
-                 .F = wide(s->report.force.F),
-                 .M = wide(s->report.force.M)};
-  ref_prepare(&a.q);
+                 .by = {wide(s->report.force.F), wide(s->report.force.M)}};
+  a.k = a.at.theta * a.at.dt;
   return a;
 }
 
-/* (1) to (7), as DESIGN.md has them. */
 static wide_end_t by_6(const step_of_t *a) {
-  const ref_machine_t *q = &a->q;
-  const real k = a->th * a->dt, r = a->r + k * a->v,
-             e = 2 * k * q->m * r * a->w;
-  const real Q_r = q->k2 * (q->r0 - r) - q->c2 * a->v + q->m * r * a->w * a->w +
-                   a->force + a->F * q->sine;
-  const real Q_phi = a->torque - q->c1 * a->w - 2 * q->m * r * a->v * a->w +
-                     a->F * (r * q->cosine - q->d * q->sine) + a->M;
-  const real J =
-      q->m * (q->beta * q->beta + r * r) + k * (q->c1 + 2 * q->m * r * a->v);
-  const real S[2][2] = {{q->m + k * (k * q->k2 + q->c2), -(q->m * q->d + e)},
-                        {-(q->m * q->d - e), J + q->m * q->d * q->d}};
-  const real det = S[0][0] * S[1][1] - S[0][1] * S[1][0];
-  const real dv = a->dt * (S[1][1] * Q_r - S[0][1] * Q_phi) / det;
-  const real dw = a->dt * (S[0][0] * Q_phi - S[1][0] * Q_r) / det;
-  return (wide_end_t){a->r + a->dt * (a->v + a->th * dv), a->v + dv, a->w + dw};
+  real end[3];
+  scheme_end(&a->at, a->by.F, a->by.M, end);
+  return (wide_end_t){end[0], end[1], end[2]};
 }
 
 /* (18) with its matrix held at (r, w, R), solved for (s, P, u) at the theta
  * point as three equations. */
 static wide_end_t by_18_about(const step_of_t *a, real r, real w, real R) {
   const ref_machine_t *q = &a->q;
-  const real k = a->th * a->dt, km = k / q->m, j = q->d / R;
-  const real G = q->m * r * w / R, b = a->force + a->F * q->sine;
-  const real c = a->torque + a->F * (r * q->cosine - q->d * q->sine) + a->M;
-  const real from[3] = {a->r - q->r0, a->v - q->d * a->w,
-                        hypotl(q->beta, a->r) * a->w};
+  const real *x = a->at.x, F = a->by.F;
+  const real k = a->k, km = k / q->m, j = q->d / R;
+  const real G = q->m * r * w / R, b = a->force + F * q->sine;
+  const real c = a->torque + F * (r * q->cosine - q->d * q->sine) + a->by.M;
+  const real from[3] = {x[0] - q->r0, x[1] - q->d * x[2],
+                        hypotl(q->beta, x[0]) * x[2]};
   real A[3][4] = {
       {1, -k, -k * j, from[0]},
       {km * q->k2, 1 + km * q->c2, km * (q->c2 * j - G), from[1] + km * b},
@@ -365,33 +351,32 @@ static wide_end_t by_18_about(const step_of_t *a, real r, real w, real R) {
     for (int m = i + 1; m < 3; m++) to[i] -= A[i][m] * to[m];
     to[i] /= A[i][i];
   }
-  for (int i = 0; i < 3; i++) to[i] = from[i] + (to[i] - from[i]) / a->th;
+  for (int i = 0; i < 3; i++) to[i] = from[i] + (to[i] - from[i]) / a->at.theta;
   const real end_r = to[0] + q->r0, end_w = to[2] / hypotl(q->beta, end_r);
   return (wide_end_t){end_r, to[1] + q->d * end_w, end_w};
 }
 
 static wide_end_t by_18(const step_of_t *a) {
-  const real before = hypotl(a->q.beta, a->r),
-             first = a->r + a->th * a->dt * a->v;
-  wide_end_t end = by_18_about(a, first, a->w, hypotl(a->q.beta, first));
+  const real *x = a->at.x, th = a->at.theta, first = a->at.r_t;
+  const real R0 = (1 - th) * hypotl(a->q.beta, x[0]);
+  wide_end_t end = by_18_about(a, first, x[2], hypotl(a->q.beta, first));
   for (int i = 0; i < 2; i++) {
-    const real R0 = (1 - a->th) * before;
-    const real R1 = a->th * hypotl(a->q.beta, end.r);
-    end = by_18_about(a, (1 - a->th) * a->r + a->th * end.r,
-                      (R0 * a->w + R1 * end.w) / (R0 + R1), R0 + R1);
+    const real R1 = th * hypotl(a->q.beta, end.r);
+    end = by_18_about(a, (1 - th) * x[0] + th * end.r,
+                      (R0 * x[2] + R1 * end.w) / (R0 + R1), R0 + R1);
   }
   return end;
 }
 
 /* As a share of the velocities, but for what rounding does to r/dt. */
-static bool leads_to(const step_of_t *a, wide_end_t end, const tf_state_t *x) {
-  const real R = hypotl(a->q.beta, wide(x->r)), d = a->q.d;
-  const real v = wide(x->v), w = wide(x->w);
+static bool leads_to(const step_of_t *a, wide_end_t end, const tf_state_t *to) {
+  const real R = hypotl(a->q.beta, wide(to->r)), d = a->q.d, *x = a->at.x;
+  const real v = wide(to->v), w = wide(to->w);
   const real size =
-      fabsl(a->v - d * a->w) + fabsl(v - d * w) + R * (fabsl(a->w) + fabsl(w));
+      fabsl(x[1] - d * x[2]) + fabsl(v - d * w) + R * (fabsl(x[2]) + fabsl(w));
   const real off = fabsl(v - end.v - d * (w - end.w)) + R * fabsl(w - end.w) +
-                   fabsl(wide(x->r) - end.r) / a->dt;
-  return off <= 1e-9L * size + 4 * EPSILON * fabsl(wide(x->r)) / a->dt;
+                   fabsl(wide(to->r) - end.r) / a->at.dt;
+  return off <= 1e-9L * size + 4 * EPSILON * fabsl(wide(to->r)) / a->at.dt;
 }
 
 /* Machines, springs, loads and turntables of all kinds; none is so light that
@@ -433,7 +418,7 @@ TEST(reported_force_leads_to_the_end) {
       const bool linear = leads_to(&a, by_6(&a), &s.x);
       const bool is_stiff = 0x1p13L * wide(s.k.a) >= a.q.m;
       const bool goes_on =
-          a.F == 0 || (x.mode == s.x.mode && x.mode <= TF_SLIP_MINUS);
+          a.by.F == 0 || (x.mode == s.x.mode && x.mode <= TF_SLIP_MINUS);
       CHECK(linear || (is_stiff && goes_on && leads_to(&a, by_18(&a), &s.x)));
       plain += linear;
       balanced += !linear;
