@@ -107,9 +107,9 @@ static inline ref_state_t ref_problem_start(const ref_problem_t *problem,
   return problem->v != 0 ? x : ref_with_h(q, x, problem->h);
 }
 
-/// What tests/data/reference.h has of each problem: states and events, up to
-/// the end of its length or a two-fold. `after` is "" where several modes are
-/// consistent and none is chosen.
+/// What tests/data/reference.h has of each problem: the mode at its start, states
+/// and events, up to the end of its length or a two-fold. `after` is "" where
+/// several modes are consistent and none is chosen.
 typedef struct {
   long double t, r, v, w; ///< [s], [m], [m/s], [rad/s]
 } reference_state_t;
@@ -122,13 +122,17 @@ typedef struct {
 typedef struct {
   const ref_problem_t *problem;
   const char *begins;
-  long double h; ///< at the start; v follows from it
-  reference_state_t start;
-  long double t_last;
   int states, events;
   const reference_state_t *state;
   const reference_event_t *event;
 } reference_t;
+
+/// When it ends [s].
+static inline long double reference_end(const reference_t *ref) {
+  const reference_event_t *last = ref->event + ref->events - 1;
+  const bool folds = ref->events > 0 && last->after[0] == '\0';
+  return folds ? last->t : (long double)ref->problem->t_grid;
+}
 
 #undef N
 #undef COMMON

@@ -12,8 +12,7 @@ typedef struct {
 } row_t;
 
 typedef struct {
-  row_t start, kept[REF_KEPT], last;
-  ref_real_t h; // at the start
+  row_t kept[REF_KEPT];
   ref_mode_t begins;
   int states, events;
   ref_real_t time[EVENTS];
@@ -45,15 +44,12 @@ static void follow(const ref_problem_t *problem, course_t *out) {
   ref_prepare(&q);
   ref_begin(&orbit, &q, ref_problem_start(problem, &q), REF_MODES);
   out->begins = orbit.mode;
-  out->start = row_of(&q, orbit.x);
-  out->h = problem->v != 0 ? ref_slip(&q, orbit.x).h : problem->h;
   for (int i = 1; i <= REF_SIXTEENTHS; i++) {
     ref_run(&orbit, problem->t_grid * i / REF_SIXTEENTHS);
     if (out->states < REF_KEPT && kept[out->states] == i)
       out->kept[out->states++] = row_of(&q, orbit.x);
   }
   if (problem->t_events > 0) ref_run(&orbit, problem->t_events);
-  out->last = row_of(&q, orbit.x);
 }
 
 static const char *const mode_names[] = {"slip+",  "slip-",  "stick+",
@@ -85,17 +81,6 @@ static void write_rows(const char *name, const course_t *course) {
   puts("};");
 }
 
-static void write_course(int i, const course_t *course) {
-  const char *name = ref_problems[i].name;
-  printf("  {.problem = &ref_problems[%d], .begins = \"%s\",\n", i,
-         mode_names[course->begins]);
-  number("   .h = ", course->h, ",\n");
-  row("   .start = {", &course->start, "},\n");
-  number("   .t_last = ", course->last.t, ",\n");
-  printf("   .states = %d, .events = %d,\n", course->states, course->events);
-  printf("   .state = %s_states, .event = %s_events},\n", name, name);
-}
-
 int main(void) {
   static course_t course[REF_PROBLEMS];
   puts(
@@ -115,7 +100,12 @@ int main(void) {
     write_rows(ref_problems[i].name, &course[i]);
   }
   puts("\nstatic const reference_t references[REF_PROBLEMS] = {");
-  for (int i = 0; i < REF_PROBLEMS; i++) write_course(i, &course[i]);
+  for (int i = 0; i < REF_PROBLEMS; i++) {
+    const char *name = ref_problems[i].name;
+    printf("  {&ref_problems[%d], \"%s\", %d, %d, %s_states, %s_events},\n", i,
+           mode_names[course[i].begins], course[i].states, course[i].events,
+           name, name);
+  }
   puts("};\n\n#endif");
   return fflush(stdout) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
