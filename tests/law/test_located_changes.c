@@ -88,17 +88,11 @@ static void compare(const found_t *got, const found_t *want, double before,
   }
 }
 
-static const tf_scene_t *scene_of(const char *name) {
-  size_t i = 0;
-  while (strcmp(tf_scenes[i]->name, name) != 0) i++;
-  return tf_scenes[i];
-}
-
 /* Up to the two-fold, behind which a motion hangs on its last digits. */
 TEST(located_changes_are_those_of_short_steps) {
   static const char *const names[] = {"coulomb", "chaos"};
   for (int i = 0; i < 2; i++) {
-    const tf_scene_t *scene = scene_of(names[i]);
+    const tf_scene_t *scene = scene_named(names[i]);
     const found_t want = modes_of(scene, 1e-3, 2000);
     CHECK_ABOVE(want.count, 2);
     for (int parts = 3; parts <= 43; parts += 20) {
@@ -138,7 +132,7 @@ TEST(located_changes_of_every_end) {
   tf_located_change_t list[MOST];
   size_t count = 7;
   int passes = 0;
-  sim_t s = start(scene_of("chaos"), 1e-3);
+  sim_t s = start(scene_named("chaos"), 1e-3);
   for (int n = 0; n < 2200; n++) {
     const unsigned before = s.x.mode;
     CHECK(tf_step_located_changes(&s.k, &s.x, &s.u, &s.report, list, MOST,
@@ -147,7 +141,7 @@ TEST(located_changes_of_every_end) {
       passes += list[i].report.delassus == 0 && before == TF_STICK_PLUS;
   }
   CHECK_ABOVE(passes, 0);
-  s = start(scene_of("frictionless"), 1e-3);
+  s = start(scene_named("frictionless"), 1e-3);
   s.x.mode = TF_STICK_PLUS;
   CHECK(tf_step_located_changes(&s.k, &s.x, &s.u, &s.report, list, MOST,
                                 &count) == TF_OK);

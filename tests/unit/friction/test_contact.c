@@ -86,6 +86,11 @@ TEST(choice_and_force_are_of_rule_and_law) {
     tf_contact_modes_t is;
     tf_force_t f;
     CHECK(tf_contact_modes(&k, &h, &g, now, TF_NO_MODE, &is, NULL) == TF_OK);
+    tf_contact_modes_t pinned = is; /* without such a point there is no force */
+    pinned.set |= (uint8_t)TF_MODE_BIT(TF_PINNED);
+    if (kappa_mu > 0)
+      CHECK((tf_contact_force(&k, &h, &g, &pinned, TF_PINNED, now, &f) ==
+             TF_OK) == (is.set >> TF_PINNED & 1));
     const tf_real_t of_x[] = {1, -1, is.x[0], is.x[1], 0, 0};
     const tf_real_t of_y[] = {is.tau[0], -is.tau[1], is.x[0], -is.x[1], 0, 0};
     for (unsigned mode = 0; mode <= TF_NO_MODE; mode++) {
@@ -99,7 +104,7 @@ TEST(choice_and_force_are_of_rule_and_law) {
           tf_contact_force(&k, &h, &g, &is, mode, now, &f);
       CHECK(status == (none ? TF_DEGRADED : in ? TF_OK : TF_BAD_STATE));
       if (status < TF_OK) continue;
-      if (mode == TF_PINNED) continue; /* test_zeros.c has its force */
+      if (mode == TF_PINNED) continue; /* test_joint.c has its force */
       real x = wide(of_x[mode]), y = kappa_mu > 0 ? wide(of_y[mode]) : 0;
       if (mode == TF_STICK_PLUS || mode == TF_STICK_MINUS)
         CHECK(fabsl(x) <= 1 && fabsl(at(&h, x, y)) < 64 * EPSILON);
