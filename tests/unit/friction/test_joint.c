@@ -200,7 +200,7 @@ static bool holds(const system_t *k, const tf_joint_mode_t *joint) {
   return true;
 }
 
-/* Whether it does so under its forces, of which those of slip are of the law. */
+/* Whether it does so under its forces: those of slip are of the law. */
 static bool holds_by_force(const system_t *k, const tf_joint_mode_t *joint) {
   tf_force_t force[MOST];
   real m[UNKNOWNS];
