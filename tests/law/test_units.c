@@ -190,8 +190,8 @@ static tf_state_t any_state(const tf_machine_t *k, const tf_input_t *u,
 
 /* Whether rounding or convention decides: the forces at h = g = 0 are their own
  * mirror image, so that of two futures each is the image of the other; or there
- * is no moment, and g = 0 gives the stick its name; or no stick, and h = 0 gives
- * the slip its side. */
+ * is no moment, and g = 0 gives the stick its name; or no stick, and h = 0
+ * gives the slip its side. */
 static int is_symmetric(const tf_params_t *p, const tf_input_t *u,
                         const tf_state_t *x, const tf_report_t *end) {
   const int no_force = (u->r0 == 0 || p->k2 == 0) && u->force == 0;
@@ -253,8 +253,8 @@ static int agreeing_images(const kind_t *kind, int map, int most, long *ends) {
     const tf_status_t status = m.report[0].status;
     if (status < TF_OK || underflows(m.report[0].slip.g)) break;
     /* Of several futures the located step takes one by convention. Next to a
-     * singular point terms of a series overflow in float: in one unit and not in
-     * the other. */
+     * singular point terms of a series overflow in float: in one unit and not
+     * in the other. */
     if (kind->step == tf_step_located &&
         ((map < MASS && m.report[0].choices > 1) ||
          (!IS_DOUBLE && m.report[0].status + m.report[1].status != TF_OK)))

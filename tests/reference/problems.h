@@ -107,8 +107,8 @@ static inline ref_state_t ref_problem_start(const ref_problem_t *problem,
   return problem->v != 0 ? x : ref_with_h(q, x, problem->h);
 }
 
-/// What tests/data/reference.h has of each problem: the mode at its start, states
-/// and events, up to the end of its length or a two-fold. `after` is "" where
+/// What tests/data/reference.h has of each problem: the mode at its start,
+/// states and events, up to the end of its length or a two-fold. `after` is "" where
 /// several modes are consistent and none is chosen.
 typedef struct {
   long double t, r, v, w; ///< [s], [m], [m/s], [rad/s]

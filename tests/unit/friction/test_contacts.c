@@ -1,5 +1,5 @@
-/* Several contacts: one as contact.h has it, redundant ones, the choice, bounds of
- * the room. Their modes and forces: test_joint.c. */
+/* Several contacts: one as contact.h has it, redundant ones, the choice, bounds
+ * of the room. Their modes and forces: test_joint.c. */
 #include "common.h"
 #include "twofold/contacts.h"
 

@@ -1,5 +1,5 @@
-/* The solution set of one step: its forms against the same discrete step in long
- * double, from the mass matrix in (v, w) and a plain 2 x 2 inverse; its modes
+/* The solution set of one step: its forms against the same discrete step in
+ * long double, from the mass matrix in (v, w) and a plain 2 x 2 inverse; its modes
  * against those of a contact with these forms, which test_joint.c judges by
  * brute force. */
 #include "extremes.h"
@@ -89,7 +89,7 @@ static int draw(step_t *k, tf_machine_t *machine, int i) {
   return 1;
 }
 
-/* (8): h and g at the end of the step, under any force. With a long d the matrix
+/* (8): h and g at the end of a step, under any force. With a long d the matrix
  * in (v, w) loses digits even in long double. */
 static void compare_forms(const step_t *k, const inclusion_t *in) {
   const paper_t *p = &k->c.p;
