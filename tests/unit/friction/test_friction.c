@@ -1,7 +1,7 @@
 /* The solution set of one step: its forms against the same discrete step in
- * long double, from the mass matrix in (v, w) and a plain 2 x 2 inverse; its modes
- * against those of a contact with these forms, which test_joint.c judges by
- * brute force. */
+ * long double, from the mass matrix in (v, w) and a plain 2 x 2 inverse; its
+ * modes against those of a contact with these forms, which test_joint.c judges
+ * by brute force. */
 #include "extremes.h"
 #include "friction/inclusion.h"
 #include "moreau/balance.h"
