@@ -108,8 +108,8 @@ static inline ref_state_t ref_problem_start(const ref_problem_t *problem,
 }
 
 /// What tests/data/reference.h has of each problem: the mode at its start,
-/// states and events, up to the end of its length or a two-fold. `after` is "" where
-/// several modes are consistent and none is chosen.
+/// states and events, up to the end of its length or a two-fold. `after` is ""
+/// where several modes are consistent and none is chosen.
 typedef struct {
   long double t, r, v, w; ///< [s], [m], [m/s], [rad/s]
 } reference_state_t;
