@@ -141,9 +141,11 @@ for REAL in SMALL:
              ["kappa=0.25:0.3:3", "--over", "r=0.18:0.19:2"]),
             ({"gamma": [-0.5, 0, 0.5]}, ["gamma=-0.5:0.5:3"]),
             ({"dt": [0.01, 0.1]}, ["dt=0.01:0.1:2"])):
-        same(twofold.sweep("chaos", axes, 9, real=REAL), REAL, "sweep", "chaos",
-             "--t-end", 9, "--over", *options, "--outcome",
-             ",".join(["modes", "final", *twofold._ensemble.NUMBERS[1:]]))
+        for scheme in (None, "located"):  # which changes modes within a step
+            same(twofold.sweep("chaos", axes, 4, scheme, real=REAL), REAL,
+                 "sweep", "chaos", "--t-end", 4, "--over", *options,
+                 *["--scheme", "located"] * (scheme is not None), "--outcome",
+                 ",".join(twofold._ensemble.OUTCOMES))
     same(twofold.Machine(real=REAL).regions(
         np.linspace(0, 0.25, 9), np.linspace(-1.5, -0.5, 9)), REAL, "regions",
          "chaos", "--r", "0:0.25:9", "--omega=-1.5:-0.5:9")

@@ -1,6 +1,5 @@
 // The futures of one instant: where each leads, how far the points that run
 // along them have come, and the buttons that choose one.
-import { AT } from './core.mjs';
 import { short } from './decimal.mjs';
 import { $, element } from './draw.mjs';
 

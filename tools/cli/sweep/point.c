@@ -7,11 +7,14 @@
 
 #include "point.h"
 
-#include "../run/events.h"
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
 #include "../text/summary.h"
 
 #define BATCH 4096 // steps between two checks for a signal
-#define REASON_ROOM 512
 
 // Outcomes: what is left of a motion when its rows are not kept. All are of the
 // steps themselves, so they agree with what `run` prints of the same motion.
@@ -38,27 +41,16 @@ const cli_measure_info_t cli_measures[CLI_MEASURES] = {
     {"end_g", "m/s", "", false},
 };
 
+const char *const cli_point_ends[] = {"done", "flagged", "stopped", "refused"};
+
 typedef struct {
   const cli_sweep_t *sweep;
   cli_settings_t settings;
   char text[CLI_AXES][CLI_NAME_ROOM + CLI_REAL_ROOM]; // NAME=VALUE
   char select[CLI_REAL_ROOM];
   cli_setup_t setup;
-  cli_drive_t drive;   // its tables are those of sweep
-  tf_input_t input;    // of the last step
-  cli_point_end_t end; // CLI_POINT_DONE while it goes on
-  char reason[REASON_ROOM];
-
-  // What was seen of the motion so far.
-  uint64_t steps;
-  tf_report_t report; // of the last step that was looked at
-  tf_tally_t tally;
-  cli_events_t events;
-  unsigned modes; // bits TF_MODE_BIT
-  uint64_t changes, stuck;
-  double pinned_since;                // [s], of the last time
-  double first_arrival, last_arrival; // at the two-fold [s]
-  double energy_at_start;             // [J]
+  cli_drive_t drive; // its tables are those of sweep
+  cli_outcome_t seen;
 } point_t;
 
 // The points that are followed together, each in its lane, where there are
@@ -72,102 +64,132 @@ static struct {
   tf_real_t low[TF_LANES], high[TF_LANES]; // of r [m]
 } group;
 
-static double energy_of(const point_t *point) {
-  return (double)tf_energy(&point->setup.machine, &point->setup.motion.state,
-                           point->input.r0);
-}
-
-static void reach(const tf_real_t *r, size_t lanes) {
-  for (size_t n = 0; n < lanes; n++) {
+static void reach(const tf_real_t r[TF_LANES]) {
+  for (size_t n = 0; n < TF_LANES; n++) {
     group.low[n] = r[n] < group.low[n] ? r[n] : group.low[n];
     group.high[n] = r[n] > group.high[n] ? r[n] : group.high[n];
   }
 }
 
+static double energy_of(const cli_outcome_t *seen, const motion_t *motion) {
+  return (double)tf_energy(&motion->machine.machine, &motion->state,
+                           seen->input.r0);
+}
+
+void cli_outcome_begin(cli_outcome_t *seen, const motion_t *motion,
+                       const tf_input_t *input) {
+  seen->dt = (double)motion->machine.machine.dt;
+  seen->input = *input;
+  seen->low = seen->high = motion->state.r;
+  seen->report = motion->report;
+  seen->modes = TF_MODE_BIT(motion->report.mode);
+  seen->energy_at_start = energy_of(seen, motion);
+  cli_events_begin(&seen->events, 0, &motion->report);
+}
+
 // Counts the steps up to one that were not looked at: they are as it was.
-static void pass(point_t *point, uint64_t to, const tf_report_t *report) {
-  const uint64_t steps = to - point->steps;
-  if (!tf_mode_is_slip(report->mode)) point->stuck += steps;
-  if (report->choices > 1) point->events.ambiguous += steps;
-  point->steps = to;
-  point->report = *report;
+static void pass(cli_outcome_t *seen, uint64_t to, const tf_report_t *report) {
+  const uint64_t steps = to - seen->steps;
+  if (!tf_mode_is_slip(report->mode)) seen->stuck += steps;
+  if (report->choices > 1) seen->events.ambiguous += steps;
+  seen->steps = to;
+  seen->report = *report;
 }
 
 // What follows another report, at a time.
-static void meet(point_t *point, const tf_report_t *before,
+static void meet(cli_outcome_t *seen, const tf_report_t *before,
                  const tf_report_t *report, const tf_state_t *state, double t) {
-  const uint64_t arrivals = point->events.counts[CLI_TWO_FOLD];
-  cli_events_observe(&point->events, before, report, state, t);
-  if (point->events.counts[CLI_TWO_FOLD] > arrivals) {
-    point->first_arrival = arrivals == 0 ? t : point->first_arrival;
-    point->last_arrival = t;
+  const uint64_t arrivals = seen->events.counts[CLI_TWO_FOLD];
+  cli_events_observe(&seen->events, before, report, state, t);
+  if (seen->events.counts[CLI_TWO_FOLD] > arrivals) {
+    seen->first_arrival = arrivals == 0 ? t : seen->first_arrival;
+    seen->last_arrival = t;
   }
   if (report->mode == TF_PINNED && before->mode != TF_PINNED)
-    point->pinned_since = t;
-  point->modes |= TF_MODE_BIT(report->mode);
-  point->changes += report->mode != before->mode;
+    seen->pinned_since = t;
+  seen->modes |= TF_MODE_BIT(report->mode);
+  seen->changes += report->mode != before->mode;
+}
+
+void cli_outcome_see(cli_outcome_t *seen, uint64_t i, const tf_report_t *before,
+                     const tf_report_t *report, const tf_state_t *state,
+                     const tf_input_t *input, const motion_changes_t *within) {
+  pass(seen, i - 1, before);
+  seen->low = state->r < seen->low ? state->r : seen->low;
+  seen->high = state->r > seen->high ? state->r : seen->high;
+  if (report->status < 0) {
+    (void)snprintf(seen->reason, CLI_REASON_ROOM, "step %" PRIu64 ": %s", i,
+                   tf_status_name(report->status));
+    seen->end = CLI_POINT_STOPPED;
+    return;
+  }
+  tf_tally_count(&seen->tally, i, report->status);
+  for (size_t n = 0; n < within->count; n++) {
+    const tf_located_change_t *at = &within->list[n];
+    const tf_report_t from = cli_before_change(before, at);
+    meet(seen, &from, &at->report, &at->state,
+         (double)(i - 1) * seen->dt + (double)at->time);
+    before = &at->report;
+  }
+  meet(seen, before, report, state, (double)i * seen->dt);
+  seen->steps = i;
+  seen->input = *input;
+  seen->stuck += !tf_mode_is_slip(report->mode);
+  seen->report = *report;
+}
+
+// A share is one of all steps; there is none without a step.
+cli_point_end_t cli_outcome_end(cli_outcome_t *seen, const motion_t *motion,
+                                double values[CLI_MEASURES]) {
+  const tf_tally_t *tally = &seen->tally;
+  const double none = (double)NAN, steps = (double)seen->steps;
+  const double arrivals = (double)seen->events.counts[CLI_TWO_FOLD];
+  const tf_state_t *x = &motion->state;
+  const double energy = energy_of(seen, motion);
+  const double found[CLI_MEASURES] = {
+      seen->modes,
+      TF_MODE_BIT(seen->report.mode),
+      (double)seen->changes,
+      seen->report.mode == TF_PINNED ? seen->pinned_since : none,
+      arrivals,
+      arrivals > 0 ? seen->first_arrival : none,
+      arrivals > 1 ? (seen->last_arrival - seen->first_arrival) / (arrivals - 1)
+                   : none,
+      seen->events.ambiguous_since,
+      seen->events.set != 0 ? seen->events.set : seen->report.set,
+      (double)seen->events.ambiguous / steps,
+      (double)seen->stuck / steps,
+      energy,
+      energy - seen->energy_at_start,
+      (double)seen->low,
+      (double)seen->high,
+      (double)x->r,
+      (double)x->v,
+      (double)x->w,
+      (double)seen->report.slip.h,
+      (double)seen->report.slip.g};
+  memcpy(values, found, sizeof found);
+  if (seen->end == CLI_POINT_DONE && cli_tally_code(tally) != CLI_DONE) {
+    seen->end = CLI_POINT_FLAGGED;
+    (void)snprintf(seen->reason, CLI_REASON_ROOM,
+                   "%" PRIu64 " steps degraded; %" PRIu64 " coarse; %" PRIu64
+                   " stalled; first at t = %.9g s",
+                   tally->degraded, tally->coarse, tally->stalled,
+                   (double)tally->first * seen->dt);
+  }
+  return seen->end;
 }
 
 // Looks at step i, behind one with the report `before`.
 static void see(point_t *point, uint64_t i, const tf_input_t *input,
                 const tf_report_t *before, const tf_report_t *report) {
-  const double dt = (double)point->setup.machine.dt;
-  const motion_changes_t *within = &point->drive.changes;
-  pass(point, i - 1, before);
-  if (report->status < 0) {
-    (void)snprintf(point->reason, REASON_ROOM, "step %" PRIu64 ": %s", i,
-                   tf_status_name(report->status));
-    point->end = CLI_POINT_STOPPED;
-    group.going--;
-    return;
-  }
-  tf_tally_count(&point->tally, i, report->status);
-  for (size_t n = 0; n < within->count; n++) {
-    const tf_located_change_t *at = &within->list[n];
-    const tf_report_t from = cli_before_change(before, at);
-    meet(point, &from, &at->report, &at->state,
-         (double)(i - 1) * dt + (double)at->time);
-    before = &at->report;
-  }
-  meet(point, before, report, &point->setup.motion.state, (double)i * dt);
-  point->steps = i;
-  point->input = *input;
-  point->stuck += !tf_mode_is_slip(report->mode);
-  point->report = *report;
+  cli_outcome_see(&point->seen, i, before, report, &point->setup.motion.state,
+                  input, &point->drive.changes);
+  group.going -= point->seen.end != CLI_POINT_DONE;
 }
 
-// In the order of cli_measures: modes are sets, NaN is what there is not. A
-// share is one of all steps; there is none without a step.
-static void add_outcomes(const point_t *point, cli_buffer_t *text) {
-  const cli_args_t *args = point->sweep->args;
-  const double none = (double)NAN, steps = (double)point->steps;
-  const double arrivals = (double)point->events.counts[CLI_TWO_FOLD];
-  const tf_state_t *x = &point->setup.motion.state;
-  const size_t lane = (size_t)(point - group.points);
-  const double energy = energy_of(point);
-  const double values[CLI_MEASURES] = {
-      point->modes,
-      TF_MODE_BIT(point->report.mode),
-      (double)point->changes,
-      point->report.mode == TF_PINNED ? point->pinned_since : none,
-      arrivals,
-      arrivals > 0 ? point->first_arrival : none,
-      arrivals > 1
-          ? (point->last_arrival - point->first_arrival) / (arrivals - 1)
-          : none,
-      point->events.ambiguous_since,
-      point->events.set != 0 ? point->events.set : point->report.set,
-      (double)point->events.ambiguous / steps,
-      (double)point->stuck / steps,
-      energy,
-      energy - point->energy_at_start,
-      (double)group.low[lane],
-      (double)group.high[lane],
-      (double)x->r,
-      (double)x->v,
-      (double)x->w,
-      (double)point->report.slip.h,
-      (double)point->report.slip.g};
+static void add_outcomes(const cli_args_t *args, const double *values,
+                         cli_buffer_t *text) {
   for (size_t i = 0; i < args->measures; i++) {
     const cli_measure_info_t *info = &cli_measures[args->measure[i]];
     const double value = values[args->measure[i]];
@@ -181,8 +203,6 @@ static void add_outcomes(const point_t *point, cli_buffer_t *text) {
       cli_add_real(text, (tf_real_t)value);
   }
 }
-
-const char *const cli_point_ends[] = {"done", "flagged", "stopped", "refused"};
 
 // Writes the value of each axis as text and sets it; the last axis is the inner
 // loop.
@@ -258,23 +278,13 @@ int cli_point_check(cli_sweep_t *sweep) {
   return check_end(sweep, true);
 }
 
-static void begin(point_t *point) {
-  point->input = point->setup.input;
-  point->report = point->setup.motion.report;
-  point->modes = TF_MODE_BIT(point->report.mode);
-  point->energy_at_start = energy_of(point);
-  cli_events_begin(&point->events, 0, &point->report);
-  group.going++;
-}
-
 static void step_alone(point_t *point, uint64_t i) {
   tf_input_t input;
   const tf_status_t status = cli_drive_take(&point->drive, &point->setup,
                                             &point->setup.motion, &input);
   tf_report_t report = point->setup.motion.report;
   report.status = status;
-  reach(&point->setup.motion.state.r, 1);
-  see(point, i, &input, &point->report, &report);
+  see(point, i, &input, &point->seen.report, &report);
 }
 
 // The lanes for AVX2, where the program was linked with them: a baseline x86-64
@@ -314,16 +324,16 @@ static void step_together(size_t count, uint64_t i) {
   uint8_t due[TF_LANES];
   (void)(HAS_AVX2 ? step_with_avx2 : tf_ensemble_step)(machine, &group.states,
                                                        lanes, &input, now);
-  reach(group.states.r, TF_LANES);
+  reach(group.states.r);
   find_due(was, now, due);
   for (size_t n = 0; n < count; n++) {
     point_t *point = &group.points[n];
-    if ((due[n] == 0 && i > 1) || point->end != CLI_POINT_DONE) continue;
+    if ((due[n] == 0 && i > 1) || point->seen.end != CLI_POINT_DONE) continue;
     const tf_report_t before =
-        i > 1 ? tf_ensemble_report(was, n) : point->report;
+        i > 1 ? tf_ensemble_report(was, n) : point->seen.report;
     const tf_report_t report = tf_ensemble_report(now, n);
     point->setup.motion.state = tf_ensemble_get(&group.states, n);
-    point->input = group.input;
+    point->seen.input = group.input;
     see(point, i, &input, &before, &report);
   }
   group.input = input;
@@ -333,11 +343,13 @@ static void step_together(size_t count, uint64_t i) {
 static void end_together(size_t count, uint64_t steps) {
   for (size_t n = 0; n < count; n++) {
     point_t *point = &group.points[n];
-    if (point->end != CLI_POINT_DONE || steps == 0) continue;
+    point->seen.low = group.low[n];
+    point->seen.high = group.high[n];
+    if (point->seen.end != CLI_POINT_DONE || steps == 0) continue;
     const tf_report_t report = tf_ensemble_report(&group.reports[steps % 2], n);
-    pass(point, steps, &report);
+    pass(&point->seen, steps, &report);
     point->setup.motion.state = tf_ensemble_get(&group.states, n);
-    point->input = group.input;
+    point->seen.input = group.input;
   }
 }
 
@@ -348,7 +360,7 @@ static bool follow(size_t count, uint64_t steps) {
     tf_ensemble_put(&group.states, n, state);
     group.low[n] = group.high[n] = state->r;
   }
-  group.input = group.points[0].input;
+  group.input = group.points[0].seen.input;
   for (uint64_t i = 1; i <= steps && group.going > 0; i++) {
     if (i % BATCH == 0 && cli_stop_asked()) return false;
     if (count > 1)
@@ -369,31 +381,24 @@ static void drop_commas(char *text) {
 static void write_row(const cli_sweep_t *sweep, uint64_t index, point_t *point,
                       cli_chunk_t *chunk) {
   const cli_args_t *args = sweep->args;
-  const tf_tally_t *tally = &point->tally;
+  cli_outcome_t *seen = &point->seen;
+  double values[CLI_MEASURES];
   cli_buffer_t text = {chunk->rows + chunk->used, 0, CLI_SWEEP_ROW, false};
-  if (point->end == CLI_POINT_DONE && cli_tally_code(tally) != CLI_DONE) {
-    point->end = CLI_POINT_FLAGGED;
-    (void)snprintf(point->reason, REASON_ROOM,
-                   "%" PRIu64 " steps degraded; %" PRIu64 " coarse; %" PRIu64
-                   " stalled; first at t = %.9g s",
-                   tally->degraded, tally->coarse, tally->stalled,
-                   (double)tally->first * (double)point->setup.machine.dt);
-  }
-  drop_commas(point->reason);
+  (void)cli_outcome_end(seen, &point->setup.motion, values);
+  drop_commas(seen->reason);
   cli_add_count(&text, index);
   for (size_t i = 0; i < args->axes; i++)
     cli_add_form(&text, ",%s", strchr(point->text[i], '=') + 1);
-  cli_add_form(&text, ",%s,%s,", cli_point_ends[point->end], point->reason);
-  if (point->end != CLI_POINT_REFUSED) {
-    cli_add_real(&text, (tf_real_t)((double)point->steps *
-                                    (double)point->setup.machine.dt));
-    add_outcomes(point, &text);
+  cli_add_form(&text, ",%s,%s,", cli_point_ends[seen->end], seen->reason);
+  if (seen->end != CLI_POINT_REFUSED) {
+    cli_add_real(&text, (tf_real_t)((double)seen->steps * seen->dt));
+    add_outcomes(args, values, &text);
   } else {
     for (size_t i = 0; i < args->measures; i++) cli_add(&text, ",");
   }
   cli_add(&text, "\n");
   chunk->used += text.used;
-  chunk->ends[point->end]++;
+  chunk->ends[seen->end]++;
 }
 
 bool cli_points_follow(cli_sweep_t *sweep, uint64_t index, size_t count,
@@ -405,12 +410,16 @@ bool cli_points_follow(cli_sweep_t *sweep, uint64_t index, size_t count,
     point_t *point = &group.points[n];
     memset(point, 0, sizeof *point);
     place(point, sweep, index + n);
-    cli_message_divert(point->reason, REASON_ROOM);
+    cli_message_divert(point->seen.reason, CLI_REASON_ROOM);
     int code = prepare(point, sweep, &steps);
     code = code == CLI_DONE ? cli_setup_start(&point->setup) : code;
     cli_message_divert(NULL, 0);
-    point->end = code == CLI_DONE ? CLI_POINT_DONE : CLI_POINT_REFUSED;
-    if (code == CLI_DONE) begin(point);
+    if (code != CLI_DONE) {
+      point->seen.end = CLI_POINT_REFUSED;
+      continue;
+    }
+    cli_outcome_begin(&point->seen, &point->setup.motion, &point->setup.input);
+    group.going++;
   }
   if (!follow(count, steps)) return false;
   for (size_t n = 0; n < count; n++)

@@ -3,6 +3,7 @@
 
 #include "../host/sheet.h"
 #include "../host/workers.h"
+#include "../run/events.h"
 #include "../setup/args.h"
 
 /// Name of a column, unit ("" of modes), what it is, and whether it is a count.
@@ -13,9 +14,9 @@ typedef struct {
 #define CLI_MEASURES 20
 extern const cli_measure_info_t cli_measures[CLI_MEASURES];
 
-/// How a point ended.
+/// How a motion ended.
 typedef enum {
-  CLI_POINT_DONE,
+  CLI_POINT_DONE,    ///< or it goes on
   CLI_POINT_FLAGGED, ///< some steps were degraded, coarse or stalled
   CLI_POINT_STOPPED, ///< a step was refused
   CLI_POINT_REFUSED, ///< the machine or its start was refused
@@ -24,6 +25,41 @@ typedef enum {
 
 /// Their names, as in the column `status`.
 extern const char *const cli_point_ends[CLI_POINT_ENDS];
+
+/// What was seen of a motion so far; zero before it begins. The Python package
+/// has it, too.
+#define CLI_REASON_ROOM 512
+typedef struct {
+  char reason[CLI_REASON_ROOM]; ///< of the end, empty where it is done
+  cli_point_end_t end;
+  uint64_t steps;
+  tf_input_t input;    ///< of the last step
+  tf_report_t report;  ///< of the last step that was looked at
+  tf_real_t low, high; ///< of r [m], where all steps were
+  double dt;           ///< [s]
+  tf_tally_t tally;
+  cli_events_t events;
+  unsigned modes; ///< bits TF_MODE_BIT
+  uint64_t changes, stuck;
+  double pinned_since;                ///< [s], of the last time
+  double first_arrival, last_arrival; ///< at the two-fold [s]
+  double energy_at_start;             ///< [J]
+} cli_outcome_t;
+
+/// The motion has begun, under the input.
+void cli_outcome_begin(cli_outcome_t *seen, const motion_t *motion,
+                       const tf_input_t *input);
+
+/// Looks at step i, behind one with the report `before`, whose state and input
+/// these are, and at the changes within it.
+void cli_outcome_see(cli_outcome_t *seen, uint64_t i, const tf_report_t *before,
+                     const tf_report_t *report, const tf_state_t *state,
+                     const tf_input_t *input, const motion_changes_t *within);
+
+/// The motion is at its end. values: out, in the order of cli_measures; modes
+/// are sets, NaN is what there is not. Returns: how it ended.
+cli_point_end_t cli_outcome_end(cli_outcome_t *seen, const motion_t *motion,
+                                double values[CLI_MEASURES]);
 
 #define CLI_SWEEP_ROW 2048
 

@@ -3,8 +3,8 @@
 own, where N is a constant and nothing else in it moves i; so does one that
 counts down. N may be made of names, too, that nothing in the loop changes and
 that loops.bounds has for its file, with what each is at most and why; so it has
-every other loop. gcc and clang-tidy tell loops that change nothing they ask for, and
-counters that wrap round; recursion is stack.py's.
+every other loop. gcc and clang-tidy tell loops that change nothing they ask
+for, and counters that wrap round; recursion is stack.py's.
 """
 import re
 from pathlib import Path

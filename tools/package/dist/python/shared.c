@@ -45,8 +45,8 @@ void LANES(twofold_lanes)(const run_t *of, tf_state_block_t *states, size_t n,
 }
 
 #ifndef LANES_FOR_AVX2
-#include "cli/setup/inputs.h"
 #include "cli/setup/scene_file.h"
+#include "cli/sweep/point.h"
 
 int twofold_has_avx2(void) {
 #if defined(__GNUC__) && defined(__x86_64__)
@@ -72,9 +72,13 @@ typedef struct {
 } table_t;
 
 /* Sizes in the order that the module knows. */
-const uint32_t twofold_layout[] = {
-    sizeof(tf_compensated_t), sizeof(tf_report_t), TF_PARAMETERS, TF_SCENES,
-    sizeof(cli_scene_file_t), sizeof(table_t)};
+const uint32_t twofold_layout[] = {sizeof(tf_compensated_t),
+                                   sizeof(tf_report_t),
+                                   TF_PARAMETERS,
+                                   TF_SCENES,
+                                   sizeof(cli_scene_file_t),
+                                   sizeof(table_t),
+                                   sizeof(cli_outcome_t)};
 
 /* Reads a scene, or inputs over time, from the text of a file. path: of it,
  * kept. why: out, empty, the messages. Returns: 0, or the code of a refusal. */
@@ -150,18 +154,28 @@ static tf_input_t next_input(const run_t *of, const tf_input_t *held) {
 /* Goes on behind `from` of so many steps, for `most` of them, and writes a row
  * before the first, after every `every` of all and after the last. input: held,
  * its alpha is 0 behind a step; NULL: those of the scene, or of a table that
- * is not NULL. Returns: steps taken, with `from`; fewer where one is refused,
- * whose status is in `status`. */
+ * is not NULL. seen: in/out, begun, for a sweep; NULL: no outcomes. Returns:
+ * steps taken, with `from`; fewer where one is refused, whose status is in
+ * `status`. */
 uint64_t twofold_run(const run_t *of, tf_input_t *input, table_t *table,
-                     uint64_t from, uint64_t most, uint64_t steps,
-                     uint64_t every, motion_row_t *rows, int *status) {
+                     cli_outcome_t *seen, uint64_t from, uint64_t most,
+                     uint64_t steps, uint64_t every, motion_row_t *rows,
+                     int *status) {
   const uint64_t end = steps - from > most ? from + most : steps;
+  motion_changes_t changes;
   if (from == 0) rows[0] = motion_row(of->motion);
   for (uint64_t i = from + 1; i <= end; i++) {
     tf_input_t u = next_input(of, input);
+    changes.count = 0;
     *status = table
                   ? cli_drive_take(&table->drive, &table->setup, of->motion, &u)
-                  : motion_step(of->motion, of->scheme, &u);
+                  : motion_step_changes(of->motion, of->scheme, &u, &changes);
+    if (seen) {
+      tf_report_t report = of->motion->report;
+      report.status = *status;
+      cli_outcome_see(seen, i, &seen->report, &report, &of->motion->state, &u,
+                      table ? &table->drive.changes : &changes);
+    }
     if (*status < 0) return i - 1;
     if (input) input->alpha = 0;
     if (i % every == 0 || i == steps)

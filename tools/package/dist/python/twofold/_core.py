@@ -19,7 +19,7 @@ LANES = 16
 NO_MODE = 5
 # Steps of one call of the core; behind each, Python looks at its signals.
 SLICE = 2 ** 16
-LAYOUT = "machine", "report", "parameters", "scenes", "file", "table"
+LAYOUT = "machine", "report", "parameters", "scenes", "file", "table", "seen"
 QUANTITIES = "r v omega phi h g F M delassus"
 
 
@@ -157,8 +157,11 @@ class Core:
                 ("twofold_take", c_int, (run, input_, c_uint)),
                 ("twofold_folds", c_int, (run, any_, POINTER(c_int))),
                 ("twofold_regions", c_int, (run, any_, c_size_t)),
+                ("tf_scene_input", self.Input, (any_, any_, c_uint64)),
+                ("cli_outcome_begin", None, (any_, any_, input_)),
+                ("cli_outcome_end", c_int, (any_, any_, any_)),
                 ("twofold_run", c_uint64,
-                 (run, input_, any_, *4 * [c_uint64], any_,
+                 (run, input_, any_, any_, *4 * [c_uint64], any_,
                   POINTER(c_int)))):
             suffix = f"_{self.suffix}" if name.startswith("tf_") else (
                 "_avx2" * (name == "twofold_lanes" and

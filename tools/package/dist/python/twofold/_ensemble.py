@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import contextlib
+import ctypes
 import math
 import os
 from concurrent.futures import ThreadPoolExecutor
@@ -16,7 +17,7 @@ from ._check import (LIMIT, STEPS, alone, column, columns, integer, member,
                      packed, unpacked, word)
 from ._core import LANES, NO_MODE, Struct, parameters
 from ._machine import START, Inputs, Machine, placed
-from ._names import Law, Mode, Rule, Scheme, Status
+from ._names import Law, Mode, Rule, Scheme
 from ._table import Table
 
 
@@ -109,43 +110,15 @@ class Ensemble:
         return self.n
 
 
-def _outcomes(rows, energy, end_energy):
-    """What is left of a motion: the outcomes of `twofold sweep`, by its
-    rows."""
-    t, mode, g, A = (rows[name] for name in ("t", "mode", "g", "delassus"))
-    slip, choice = mode <= Mode.SLIP_MINUS, rows["choices"] > 1
-    stick = ~slip & (mode != Mode.PINNED)
-    steps = len(rows) - 1 or math.nan
-    moves, several = np.flatnonzero(mode != Mode.PINNED), np.flatnonzero(choice)
-    fold = np.flatnonzero(
-        stick[:-1] & (A[:-1] > 0) & ~(A[1:] > 0)
-        & np.where(stick[1:], mode[1:] == mode[:-1],
-                   slip[1:] & (np.sign(g[1:]) * np.sign(g[:-1]) >= 0))) + 1
-    since = moves[-1] + 1 if len(moves) else 0
-    return {
-        "modes": "|".join(str(one) for one in Mode if one in mode),
-        "final": mode[-1], "changes": np.count_nonzero(np.diff(mode)),
-        "rest": t[since] if since < len(t) else math.nan,
-        "arrivals": len(fold), "arrival": t[fold[0]] if len(fold) else math.nan,
-        "recurrence": ((t[fold[-1]] - t[fold[0]]) / (len(fold) - 1)
-                       if len(fold) > 1 else math.nan),
-        "ambiguous": t[several[0]] if len(several) else math.nan,
-        "ambiguous_share": np.count_nonzero(choice[1:]) / steps,
-        "stick_share": np.count_nonzero(~slip[1:]) / steps,
-        "energy": end_energy, "energy_change": end_energy - energy,
-        "r_low": rows["r"].min(), "r_high": rows["r"].max(),
-        **{f"end_{name}": rows[name][-1]
-           for name in ("r", "v", "omega", "h", "g")}}
-
-
 KINDS = {"law": Law, "rule": Rule}
 OTHER_AXES = (*KINDS, "seed", *START)
-NUMBERS = ("t changes rest arrivals arrival recurrence ambiguous "
-           "ambiguous_share stick_share energy energy_change r_low r_high "
-           "end_r end_v end_omega end_h end_g").split()
-
-
-FLAGS = Status.DEGRADED, Status.COARSE, Status.STALLED
+# In the order of the command line; sets of modes are bits there.
+OUTCOMES = ("modes final changes rest arrivals arrival recurrence ambiguous "
+            "set ambiguous_share stick_share energy energy_change r_low r_high "
+            "end_r end_v end_omega end_h end_g").split()
+OF_MODES = {"modes": "U48", "final": "u1", "set": "u1"}
+NUMBERS = ["t", *(name for name in OUTCOMES if name not in OF_MODES)]
+ENDS = "done", "flagged", "stopped", "refused"
 
 
 def _axis(name, values):
@@ -164,26 +137,22 @@ def _point(row, scene, how, settings, stop):
         machine = Machine(scene, **settings)
         machine._ready(machine._scheme(how[1]))
     except ValueError as error:
-        row["status"], row["reason"] = "refused", str(error)
+        row["status"], row["reason"] = ENDS[3], str(error)
         return error
-    energy = machine.energy()
-    t_end, *others = how
-    rows, done, status = machine._rows(t_end, 1, *others, stop)
-    row["t"] = rows["t"][-1]
-    found = _outcomes(rows, energy, machine.energy())
+    core, (t_end, *others) = machine.core, how
+    seen = ctypes.create_string_buffer(core.size["seen"])
+    done = machine._rows(t_end, STEPS, *others, seen, stop)[1]
+    values = np.empty(len(OUTCOMES))
+    end = core.call_outcome_end(seen, byref(machine._motion),
+                                values.ctypes.data)
+    found = dict(zip(OUTCOMES, values))
+    modes = int(found.pop("modes"))
+    row["modes"] = "|".join(str(one) for one in Mode if modes >> one & 1)
+    row["final"] = int(found.pop("final")).bit_length() - 1
+    row["t"] = done * machine["dt"]
+    row["status"], row["reason"] = ENDS[end], seen.value.decode()
     for name, value in found.items():
         row[name] = value
-    flags = rows["status"] * (rows["t"] > 0)  # the start has none
-    counts = [np.count_nonzero(flags == flag) for flag in FLAGS]
-    row["status"] = ("stopped" if status < 0 else
-                     "flagged" if any(counts) else "done")
-    if status < 0:
-        reason = machine.core.call_status_name(status).decode()
-        row["reason"] = f"step {done + 1}: {reason}"
-    elif any(counts):
-        row["reason"] = (
-            "{} steps degraded; {} coarse; {} stalled; first at t = {:.9g} s"
-            .format(*counts, rows["t"][np.flatnonzero(flags)[0]]))
     return None
 
 
@@ -230,8 +199,8 @@ def sweep(scene: str | os.PathLike = "chaos", over: dict | None = None,
     jobs = integer("jobs", os.cpu_count() if jobs is None else jobs, 1, 2 ** 16)
     table = np.zeros([len(values) for values in axes.values()], [
         *((name, values.dtype) for name, values in axes.items()),
-        *((name, "f8") for name in NUMBERS), ("modes", "U48"),
-        ("final", "u1"), ("status", "U8"), ("reason", "U160")])
+        *((name, "f8") for name in NUMBERS), *OF_MODES.items(),
+        ("status", "U8"), ("reason", "U160")])
     for name, grid in zip(axes, np.meshgrid(*axes.values(), indexing="ij")):
         table[name] = grid
     for name in NUMBERS:

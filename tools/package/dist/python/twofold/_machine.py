@@ -411,17 +411,20 @@ class Machine:
         self.core.fail(status, f"step {done + 1}")
         return rows
 
-    def _rows(self, t_end, every, scheme, inputs, between, stop=None):
-        """Rows, as far as they were reached, steps taken, last status."""
+    def _rows(self, t_end, every, scheme, inputs, between, seen=None,
+              stop=None):
+        """Rows, as far as they were reached, steps taken, last status. seen:
+        room for what a sweep has of the motion."""
         every = integer("every", every, 1, STEPS)
         if t_end is None:
             t_end = self.scene.t_end
         t_end = number("t_end", t_end, 0, STEPS * self["dt"], "s")
         steps, rest = divmod(self.core.real(t_end).value / self["dt"], 1)
         steps = int(steps) + (rest >= 0.5)  # round() goes to even
-        return self._follow(steps, every, scheme, inputs, between, stop)
+        return self._follow(steps, every, scheme, inputs, between, seen, stop)
 
-    def _follow(self, steps, every, scheme, inputs, between, stop=None):
+    def _follow(self, steps, every, scheme, inputs, between, seen=None,
+                stop=None):
         scheme = self._scheme(scheme)
         held = table = first = None
         if between is not None or not (inputs is None or
@@ -432,14 +435,19 @@ class Machine:
         elif inputs is not None:
             held = self._held(inputs)
         run = self._ready(scheme, first)
+        if seen:
+            self.core.call_outcome_begin(
+                seen, byref(self._motion), first or held or
+                self.core.call_scene_input(byref(self.scene),
+                                           byref(self._motion), 0))
         rows = np.zeros(1 + -(-steps // every), self.core.row)
         done, status = 0, c_int(0)
         # A step of located is slow where its tolerance is small.
         most = max(1, _core.SLICE >> 4 * (run.scheme == Scheme.LOCATED))
         while True:
             done = self.core.call_run(
-                run, held, table and table.held[1], done, most, steps, every,
-                rows.ctypes.data, byref(status))
+                run, held, table and table.held[1], seen, done, most, steps,
+                every, rows.ctypes.data, byref(status))
             if done == steps or status.value < 0:
                 break
             if stop and stop():
