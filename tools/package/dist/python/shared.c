@@ -78,7 +78,8 @@ const uint32_t twofold_layout[] = {sizeof(tf_compensated_t),
                                    TF_SCENES,
                                    sizeof(cli_scene_file_t),
                                    sizeof(table_t),
-                                   sizeof(cli_outcome_t)};
+                                   sizeof(cli_outcome_t),
+                                   CLI_MEASURES};
 
 /* Reads a scene, or inputs over time, from the text of a file. path: of it,
  * kept. why: out, empty, the messages. Returns: 0, or the code of a refusal. */

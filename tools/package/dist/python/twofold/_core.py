@@ -19,7 +19,8 @@ LANES = 16
 NO_MODE = 5
 # Steps of one call of the core; behind each, Python looks at its signals.
 SLICE = 2 ** 16
-LAYOUT = "machine", "report", "parameters", "scenes", "file", "table", "seen"
+LAYOUT = "machine", "report", "parameters", "scenes", "file", "table", "seen", \
+    "measures"
 QUANTITIES = "r v omega phi h g F M delassus"
 
 
@@ -89,6 +90,11 @@ class Core:
         self.ranges = {one.name.decode(): one for one in
                        (Range * self.size["parameters"]).in_dll(
                            self.library, f"tf_parameter_ranges_{self.suffix}")}
+        Measure = self._struct("", *((one, c_char_p) for one in (
+            "name", "unit", "what")), ("counts", c_bool))
+        self.measures = {one.name.decode(): one.unit.decode() for one in
+                         (Measure * self.size["measures"]).in_dll(
+                             self.library, "cli_measures")}
         self.Params = self._struct(
             " ".join(self.ranges), ("law", c_uint), ("rule", c_uint),
             ("rest", c_uint), ("with_angle", c_bool))
@@ -211,8 +217,9 @@ class Core:
 CORE_f64 = Core("f64", ctypes.c_double, "f8")
 CORE_f32 = Core("f32", ctypes.c_float, "f4")
 CORES = {"double": CORE_f64, "float": CORE_f32}
-UNITS.update({name: one.unit.decode() for name, one in CORE_f64.ranges.items()
-              if one.unit != b"1"})
+UNITS.update((name, unit) for name, unit in (
+    *((name, one.unit.decode()) for name, one in CORE_f64.ranges.items()),
+    *CORE_f64.measures.items()) if unit not in ("", "1"))
 SIZES = [[*one.size.values()] for one in CORES.values()]
 
 

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 from . import _core
 from ._check import (LIMIT, STEPS, alone, column, columns, integer, member,
                      packed, unpacked, word)
-from ._core import LANES, NO_MODE, Struct, parameters
+from ._core import CORE_f64, LANES, NO_MODE, Struct, parameters
 from ._machine import START, Inputs, Machine, placed
 from ._names import Law, Mode, Rule, Scheme
 from ._table import Table
@@ -112,10 +112,8 @@ class Ensemble:
 
 KINDS = {"law": Law, "rule": Rule}
 OTHER_AXES = (*KINDS, "seed", *START)
-# In the order of the command line; sets of modes are bits there.
-OUTCOMES = ("modes final changes rest arrivals arrival recurrence ambiguous "
-            "set ambiguous_share stick_share energy energy_change r_low r_high "
-            "end_r end_v end_omega end_h end_g").split()
+# Those of the command line, where sets of modes are bits.
+OUTCOMES = CORE_f64.measures
 OF_MODES = {"modes": "U48", "final": "u1", "set": "u1"}
 NUMBERS = ["t", *(name for name in OUTCOMES if name not in OF_MODES)]
 ENDS = "done", "flagged", "stopped", "refused"

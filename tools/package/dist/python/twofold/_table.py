@@ -16,10 +16,7 @@ UNITS = {"t": "s", "r": "m", "v": "m/s", "omega": "rad/s", "phi": "rad",
          "w": "rad/s", "omega0": "rad/s", "r0": "m", "force": "N",
          "torque": "N m", "alpha": "rad/s^2",
          "h": "m/s", "g": "m/s", "F": "N", "M": "N m", "delassus": "1/kg",
-         "residual": "N", "lambda": "N", "time_scale": "kg m^2", "rest": "s",
-         "arrival": "s", "recurrence": "s", "ambiguous": "s", "energy": "J",
-         "energy_change": "J", "r_low": "m", "r_high": "m", "end_r": "m",
-         "end_v": "m/s", "end_omega": "rad/s", "end_h": "m/s", "end_g": "m/s"}
+         "residual": "N", "lambda": "N", "time_scale": "kg m^2"}
 # What numbers of a column stand for.
 MEMBERS = {"mode": Mode, "final": Mode, "status": Status, "region": Region,
            "type": Folds}
