@@ -116,24 +116,10 @@ const cli_command_t cli_commands[] = {
 };
 const size_t cli_command_count = sizeof cli_commands / sizeof cli_commands[0];
 
-static const cli_command_t *find(cli_closest_t *closest) {
+const cli_command_t *cli_find_command(cli_closest_t *closest) {
   const size_t i = cli_closest_find(closest, cli_commands, cli_command_count,
                                     sizeof cli_commands[0]);
   return i < cli_command_count ? &cli_commands[i] : NULL;
-}
-
-const cli_command_t *cli_find_command(const char *name) {
-  cli_closest_t closest = cli_closest_to(name);
-  return find(&closest);
-}
-
-// The benchmarks need several builds of the core, so they belong to make.
-static int unknown_command(const cli_closest_t *closest) {
-  const char *name = closest->word;
-  if (strcmp(name, "bench") == 0 || strcmp(name, "stability") == 0)
-    return cli_usage("%s is a target of make: 'make %s'", name, name);
-  return cli_usage("unknown command '%s'%s ('twofold help' lists them)", name,
-                   closest->hint);
 }
 
 static bool has(int argc, char *const argv[], const char *word) {
@@ -185,35 +171,38 @@ static int perform(const cli_command_t *command, int argc, char *const argv[]) {
   return code;
 }
 
+// The benchmarks need several builds of the core, so they belong to make.
 static int choose(int argc, char *const argv[]) {
   if (argc < 1) return cli_help(0, argv) == CLI_DONE ? CLI_USAGE : CLI_STOPPED;
   if (asks_for_help(1, argv)) return cli_help(argc - 1, argv + 1);
   if (strcmp(argv[0], "complete") == 0) return cli_complete(argc - 1, argv + 1);
   if (has(1, argv, "--version") || has(1, argv, "-v")) return version(0, NULL);
-  cli_closest_t closest = cli_closest_to(argv[0]);
-  const cli_command_t *command = find(&closest);
+  const char *name = argv[0];
+  cli_closest_t closest = cli_closest_to(name);
+  const cli_command_t *command = cli_find_command(&closest);
   if (asks_for_help(argc - 1, argv + 1))
     return cli_help(command != NULL ? 1 : 0, argv);
-  return command != NULL ? perform(command, argc - 1, argv + 1)
-                         : unknown_command(&closest);
-}
-
-// A library that was loaded before may have set another rounding mode or FTZ.
-// The process is this program's own, so it takes the usual ones back; what a
-// compiler has done stays.
-static int check_arithmetic(void) {
-  (void)fesetenv(FE_DFL_ENV);
-  const tf_arithmetic_t found = tf_arithmetic();
-  if (found == TF_ARITHMETIC_OK) return CLI_DONE;
-  return cli_stop("this build has other bits: %s", tf_arithmetic_name(found));
+  if (command != NULL) return perform(command, argc - 1, argv + 1);
+  if (strcmp(name, "bench") == 0 || strcmp(name, "stability") == 0)
+    return cli_usage("%s is a target of make: 'make %s'", name, name);
+  return cli_usage("unknown command '%s'%s ('twofold help' lists them)", name,
+                   closest.hint);
 }
 
 // What a command reports is part of what it was asked for: where it could not
 // be written, on a full disk, the command was not done. Standard output is
 // looked after by each command, which names it.
+//
+// A library that was loaded before may have set another rounding mode or FTZ.
+// The process is this program's own, so it takes the usual ones back; what a
+// compiler has done stays.
 int main(int argc, char *argv[]) {
   cli_guard_descriptors();
-  int code = check_arithmetic();
-  if (code == CLI_DONE) code = choose(argc - 1, argv + 1);
+  (void)fesetenv(FE_DFL_ENV);
+  const tf_arithmetic_t found = tf_arithmetic();
+  const int code = found == TF_ARITHMETIC_OK
+                       ? choose(argc - 1, argv + 1)
+                       : cli_stop("this build has other bits: %s",
+                                  tf_arithmetic_name(found));
   return code == CLI_DONE && ferror(stderr) ? CLI_STOPPED : code;
 }

@@ -82,7 +82,7 @@ extern const cli_command_t cli_commands[];
 extern const size_t cli_command_count;
 
 /// The command of a name, NULL: there is none.
-const cli_command_t *cli_find_command(const char *name);
+const cli_command_t *cli_find_command(cli_closest_t *closest);
 
 static inline bool cli_takes(const cli_command_t *command,
                              const cli_option_t *option) {

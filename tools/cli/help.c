@@ -149,7 +149,8 @@ static bool print_sections(cli_closest_t *closest) {
     if (words[0] == '[') {
       prints = prints && is_heading;
       for (bool first = !is_heading; next_word(&words, word); first = false) {
-        page = first ? cli_find_command(word) : page;
+        cli_closest_t name = cli_closest_to(word);
+        page = first ? cli_find_command(&name) : page;
         prints = prints || strcmp(word, closest->word) == 0;
         cli_closest_offer(closest, word);
       }
@@ -162,34 +163,6 @@ static bool print_sections(cli_closest_t *closest) {
     is_heading = false;
   }
   return found;
-}
-
-static bool print_parameter(cli_closest_t *closest) {
-  const size_t i = cli_closest_find(closest, tf_parameter_ranges, TF_PARAMETERS,
-                                    sizeof tf_parameter_ranges[0]);
-  if (i == TF_PARAMETERS) return false;
-  (void)printf("Parameter %s: %s. --set %s=VALUE; name, range, unit:\n",
-               closest->word, cli_parameter_about[i], closest->word);
-  print_number(i);
-  return true;
-}
-
-static bool print_scene(cli_closest_t *closest) {
-  const tf_scene_t *scene = cli_find_scene(closest);
-  if (scene == NULL) return false;
-  (void)printf(
-      "Scene %s: %s.\nIt leaves out: %s. 'twofold scene %s' prints it.\n",
-      scene->name, scene->shows, scene->leaves_out, scene->name);
-  return true;
-}
-
-static bool print_outcome(cli_closest_t *closest) {
-  const size_t i = cli_closest_find(closest, cli_measures, CLI_MEASURES,
-                                    sizeof cli_measures[0]);
-  if (i == CLI_MEASURES) return false;
-  (void)puts("Outcome of 'sweep', its unit, and what it is:");
-  print_measure(&cli_measures[i]);
-  return true;
 }
 
 // An option is printed for its name without the dashes, for what its value is,
@@ -228,19 +201,36 @@ static bool print_option(cli_closest_t *closest) {
 // A word may be several things: `string` is a law and a scene.
 int cli_help(int argc, char *const argv[]) {
   if (argc > 1) return cli_usage("help: one word at a time");
-  const char *word = argc > 0 ? argv[0] : "overview";
-  const size_t dashes = strncmp(word, "--", 2) == 0 ? 2 : 0;
-  cli_closest_t closest = cli_closest_to(word + dashes);
-  bool found = print_parameter(&closest);
-  found = print_option(&closest) || found;
-  found = print_scene(&closest) || found;
-  found = print_outcome(&closest) || found;
-  found = print_sections(&closest) || found;
-  return found ? cli_finish_stdout()
-               : cli_usage(
-                     "help: no help on '%s'%s; try 'twofold help' or 'twofold "
-                     "help run'",
-                     word, closest.hint);
+  const char *given = argc > 0 ? argv[0] : "overview";
+  const char *word = given + (strncmp(given, "--", 2) == 0 ? 2 : 0);
+  cli_closest_t closest = cli_closest_to(word);
+  const size_t i =
+      cli_closest_find(&closest, tf_parameter_ranges, TF_PARAMETERS,
+                       sizeof tf_parameter_ranges[0]);
+  if (i < TF_PARAMETERS) {
+    (void)printf("Parameter %s: %s. --set %s=VALUE; name, range, unit:\n", word,
+                 cli_parameter_about[i], word);
+    print_number(i);
+  }
+  const bool of_option = print_option(&closest);
+  const tf_scene_t *scene = cli_find_scene(&closest);
+  if (scene != NULL) {
+    (void)printf(
+        "Scene %s: %s.\nIt leaves out: %s. 'twofold scene %s' prints it.\n",
+        word, scene->shows, scene->leaves_out, word);
+  }
+  const size_t k = cli_closest_find(&closest, cli_measures, CLI_MEASURES,
+                                    sizeof cli_measures[0]);
+  if (k < CLI_MEASURES) {
+    (void)puts("Outcome of 'sweep', its unit, and what it is:");
+    print_measure(&cli_measures[k]);
+  }
+  if (print_sections(&closest) || i < TF_PARAMETERS || of_option ||
+      scene != NULL || k < CLI_MEASURES)
+    return cli_finish_stdout();
+  return cli_usage(
+      "help: no help on '%s'%s; try 'twofold help' or 'twofold help run'",
+      given, closest.hint);
 }
 
 // Prints a word and the first clause of its meaning.
@@ -267,17 +257,10 @@ static void offer_words(const cli_command_t *command) {
   }
 }
 
-static int offer_value(const cli_option_t *option) {
-  for (const cli_choice_t *at = option->choices; at != NULL && at->name != NULL;
-       at++)
-    offer(at->name, at->what);
-  const bool is_file = option->kind == CLI_READS || option->kind == CLI_WRITES;
-  return is_file ? CLI_DONE : CLI_USAGE;
-}
-
 // What may stand behind some words. The code is CLI_DONE where a file may, too.
 int cli_complete(int argc, char *const argv[]) {
-  const cli_command_t *command = argc > 0 ? cli_find_command(argv[0]) : NULL;
+  cli_closest_t name = cli_closest_to(argc > 0 ? argv[0] : "");
+  const cli_command_t *command = cli_find_command(&name);
   if (command == NULL) {
     offer_commands();
     offer("--version", "");
@@ -285,9 +268,14 @@ int cli_complete(int argc, char *const argv[]) {
   }
   for (size_t i = 0; i < cli_option_count; i++) {
     const cli_option_t *option = &cli_options[i];
-    if (cli_takes(command, option) && option->value != NULL &&
-        strcmp(option->name, argv[argc - 1]) == 0)
-      return offer_value(option);
+    if (!cli_takes(command, option) || option->value == NULL ||
+        strcmp(option->name, argv[argc - 1]) != 0)
+      continue;
+    for (const cli_choice_t *at = option->choices;
+         at != NULL && at->name != NULL; at++)
+      offer(at->name, at->what);
+    return option->kind == CLI_READS || option->kind == CLI_WRITES ? CLI_DONE
+                                                                   : CLI_USAGE;
   }
   offer_words(command);
   for (size_t i = 0; i < cli_option_count; i++)

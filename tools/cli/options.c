@@ -82,18 +82,11 @@ static int check_range(const cli_option_t *option, const cli_given_t *given,
                    option->unit != NULL ? option->unit : "");
 }
 
-static int read_real(const cli_option_t *option, const cli_given_t *given,
-                     double *out) {
-  tf_real_t value = 0;
-  CLI_TRY(cli_read_number(given, given->value, &value));
-  *out = (double)value;
-  return check_range(option, given, "", *out, *out);
-}
-
 static int read_range(const cli_option_t *option, const cli_given_t *given,
                       cli_range_t *out) {
-  char what[32];
-  (void)snprintf(what, sizeof what, "%s ", given->name + 2);
+  const bool is_real = option->kind == CLI_REAL || option->kind == CLI_POSITIVE;
+  char what[32] = "";
+  if (!is_real) (void)snprintf(what, sizeof what, "%s ", given->name + 2);
   if (option->kind == CLI_RANGE) {
     CLI_TRY(cli_read_range(given, given->value, MAX_VALUES, false, out));
   } else {
@@ -140,6 +133,7 @@ static int read_value(const cli_option_t *option, const cli_given_t *given,
                       cli_args_t *args) {
   void *to = (char *)args + option->member;
   unsigned place = 0;
+  cli_range_t range;
   switch (option->kind) {
     case CLI_FLAG:
       *(bool *)to = true;
@@ -156,7 +150,9 @@ static int read_value(const cli_option_t *option, const cli_given_t *given,
       return read_whole(option, given, to);
     case CLI_REAL:
     case CLI_POSITIVE:
-      return read_real(option, given, to);
+      CLI_TRY(read_range(option, given, &range));
+      *(double *)to = range.from;
+      return CLI_DONE;
     case CLI_NUMBER:
     case CLI_RANGE:
       return read_range(option, given, to);

@@ -345,28 +345,25 @@ static int regions_row(tf_real_t r, tf_real_t omega, cli_buffer_t *text) {
 
 // Where sin(gamma) = 0 the surface is w = omega0 (and r = 0). Then v does not
 // follow from h = 0, and (r, omega) does not determine a point of the surface.
-static int check_gamma(void) {
-  const cli_given_t origin = origin_of("gamma");
-  const double sine = (double)job.setup.machine.sin_gamma;
-  if (fabs(sine) >= (double)TF_MIN_SINE) return CLI_DONE;
-  return cli_blame(CLI_REFUSED, &origin,
-                   "regions needs |sin(gamma)| in [%g, 1], it is %g: no speed "
-                   "v follows from h = 0",
-                   (double)TF_MIN_SINE, fabs(sine));
-}
-
 int cli_regions(const cli_args_t *args) {
   CLI_TRY(prepare(args, false));
   CLI_TRY(needs_jump(false));
-  CLI_TRY(check_gamma());
+  const cli_given_t gamma = origin_of("gamma");
+  const double sine = fabs((double)job.setup.machine.sin_gamma);
+  if (!(sine >= (double)TF_MIN_SINE)) {
+    return cli_blame(CLI_REFUSED, &gamma,
+                     "regions needs |sin(gamma)| in [%g, 1], it is %g: no "
+                     "speed v follows from h = 0",
+                     (double)TF_MIN_SINE, sine);
+  }
   CLI_TRY(take_window());
   return write_grid("r,omega,region,lambda,delassus\n",
                     "r m, omega rad/s, lambda N, delassus 1/kg", regions_row);
 }
 
 static const char atlas_header[] =
-    "r,omega,v,g,kappa,k2,K++,K+-,K-+,K--,J1,J2,K--_positive,K++_negative,J1_"
-    "negative,J2_negative,J1J2_above_1,kappa_positive,k2_positive,overlap\n";
+    "r,omega,v,g,kappa,k2,K++,K+-,K-+,K--,J1,J2,K--_positive,K++_negative,"
+    "J1_negative,J2_negative,J1J2_above_1,kappa_positive,k2_positive,overlap\n";
 
 #define VALUES 10
 #define CONDITIONS 7

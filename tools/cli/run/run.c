@@ -139,16 +139,6 @@ static void take_batch(cli_run_t *run) {
   }
 }
 
-static void show_progress(cli_progress_t *progress, double now,
-                          const cli_run_t *run) {
-  const double done = (double)(run->done - run->first);
-  const double speed = done / (now - progress->started);
-  cli_progress_say(progress, now, done / (double)(run->steps - run->first),
-                   "t = %.6g s of %.6g s, %.3g steps/s, %.3g x real time",
-                   cli_run_time(run, run->done), cli_run_time(run, run->steps),
-                   speed, speed * (double)run->setup->machine.dt);
-}
-
 static void step_through(cli_run_t *run) {
   const double started = cli_now();
   const double flush_every = run->args->real_time ? LIVE_EVERY : FLUSH_EVERY;
@@ -165,7 +155,13 @@ static void step_through(cli_run_t *run) {
       run->end = cli_output_flush(&run->output) ? run->end : CLI_NOT_WRITTEN;
       run->output_seconds += cli_now() - now;
     }
-    show_progress(&progress, now, run);
+    const double done = (double)(run->done - run->first);
+    const double speed = done / (now - started);
+    cli_progress_say(&progress, now, done / (double)(run->steps - run->first),
+                     "t = %.6g s of %.6g s, %.3g steps/s, %.3g x real time",
+                     cli_run_time(run, run->done),
+                     cli_run_time(run, run->steps), speed,
+                     speed * (double)run->setup->machine.dt);
     cli_live_draw(run->live, run->setup->scene->name, now);
   }
   run->seconds = cli_now() - started - run->output_seconds - run->idle_seconds;

@@ -140,12 +140,6 @@ static int read_row(reader_t *reader, char *line) {
   return add_row(inputs, &row);
 }
 
-static int read_line(reader_t *reader, char *line) {
-  if (line[0] == '#' || line[strspn(line, " \t")] == '\0') return CLI_DONE;
-  return reader->fields == 0 ? read_header(reader, line)
-                             : read_row(reader, line);
-}
-
 int cli_inputs_parse(cli_inputs_t *inputs, const char *name, const char *text,
                      size_t size) {
   reader_t reader = {.inputs = inputs,
@@ -157,7 +151,9 @@ int cli_inputs_parse(cli_inputs_t *inputs, const char *name, const char *text,
       return cli_usage("%s:%lu: a zero, or a line of more than %d characters",
                        name, reader.lines.line, LINE_ROOM - 1);
     }
-    CLI_TRY(read_line(&reader, line));
+    if (line[0] == '#' || line[strspn(line, " \t")] == '\0') continue;
+    CLI_TRY(reader.fields == 0 ? read_header(&reader, line)
+                               : read_row(&reader, line));
   }
   if (inputs->count == 0)
     return cli_usage("%s: no %s", name, reader.fields == 0 ? "header" : "row");

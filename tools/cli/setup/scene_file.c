@@ -290,23 +290,18 @@ static int check_start(const reader_t *reader) {
   return cli_usage("%s: v or h is missing at the start", reader->lines.name);
 }
 
-// The name of the file without folders and ending.
-static void name_it(cli_scene_file_t *file, const char *path) {
-  const char *slash = strrchr(path, '/');
-  const char *base = slash != NULL ? slash + 1 : path;
-  const size_t length = strcspn(base, ".");
-  if (is_name(base, length)) memcpy(file->name, base, length);
-}
-
 int cli_scene_parse(cli_scene_file_t *file, const char *path, const char *text,
                     size_t size) {
   reader_t reader = {.file = file, .lines = {path, text, size, 0, 0, false}};
+  const char *slash = strrchr(path, '/');
+  const char *base = slash != NULL ? slash + 1 : path;
+  const size_t length = strcspn(base, ".");
   memset(file, 0, sizeof *file);
   if (size > CLI_SCENE_BYTES) {
     return cli_usage("%s: longer than %d bytes, no scene", path,
                      CLI_SCENE_BYTES);
   }
-  name_it(file, path);
+  if (is_name(base, length)) memcpy(file->name, base, length);
   CLI_TRY(read_lines(&reader));
   CLI_TRY(check_start(&reader));
   CLI_TRY(check_parameters(&reader));

@@ -122,10 +122,6 @@ const cli_setting_t *cli_setup_start_set(const cli_setup_t *setup) {
   return setup->set[i];
 }
 
-static bool is_used(const cli_setup_t *setup, size_t i) {
-  return (tf_parameter_ranges[i].laws >> setup->params.law & 1u) != 0;
-}
-
 int cli_setup_machine(cli_setup_t *setup) {
   setup->params.with_angle =
       setup->params.with_angle || setup->set[CLI_PHI] != NULL;
@@ -206,7 +202,7 @@ void cli_setup_notes(const cli_setup_t *setup) {
     char text[128] = "";
     cli_buffer_t reason = {text, 0, sizeof text, false};
     if (setting == NULL) continue;
-    if (!is_used(setup, i)) {
+    if ((tf_parameter_ranges[i].laws >> setup->params.law & 1u) == 0) {
       cli_add_form(&reason, ": law %s does not use %s",
                    tf_tyre_law_name(setup->params.law), name);
     } else if (setup->scene->knots > 0 && strcmp(name, "omega0") == 0) {

@@ -51,13 +51,6 @@ static void add_word(cli_buffer_t *text, const char *word) {
   cli_add(text, "\"");
 }
 
-static void add_finite(cli_buffer_t *text, double value, bool is_float) {
-  if (isfinite(value))
-    cli_add_number(text, value, is_float);
-  else
-    cli_add(text, "null");
-}
-
 static void add_json(cli_buffer_t *text, const char *form, va_list given) {
   for (; *form != '\0'; form++) {
     const char plain[] = {*form == '\'' ? '"' : *form, '\0'};
@@ -80,8 +73,12 @@ static void add_json(cli_buffer_t *text, const char *form, va_list given) {
                           : size == 'z' ? va_arg(given, size_t)
                                         : va_arg(given, uint32_t));
     } else {
-      add_finite(text, va_arg(given, double),
-                 *form == 'g' && sizeof(tf_real_t) == sizeof(float));
+      const double value = va_arg(given, double);
+      const bool is_float = *form == 'g' && sizeof(tf_real_t) == sizeof(float);
+      if (isfinite(value))
+        cli_add_number(text, value, is_float);
+      else
+        cli_add(text, "null");
     }
   }
 }
