@@ -141,28 +141,25 @@ static bool asks_for_json(int argc, char *const argv[]) {
   return asks;
 }
 
-static int read_args(const cli_command_t *command, cli_args_t *args, int argc,
+static int carry_out(const cli_command_t *command, int argc,
                      char *const argv[]) {
-  args->command = command->name;
-  args->points = 1;
-  args->listed = 20;
-  args->shard = (cli_shard_t){1, 1};
-  CLI_TRY(cli_read_words(command, args, argc, argv));
-  if (!command->of_source && args->scene == NULL) {
+  static cli_args_t args = {.points = 1, .listed = 20, .shard = {1, 1}};
+  if (command->raw != NULL) return command->raw(argc, argv);
+  args.command = command->name;
+  CLI_TRY(cli_read_words(command, &args, argc, argv));
+  if (!command->of_source && args.scene == NULL) {
     return cli_usage("%s: which scene? ('twofold scenes' lists them)",
                      command->name);
   }
-  return command->check != NULL ? command->check(args) : CLI_DONE;
+  if (command->check != NULL) CLI_TRY(command->check(&args));
+  return command->perform(&args);
 }
 
 // A program that has asked for JSON gets it also where the command ends before
 // its summary: the reason and the exit code.
 static int perform(const cli_command_t *command, int argc, char *const argv[]) {
-  static cli_args_t args;
   cli_be_quiet(has(argc, argv, "--quiet") || has(argc, argv, "-q"));
-  int code = command->raw != NULL ? command->raw(argc, argv)
-                                  : read_args(command, &args, argc, argv);
-  if (code == CLI_DONE && command->raw == NULL) code = command->perform(&args);
+  const int code = carry_out(command, argc, argv);
   if (asks_for_json(argc, argv) && !cli_put_ended()) {
     cli_put_begin(command->name);
     cli_put("'message': %s, ", cli_last_message());

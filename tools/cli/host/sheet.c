@@ -237,9 +237,8 @@ static bool note(cli_sheets_t *sheets) {
   char text[512];
   cli_buffer_t line = {text, 0, sizeof text, false};
   for (int i = 0; i < sheets->count; i++) {
-    cli_add_form(&line, "%" PRIu64 " ", sheets->sheet[i].rows.bytes);
-    cli_add_hash(&line, sheets->sheet[i].rows.crc);
-    cli_add(&line, " ");
+    cli_add_form(&line, "%" PRIu64 " %08x ", sheets->sheet[i].rows.bytes,
+                 sheets->sheet[i].rows.crc);
   }
   cli_add_count(&line, sheets->done.done);
   for (int i = 0; i < CLI_SHEET_COUNTS; i++)

@@ -151,20 +151,17 @@ size_t cli_run_provenance(const cli_run_t *run, const char *units,
   cli_add_form(&text, "scheme %s, dt %g s",
                motion_scheme_name(run->setup->scheme),
                (double)run->setup->machine.dt);
-  if (table->count > 0) {
-    cli_add_form(&text, ", %s inputs ", table->linear ? "linear" : "held");
-    cli_add_hash(&text, cli_inputs_hash(table));
-  }
+  if (table->count > 0)
+    cli_add_form(&text, ", %s inputs %08x", table->linear ? "linear" : "held",
+                 cli_inputs_hash(table));
   if (run->args->accuracy > 0)
     cli_add_form(&text, ", accuracy %g", run->args->accuracy);
-  if (run->replays) {
-    cli_add(&text, ", replayed from a record that begins so, ");
-    cli_add_hash(&text, run->replay.session.hash);
-  }
-  if (run->args->from != NULL) {
-    cli_add_form(&text, ", from step %" PRIu64 " of a state ", run->first);
-    cli_add_hash(&text, run->from.hash);
-  }
+  if (run->replays)
+    cli_add_form(&text, ", replayed from a record that begins so, %08x",
+                 run->replay.session.hash);
+  if (run->args->from != NULL)
+    cli_add_form(&text, ", from step %" PRIu64 " of a state %08x", run->first,
+                 run->from.hash);
   return cli_provenance(run->setup, how, units, lines);
 }
 

@@ -87,10 +87,9 @@ size_t cli_state_print(const cli_stand_t *stand, const cli_setup_t *setup,
                        char out[CLI_STATE_BYTES]) {
   cli_buffer_t text = {out, 0, CLI_STATE_BYTES, false};
   const bool holds = stand->held.source != TF_INPUT_SCENE;
-  cli_add_form(&text, "twofold-state %s\nnumber %s\nscheme %s\ninputs ",
-               VERSION, CLI_NUMBER_TYPE, motion_scheme_name(setup->scheme));
-  cli_add_hash(&text, stand->inputs);
-  cli_add(&text, "\n");
+  cli_add_form(&text, "twofold-state %s\nnumber %s\nscheme %s\ninputs %08x\n",
+               VERSION, CLI_NUMBER_TYPE, motion_scheme_name(setup->scheme),
+               stand->inputs);
   if (holds) cli_add_form(&text, "source %s\n", sources[stand->held.source]);
   for (size_t i = 0; i < MEMBERS; i++) {
     if (members[i].held && !holds) continue;
@@ -106,10 +105,7 @@ size_t cli_state_print(const cli_stand_t *stand, const cli_setup_t *setup,
   }
   cli_add(&text, "scene\n");
   cli_scene_print(setup->scene, &setup->params, &text);
-  const uint32_t crc = cli_crc(0, out, text.used);
-  cli_add(&text, "crc32 ");
-  cli_add_hash(&text, crc);
-  cli_add(&text, "\n");
+  cli_add_form(&text, "crc32 %08x\n", cli_crc(0, out, text.used));
   return text.used;
 }
 

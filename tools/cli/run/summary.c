@@ -194,7 +194,7 @@ static void print_events(const cli_events_t *events) {
   print_list(events);
 }
 
-static void print_ambiguity(const cli_run_t *run) {
+static void print_quality(const cli_run_t *run) {
   const cli_events_t *events = &run->events;
   const double steps = (double)(run->done - run->first);
   cli_say("ambiguous  several modes %sin %" PRIu64 " steps",
@@ -208,9 +208,6 @@ static void print_ambiguity(const cli_run_t *run) {
             cli_write_set(set, events->set));
   }
   cli_say("\n");
-}
-
-static void print_quality(const cli_run_t *run) {
   cli_tally_print(&run->tally, "first", cli_run_time(run, run->tally.first));
   cli_say("largest    |h| in stick %.3g m/s, residual %.3g N\n", run->largest_h,
           run->largest_residual);
@@ -409,7 +406,6 @@ void cli_summary(const cli_run_t *run, bool json, int code) {
     print_request(run);
     print_drive(run);
     print_events(&run->events);
-    print_ambiguity(run);
     print_quality(run);
     print_final(run);
     print_cost(run);

@@ -100,34 +100,21 @@ static void summarise(const cli_sweep_t *sweep, double seconds) {
           sweep->jobs);
 }
 
-static void summarise_json(const cli_sweep_t *sweep, double seconds, int code) {
-  cli_put_begin("sweep");
-  cli_put("'scene': %s, 'scheme': %s, 'points': %" PRIu64 ", 'kept': %" PRIu64
-          ", ",
-          sweep->args->scene->name, motion_scheme_name(sweep->scheme),
-          sweep->sheets.total, sweep->sheets.kept.done);
-  for (int i = 0; i < CLI_POINT_ENDS; i++)
-    cli_put("%s: %" PRIu64 ", ", cli_point_ends[i], sweep->ends[i]);
-  cli_put("'together': %zu, 'jobs': %u, ", sweep->together, sweep->jobs);
-  cli_put_end(done_of(&sweep->sheets), seconds, code);
-}
-
 // What the rows of all shards follow from: program, scene, options; and units.
 static void add_provenance(const cli_sweep_t *sweep, cli_buffer_t *text) {
   const cli_args_t *args = sweep->args;
   cli_add_form(text,
-               "# twofold %s, commit %s, numbers are %s\n# scene %s, hash ",
-               TF_VERSION, cli_commit, CLI_NUMBER_TYPE, args->scene->name);
-  cli_add_hash(text, sweep->hash);
-  cli_add_form(text, "\n# sweep %s --scheme %s --t-end %g", args->scene->name,
+               "# twofold %s, commit %s, numbers are %s\n# scene %s, hash "
+               "%08x\n# sweep %s --scheme %s --t-end %g",
+               TF_VERSION, cli_commit, CLI_NUMBER_TYPE, args->scene->name,
+               sweep->hash, args->scene->name,
                motion_scheme_name(sweep->scheme),
                (double)cli_end_of(args->scene, &args->t_end));
   if (args->select != NULL) cli_add_form(text, " --select %s", args->select);
   if (args->inputs != NULL) {
-    cli_add_form(text, " --inputs %s --between %s (", args->inputs,
-                 args->between == 1 ? "linear" : "held");
-    cli_add_hash(text, cli_inputs_hash(&sweep->drive.table));
-    cli_add(text, ")");
+    cli_add_form(text, " --inputs %s --between %s (%08x)", args->inputs,
+                 args->between == 1 ? "linear" : "held",
+                 cli_inputs_hash(&sweep->drive.table));
   }
   for (size_t i = 0; i < args->settings.count; i++) {
     const cli_setting_t *setting = &args->settings.list[i];
@@ -202,7 +189,16 @@ static int perform(cli_sweep_t *sweep) {
   if (args->summary == 0 && !sheets->whole) summarise(sweep, seconds);
   if (code != CLI_DONE && sheets->sheet->output.left)
     (void)cli_message(code, "the same command with --resume goes on");
-  if (args->summary != 0) summarise_json(sweep, seconds, code);
+  if (args->summary == 0) return code;
+  cli_put_begin("sweep");
+  cli_put("'scene': %s, 'scheme': %s, 'points': %" PRIu64 ", 'kept': %" PRIu64
+          ", ",
+          args->scene->name, motion_scheme_name(sweep->scheme), sheets->total,
+          sheets->kept.done);
+  for (int i = 0; i < CLI_POINT_ENDS; i++)
+    cli_put("%s: %" PRIu64 ", ", cli_point_ends[i], sweep->ends[i]);
+  cli_put("'together': %zu, 'jobs': %u, ", sweep->together, sweep->jobs);
+  cli_put_end(done_of(sheets), seconds, code);
   return code;
 }
 

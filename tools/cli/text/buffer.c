@@ -14,6 +14,11 @@ static void add_bytes(cli_buffer_t *buffer, const char *bytes, size_t length) {
   buffer->text[buffer->used] = '\0';
 }
 
+static void add_hash(cli_buffer_t *buffer, uint32_t value) {
+  for (unsigned at = 32; at > 0; at -= 4)
+    add_bytes(buffer, &"0123456789abcdef"[value >> (at - 4) & 15u], 1);
+}
+
 void cli_add(cli_buffer_t *buffer, const char *text) {
   add_bytes(buffer, text, strlen(text));
 }
@@ -29,11 +34,13 @@ void cli_add_form(cli_buffer_t *buffer, const char *form, ...) {
     form += plain;
     if (*form == '\0') break;
     const bool is_long = form[1] == 'l'; // of a count: the length of its type
-    form += strspn(form, "%l");
+    form += strspn(form, "%l08");
     if (*form == 's')
       cli_add(buffer, va_arg(arguments, const char *));
     else if (*form == 'g')
       cli_add_real(buffer, (tf_real_t)va_arg(arguments, double));
+    else if (*form == 'x')
+      add_hash(buffer, va_arg(arguments, uint32_t));
     else
       cli_add_count(buffer, is_long ? va_arg(arguments, uint64_t)
                                     : va_arg(arguments, unsigned));
@@ -50,11 +57,6 @@ void cli_add_number(cli_buffer_t *buffer, double value, bool is_float) {
   char digits[CLI_REAL_ROOM];
   const size_t length = decimal_write(digits, value, is_float);
   add_bytes(buffer, digits, length);
-}
-
-void cli_add_hash(cli_buffer_t *buffer, uint32_t value) {
-  for (unsigned at = 32; at > 0; at -= 4)
-    add_bytes(buffer, &"0123456789abcdef"[value >> (at - 4) & 15u], 1);
 }
 
 void cli_add_count(cli_buffer_t *buffer, uint64_t value) {

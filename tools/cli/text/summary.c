@@ -65,9 +65,7 @@ static void add_json(cli_buffer_t *text, const char *form, va_list given) {
     } else if (*form == 's') {
       cli_add(text, "null");
     } else if (*form == 'x') {
-      cli_add(text, "\"");
-      cli_add_hash(text, va_arg(given, uint32_t));
-      cli_add(text, "\"");
+      cli_add_form(text, "\"%08x\"", va_arg(given, uint32_t));
     } else if (*form == 'u') {
       cli_add_count(text, size == 'l'   ? va_arg(given, uint64_t)
                           : size == 'z' ? va_arg(given, size_t)

@@ -162,14 +162,12 @@ typedef struct {
 void cli_add(cli_buffer_t *buffer, const char *text);
 
 /// Appends a form, in which %s stands for a text, %g for a number of the real
-/// type of this program, PRIu64 and %u for counts. There are no others.
+/// type of this program, PRIu64 and %u for counts, %08x for 32
+/// bits. There are no others.
 void cli_add_form(cli_buffer_t *buffer, const char *form, ...) CLI_PRINTF(2, 3);
 
 void cli_add_real(cli_buffer_t *buffer, tf_real_t value);
 void cli_add_count(cli_buffer_t *buffer, uint64_t value);
-
-/// 32 bits as eight hexadecimal digits.
-void cli_add_hash(cli_buffer_t *buffer, uint32_t value);
 
 /// A float (is_float) or a double, whichever type this program was built for.
 void cli_add_number(cli_buffer_t *buffer, double value, bool is_float);
