@@ -7,11 +7,6 @@
 
 #include "point.h"
 
-#include <inttypes.h>
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
-
 #include "../text/summary.h"
 
 #define BATCH 4096 // steps between two checks for a signal
@@ -372,12 +367,6 @@ static bool follow(size_t count, uint64_t steps) {
   return true;
 }
 
-// No field needs quotes, which not every reader of CSV knows.
-static void drop_commas(char *text) {
-  for (; *text != '\0'; text++)
-    if (*text == ',' || *text == '\n') *text = ';';
-}
-
 static void write_row(const cli_sweep_t *sweep, uint64_t index, point_t *point,
                       cli_chunk_t *chunk) {
   const cli_args_t *args = sweep->args;
@@ -385,7 +374,9 @@ static void write_row(const cli_sweep_t *sweep, uint64_t index, point_t *point,
   double values[CLI_MEASURES];
   cli_buffer_t text = {chunk->rows + chunk->used, 0, CLI_SWEEP_ROW, false};
   (void)cli_outcome_end(seen, &point->setup.motion, values);
-  drop_commas(seen->reason);
+  // No field needs quotes, which not every reader of CSV knows.
+  for (char *at = seen->reason; *at != '\0'; at++)
+    if (*at == ',' || *at == '\n') *at = ';';
   cli_add_count(&text, index);
   for (size_t i = 0; i < args->axes; i++)
     cli_add_form(&text, ",%s", strchr(point->text[i], '=') + 1);
