@@ -9,6 +9,7 @@ is back."""
 import os
 import pty
 import re
+import select
 import signal
 import struct
 import subprocess
@@ -188,6 +189,15 @@ def test_what_came_before_a_device_was_heard_is_no_loss():
     until(lambda: rows("rows.part") == 12, "all rows", monitor)
     monitor.send_signal(signal.SIGTERM)
     same(monitor.wait(), 0)
+    # Without a schema nothing is lost: it says what has not come.
+    monitor = follow(os.ttyname(far), "--record", "commands")
+    until(lambda: Path("commands.part").exists(), "that it begins", monitor)
+    os.write(near, b"\0\0".join(stream.split(b"\0\0")[5:-2]) + b"\0")
+    while select.select([far], [], [], 0)[0]:
+        pass
+    monitor.send_signal(signal.SIGTERM)
+    same(monitor.wait(), 6)
+    heard("no schema has come", monitor)
 
 
 def test_a_line_that_nobody_read_is_no_damage():

@@ -216,6 +216,9 @@ static const char *fault_of(const monitor_t *monitor) {
   static char where[160];
   const cli_receiver_t *receiver = &monitor->receiver;
   if (monitor->source.broke) return "the board broke, as it said";
+  if (receiver->is_device && !receiver->has_schema)
+    return "no schema has come, without which rows mean nothing: a board sends "
+           "one each second";
   if (cli_receiver_missing(receiver) > receiver->dropped)
     return "frames were lost or broken, as is counted";
   if (receiver->dropped > 0)
