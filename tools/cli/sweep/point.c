@@ -289,11 +289,16 @@ __attribute__((weak)) size_t step_with_avx2(const tf_machine_t *machine,
                                             tf_state_block_t *states, size_t n,
                                             const tf_input_t *input,
                                             tf_report_block_t *reports);
+
+size_t cli_step_lanes(const tf_machine_t *machine, tf_state_block_t *states,
+                      size_t n, const tf_input_t *input,
+                      tf_report_block_t *reports) {
 #ifdef __x86_64__
-#define HAS_AVX2 (step_with_avx2 != NULL && __builtin_cpu_supports("avx2"))
-#else
-#define HAS_AVX2 false
+  if (step_with_avx2 != NULL && __builtin_cpu_supports("avx2"))
+    return step_with_avx2(machine, states, n, input, reports);
 #endif
+  return tf_ensemble_step(machine, states, n, input, reports);
+}
 
 // Which lanes are to be looked at. Of the others the step was TF_OK, and mode,
 // sign of the Delassus scalar and whether there are several futures as before.
@@ -317,8 +322,7 @@ static void step_together(size_t count, uint64_t i) {
   const tf_input_t input =
       cli_drive_over(&group.points[0].drive, machine, &span);
   uint8_t due[TF_LANES];
-  (void)(HAS_AVX2 ? step_with_avx2 : tf_ensemble_step)(machine, &group.states,
-                                                       lanes, &input, now);
+  (void)cli_step_lanes(machine, &group.states, lanes, &input, now);
   reach(group.states.r);
   find_due(was, now, due);
   for (size_t n = 0; n < count; n++) {

@@ -61,6 +61,12 @@ void cli_outcome_see(cli_outcome_t *seen, uint64_t i, const tf_report_t *before,
 cli_point_end_t cli_outcome_end(cli_outcome_t *seen, const motion_t *motion,
                                 double values[CLI_MEASURES]);
 
+/// tf_ensemble_step, by the vectors of AVX2 where processor and program have
+/// them.
+size_t cli_step_lanes(const tf_machine_t *machine, tf_state_block_t *states,
+                      size_t n, const tf_input_t *input,
+                      tf_report_block_t *reports);
+
 #define CLI_SWEEP_ROW 2048
 
 /// What has become of some points.

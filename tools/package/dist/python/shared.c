@@ -1,15 +1,10 @@
 /* What the package calls beside the public functions: the layout of structs, so
  * that Python can hold them, and loops, which would be slow there. Each real
  * type is a library of its own, with the command line in it. */
-#ifdef LANES_FOR_AVX2
-#define TF_API_STATIC
-#define LANES(name) name##_avx2
-#else
-#define LANES(name) name
-#endif
 #include <math.h>
 
-#include "motion.h"
+#include "cli/setup/scene_file.h"
+#include "cli/sweep/point.h"
 #include "twofold.c"
 
 /* A motion, the scene that drives it, and the scheme that advances it. */
@@ -22,38 +17,21 @@ typedef struct {
 /* Takes steps of an ensemble, block by block, behind `from` of them up to `to`.
  * input: that of the first of them, behind which the turntable keeps its speed;
  * NULL: those of the scene. */
-typedef void lanes_t(const run_t *of, tf_state_block_t *states, size_t n,
-                     tf_input_t *input, tf_report_block_t *reports,
-                     uint64_t from, uint64_t to);
-lanes_t twofold_lanes, twofold_lanes_avx2;
-
-void LANES(twofold_lanes)(const run_t *of, tf_state_block_t *states, size_t n,
-                          tf_input_t *input, tf_report_block_t *reports,
-                          uint64_t from, uint64_t to) {
+void twofold_lanes(const run_t *of, tf_state_block_t *states, size_t n,
+                   tf_input_t *input, tf_report_block_t *reports, uint64_t from,
+                   uint64_t to) {
   const tf_machine_t *machine = &of->motion->machine.machine;
   for (size_t at = 0; at < n; at += TF_LANES) {
     tf_input_t u = input ? *input : tf_input_default(machine);
     for (uint64_t i = from + 1; i <= to; i++) {
       if (!input) u = tf_scene_input(of->scene, machine, i);
-      tf_ensemble_step(machine, states + at / TF_LANES,
-                       n - at < TF_LANES ? n - at : TF_LANES, &u,
-                       reports + at / TF_LANES);
+      cli_step_lanes(machine, states + at / TF_LANES,
+                     n - at < TF_LANES ? n - at : TF_LANES, &u,
+                     reports + at / TF_LANES);
       u.alpha = 0;
     }
   }
   if (input && to > from) input->alpha = 0;
-}
-
-#ifndef LANES_FOR_AVX2
-#include "cli/setup/scene_file.h"
-#include "cli/sweep/point.h"
-
-int twofold_has_avx2(void) {
-#if defined(__GNUC__) && defined(__x86_64__)
-  return __builtin_cpu_supports("avx2") != 0;
-#else
-  return 0;
-#endif
 }
 
 typedef struct {
@@ -240,4 +218,3 @@ tf_status_t twofold_regions(const run_t *of, place_t *places, size_t n) {
   }
   return status;
 }
-#endif

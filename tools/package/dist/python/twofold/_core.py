@@ -169,12 +169,10 @@ class Core:
                 ("twofold_run", c_uint64,
                  (run, input_, any_, any_, *4 * [c_uint64], any_,
                   POINTER(c_int)))):
-            suffix = f"_{self.suffix}" if name.startswith("tf_") else (
-                "_avx2" * (name == "twofold_lanes" and
-                           self.library.twofold_has_avx2()))
             function = getattr(
                 locked if name in ("twofold_scene", "twofold_table") else
-                self.library, name + suffix)
+                self.library,
+                name + f"_{self.suffix}" * name.startswith("tf_"))
             function.restype, function.argtypes = result, arguments
             setattr(self, "call_" + name.split("_", 1)[1], function)
 
