@@ -24,11 +24,11 @@ src               11780   9700     61
 include            1990   1650     17
 tools/cli         12750  10000
 tools/board        1620   1200
-tools/package      6430   5200
-tools/page         4350   4000
-tools/bench        3750   3200
+tools/package      6415   5200
+tools/page         4255   4000
+tools/bench        3530   3200
 tools/study        4700   3800
-tools/verify       5600   4200
+tools/verify       5425   4200
 tests             29450  23000
 """.strip().splitlines()[1:])}
 # Words that a document may have, and all of them together.
