@@ -16,49 +16,50 @@
 #include "problem.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "../../tests/data/reference.h"
-
-// Where tests/data has no state: an event-driven solver in long double, equal
-// to 16 digits when the step is halved.
-static const double end_of_driven[3] = {0.01923285892412156, 1.822891319352441,
-                                        2.524400963576163};
-// By tests/reference in long double, at tolerances from 1e-13 to 1e-17.
-static const double end_of_stiff[3][3] = {
-    {0.60000038225517971, -0.00048346705674233881, 0.48342804708348247},
-    {0.18135409641739544, 0.0061746568381402297, -0.99245747595863865},
-    {0.99470525398218324, 0.011824932061990883, 1.2346064224671847}};
+#include "../../tests/reference/problems.h"
 
 static const struct {
   const char *name, *reference;
   double length, branch_error;
-  const double *end; // NULL: that of the reference
+  uint8_t mode, mode_at_end;
   const char *scene; // whose law it has, of a stiff one
 } problems[PROBLEMS] = {
-    {"chaos", "chaos", 1, 6e-3, NULL, NULL},
-    {"crossings", "crossings", 2, 0.5, NULL, NULL},
-    {"stickslip", "stickslip", 2, 0.5, NULL, NULL},
-    {"driven", "stickslip", 2, 0.5, end_of_driven, NULL},
-    {"stiff-spring", "crossings", 1, 0.5, end_of_stiff[0], NULL},
-    {"stiff-smooth", "chaos", 0.5, 0.5, end_of_stiff[1], "smooth"},
-    {"stiff-string", "rolling", 1, 0.5, end_of_stiff[2], "string"},
-    {"cycle", "chaos", 2, 6e-3, NULL, NULL},
-    {"rolling", "rolling", 2.5, 0.5, NULL, NULL},
+    {"chaos", "chaos", 1, 6e-3, TF_SLIP_PLUS, TF_STICK_MINUS, NULL},
+    {"crossings", "crossings", 2, 0.5, TF_SLIP_MINUS, TF_SLIP_MINUS, NULL},
+    {"stickslip", "stickslip", 2, 0.5, TF_SLIP_MINUS, TF_STICK_MINUS, NULL},
+    {"driven", "stickslip", 2, 0.5, TF_SLIP_MINUS, TF_NO_MODE, NULL},
+    {"stiff-spring", "crossings", 1, 0.5, TF_SLIP_MINUS, TF_NO_MODE, NULL},
+    {"stiff-smooth", "chaos", 0.5, 0.5, TF_SLIP_PLUS, TF_NO_MODE, "smooth"},
+    {"stiff-string", "rolling", 1, 0.5, TF_SLIP_PLUS, TF_NO_MODE, "string"},
+    {"cycle", "chaos", 2, 6e-3, TF_SLIP_PLUS, TF_STICK_PLUS, NULL},
+    {"rolling", "rolling", 2.5, 0.5, TF_STICK_MINUS, TF_STICK_MINUS, NULL},
+};
+// By tests/reference, the same digits at tolerances from 1e-13 to 1e-17; that
+// of `driven` by another event-driven solver in long double.
+static const double ends[PROBLEMS][3] = {
+    {0.18567635725783782, 0.010298364852921134, -0.9873534743284104},
+    {0.18868088157823645, -7.49573828721717, -6.698365300524024},
+    {0.1579390330387785, 0.3466910898699133, -0.588282673734384},
+    {0.01923285892412156, 1.822891319352441, 2.524400963576163},
+    {0.60000038225517971, -0.00048346705674233881, 0.48342804708348247},
+    {0.18135409641739544, 0.0061746568381402297, -0.99245747595863865},
+    {0.99470525398218324, 0.011824932061990883, 1.2346064224671847},
+    {0.18760349196336398, -0.044534028292030674, -1.0548180941836622},
+    {0.9998314846910292, 0.0003916869661954738, 1.3243405515360325},
 };
 
-static const reference_t *reference_of(const char *name) {
+static const ref_problem_t *reference_of(const char *name) {
   int i = 0;
-  while (strcmp(references[i].problem->name, name) != 0) i++;
-  return &references[i];
+  while (strcmp(ref_problems[i].name, name) != 0) i++;
+  return &ref_problems[i];
 }
 
 // What the reference does not say is that of scene `chaos`.
-static tf_params_t params_of(const reference_t *ref) {
+static tf_params_t params_of(const ref_problem_t *ref) {
   const tf_params_t *chaos = &tf_scenes[0]->params;
-  return (tf_params_t){PARAMETERS_OF(tf_real_t, &ref->problem->machine),
+  return (tf_params_t){PARAMETERS_OF(tf_real_t, &ref->machine),
                        .theta = chaos->theta,
                        .dt = chaos->dt,
                        .rate = chaos->rate,
@@ -67,27 +68,18 @@ static tf_params_t params_of(const reference_t *ref) {
                        .rule = TF_RULE_PERSIST};
 }
 
-static const reference_state_t *state_at(const reference_t *ref, double t) {
-  for (int i = 0; i < ref->states; i++)
-    if (fabsl(ref->state[i].t - (long double)t) < 1e-12L) return &ref->state[i];
-  fprintf(stderr, "%s: no state at %g s\n", ref->problem->name, t);
-  abort();
-}
-
-static uint8_t mode_at(const reference_t *ref, double t) {
-  const char *name = ref->begins;
-  for (int i = 0; i < ref->events && (double)ref->event[i].t <= t; i++)
-    name = ref->event[i].after;
-  uint8_t mode = 0;
-  while (mode < TF_MODES && strcmp(name, tf_mode_name(mode)) != 0) mode++;
-  return mode;
+// v at the start, by the slip speed there.
+static long double speed_at_start(const ref_problem_t *ref) {
+  const ref_machine_t *q = &ref->machine;
+  const long double z = ref->omega - q->omega0;
+  const long double across = ref->h + ref->r * z * cosl(q->gamma);
+  return q->d * z - across / sinl(q->gamma);
 }
 
 // What makes a problem stiff: a spring, else a law without a jump.
 static void stiffen(problem_t *p, const char *scene) {
   tf_params_t *k = &p->params;
   int s = 0;
-  p->mode_at_end = TF_NO_MODE;
   if (!scene) {
     const long double z = p->start[2] - (long double)k->omega0;
     const long double gamma = (long double)k->gamma;
@@ -102,33 +94,23 @@ static void stiffen(problem_t *p, const char *scene) {
   *k = tf_scenes[s]->params;
   k->epsilon /= 100;
   k->k *= 100000;
-  p->mode = TF_SLIP_PLUS;
 }
 
 problem_t problem_number(int i) {
-  const reference_t *ref = reference_of(problems[i].reference);
-  const double length = problems[i].length;
+  const ref_problem_t *ref = reference_of(problems[i].reference);
   problem_t p = {.name = problems[i].name,
                  .params = params_of(ref),
-                 .start = {ref->start.r, ref->start.v, ref->start.w},
+                 .start = {ref->r, speed_at_start(ref), ref->omega},
                  .h = (double)ref->h,
-                 .length = length,
-                 .mode = mode_at(ref, 0),
-                 .mode_at_end = mode_at(ref, length),
+                 .length = problems[i].length,
+                 .mode = problems[i].mode,
+                 .mode_at_end = problems[i].mode_at_end,
                  .branch_error = problems[i].branch_error};
-  if (strncmp(p.name, "stiff", 5) == 0) {
+  memcpy(p.end, ends[i], sizeof p.end);
+  if (strncmp(p.name, "stiff", 5) == 0)
     stiffen(&p, problems[i].scene);
-  } else if (strcmp(p.name, "driven") == 0) {
+  else if (strcmp(p.name, "driven") == 0)
     p.alpha = 1; // it reverses
-    p.mode_at_end = TF_NO_MODE;
-  }
-  if (problems[i].end != NULL) {
-    memcpy(p.end, problems[i].end, sizeof p.end);
-  } else {
-    const reference_state_t *end = state_at(ref, length);
-    memcpy(p.end, (double[3]){(double)end->r, (double)end->v, (double)end->w},
-           sizeof p.end);
-  }
   return p;
 }
 
