@@ -1,7 +1,7 @@
 /// @file
 /// The reference judged before it judges: its equations against the paper's at
-/// random states, its courses against tests/data, which the same solver makes
-/// in quadruple precision, and a wheel at rest on a turntable that moves.
+/// random states, and its courses against tests/data, which the same solver
+/// makes in quadruple precision.
 #include <math.h>
 #include <stdio.h>
 
@@ -61,21 +61,6 @@ static void equations(void) {
   check("equations", "A, (muCalc)", stick, 1e-15L);
 }
 
-// (2fold): both h' vanish at r*, w*, and A has its other zero where the paper
-// has it.
-static void two_fold(void) {
-  const paper_t p = paper_default();
-  ref_machine_t q = {PARAMETERS_OF(real_t, &p)};
-  ref_prepare(&q);
-  const real_t r = PAPER_R_STAR, w = PAPER_W_STAR;
-  ref_state_t x = ref_state(&q, r, paper_sing_v(&p, r, w), w);
-  const ref_edge_t edge = ref_edge(&q, x, 1);
-  check("two-fold", "h' at lambda = mu, -mu",
-        fmaxl(fabsl(edge.plus), fabsl(edge.minus)), 1e-17L);
-  x.r = q.beta * q.beta * q.sine * q.sine / r;
-  check("two-fold", "A at its other zero", fabsl(ref_edge(&q, x, 1).A), 1e-17L);
-}
-
 typedef struct {
   const reference_t *ref;
   int seen;
@@ -126,55 +111,10 @@ static void course(const reference_t *ref) {
   check(problem->name, "events besides", events.seen - ref->events, 0);
 }
 
-// A wheel at rest is carried along until its force by the mass matrix, with
-// w' = alpha, leaves the law of rest, or an attracting stick begins.
-static void carried(void) {
-  int left = 0;
-  real_t off = 0, moved = 0;
-  draw_t draw = draw_begin(3, 0);
-  for (int i = 0; i < 2000; ++i) {
-    lib_machine_t machine = draw_machine(&draw, false);
-    machine.coulomb = false;
-    ref_machine_t q = draw_reference(&machine);
-    const real_t alpha = 0.3L, end = 9;
-    q.knots = 2;
-    q.knot[0] = (ref_knot_t){.omega0 = q.omega0};
-    q.knot[1] = (ref_knot_t){.t = end, .omega0 = q.omega0 + alpha * end};
-    if (fabsl(q.sine) < 0.1L) continue;
-    ref_orbit_t orbit = {
-        .tolerance = 1e-13L, .law = REF_HEXAGON, .limit = 1000000};
-    ref_state_t x = ref_state(&q, (real_t)machine.r, 0, q.omega0);
-    x.piece = 1;
-    ref_begin(&orbit, &q, x, REF_MODES);
-    if (orbit.mode != REF_PINNED) continue;
-    for (int n = 1; n < 900 && orbit.mode == REF_PINNED; ++n)
-      ref_run(&orbit, n * 0.01L);
-    if (orbit.mode == REF_PINNED) continue;
-    const real_t t = orbit.at.t, r = orbit.at.r, w = q.omega0 + alpha * t;
-    const real_t F =
-        (q.k2 * (r - q.r0) - q.m * (r * w * w + q.d * alpha)) / q.sine;
-    const real_t inertia = q.m * (q.beta * q.beta + r * r + q.d * q.d);
-    const real_t arm = r * q.cosine - q.d * q.sine;
-    const real_t M = fabsl(inertia * alpha + q.c1 * w - F * arm);
-    const real_t size = fabsl(F);
-    const real_t hull =
-        fminl(q.kappa * q.mu - M, 4 * q.mu / 3 - M / (3 * q.kappa) - size);
-    off = fmaxl(off, fminl(fabsl(hull), fabsl(M - q.kappa * size)));
-    moved = fmaxl(moved, fabsl(r - (real_t)machine.r));
-    ++left;
-  }
-  char what[64];
-  snprintf(what, sizeof what, "%d wheels at rest leave on a border", left);
-  check("carried", what, left > 20 ? off : 1, 1e-13L);
-  check("carried", "r at rest", moved, 0);
-}
-
 static int run(const options_t *options) {
   (void)options;
   equations();
-  two_fold();
   for (int i = 0; i < REF_PROBLEMS; ++i) course(&references[i]);
-  carried();
   printf("%d of %d bad\n", failures, checks);
   return failures > 0;
 }

@@ -1,5 +1,5 @@
-/* The normal form of a two-fold against the paper in long double and its
- * rescaled time. */
+/* The normal form of a two-fold: against the paper in long double and its
+ * rescaled time, and against the true sliding field next to it. */
 #include "sample.h"
 
 /* What K is made of, so what it can lose: the gradient of h' times f. */
@@ -46,6 +46,69 @@ TEST(normal_form_against_the_paper) {
       CHECK(at->paper_case == (invisible ? paper_case : 0));
   }
   for (int i = 0; i < 4; i++) CHECK(seen[i] > samples(20));
+}
+
+/* Next to a two-fold the core's stick velocity is taken, and what it does to
+ * (L+, L-) by the paper's gradients; the normal form has to foretell both. */
+TEST(sliding_motion_follows_the_normal_form) {
+  int seen = 0;
+  for (int i = 0; i < samples(3000); i++) {
+    const sample_t c = random_two_fold();
+    const tf_two_fold_t *at = &c.design.two_fold;
+    const real pp = wide(at->Kpp), pm = wide(at->Kpm);
+    const real mp = wide(at->Kmp), mm = wide(at->Kmm);
+    const real det = pp * mm - pm * mp, scale = fabsl(pp) + fabsl(mm);
+    const real bulk = bulk_of(&c);
+    if (fabsl(det) < 0.05L * scale * scale || scale < 0.05L * bulk) continue;
+    if (fabsl(wide(at->point.g)) < 0.05L || fabsl(c.x[0]) < 0.1L) continue;
+    const real speed = fabsl(wide(at->plus.v)) + fabsl(wide(at->plus.w)) +
+                       fabsl(wide(at->minus.v)) + fabsl(wide(at->minus.w));
+    const real push = c.paper.k2 * (fabsl(c.x[0]) + fabsl(c.paper.r0)) +
+                      fabsl(c.x[0]) * c.x[2] * c.x[2] + c.paper.mu;
+    real slope[3];
+    paper_lie_x(&c.paper, c.x, c.paper.mu, c.s, slope);
+    /* of h' itself, and of the place's own rounding */
+    const real noise = EPSILON *
+                       ((1 + fabsl(c.paper.d)) * push + fabsl(slope[0]) +
+                        2 * fabsl(slope[1]) + 2 * fabsl(slope[2])) /
+                       wide(at->time_scale);
+    if (sqrtl(EPSILON) * scale * 0.3L < 200 * noise) continue;
+    /* In the cone, by (L+, L-) = step (-b, a): sliding, then escaping. */
+    const real a = tap_uniform(0.2, 0.8), b = 1 - a;
+    for (int side = -1; side <= 1; side += 2) {
+      const real step = (real)side * sqrtl(EPSILON) * scale * 0.3L;
+      const real alpha = step * (-b * mm - a * pm) / det;
+      const real beta = step * (pp * a + mp * b) / det;
+      const real r = c.x[0] + (alpha + beta) * wide(at->plus.r);
+      const real w =
+          c.x[2] + alpha * wide(at->plus.w) + beta * wide(at->minus.w);
+      tf_real_t v = 0;
+      tf_surface_t s;
+      CHECK(tf_speed_for_slip(&c.machine, (tf_real_t)r, (tf_real_t)w,
+                              c.input.omega0, 0, &v) == TF_OK);
+      const real y[3] = {wide((tf_real_t)r), wide(v), wide((tf_real_t)w)};
+      CHECK(tf_surface_at(&c.machine, &c.input, (tf_real_t)r, v, (tf_real_t)w,
+                          &s) == TF_OK);
+      CHECK(s.region == (side > 0 ? TF_REGION_SLIDING : TF_REGION_ESCAPING));
+      const real clock =
+          c.paper.m * (c.paper.beta * c.paper.beta + y[0] * y[0]);
+      real n[3], rate[2];
+      for (int k = 0; k < 2; k++) {
+        paper_lie_x(&c.paper, y, k ? -c.paper.mu : c.paper.mu, c.s, n);
+        rate[k] = (n[0] * wide(s.stick.r) + n[1] * wide(s.stick.v) +
+                   n[2] * wide(s.stick.w)) /
+                  clock;
+      }
+      const real close = 300 * sqrtl(EPSILON) * (1 + bulk + speed * speed);
+      CHECK_NEAR(rate[0], (pm * b + pp * a), close);
+      CHECK_NEAR(rate[1], (mm * b + mp * a), close);
+      CHECK_NEAR(wide(s.stick.w), a * wide(at->plus.w) + b * wide(at->minus.w),
+                 close);
+      CHECK_NEAR(wide(s.lambda), c.paper.mu * (a - b), close);
+      seen++;
+    }
+  }
+  CHECK(seen > samples(200));
 }
 
 /* With every input driven, K^{ab} is the rate of h_x.f(x, a mu) along f(x, b

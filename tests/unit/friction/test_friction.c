@@ -110,9 +110,10 @@ static void compare_forms(const step_t *k, const inclusion_t *in) {
 }
 
 /* What was compared: all steps, those beside h = g = 0, those whose report has
- * another set, those pinned by one of both alone, by size of the set. */
+ * another set, those pinned by one of both alone, sticks that go on, by size of
+ * the set. */
 typedef struct {
-  int compared, near, other, pins, count[6];
+  int compared, near, other, pins, sticks, count[6];
 } tally_t;
 
 static void compare_step(const step_t *k, const tf_machine_t *machine,
@@ -145,6 +146,17 @@ static void compare_step(const step_t *k, const tf_machine_t *machine,
   CHECK((apart & ~(unsigned)TF_MODE_BIT(TF_PINNED)) == 0);
   tally->pins += apart != 0;
   CHECK(reaches == (near && machine->contact.stick_kappa > 0));
+  const bool lost = loses_slip(k->x.mode, report.mode);
+  if (near || lost || report.status != TF_OK || report.set != is.set) return;
+  const unsigned mode = tf_contact_choose(&machine->contact, &is, k->x.mode,
+                                          k->x.tick, k->x.seed);
+  tf_force_t f;
+  CHECK(report.mode == mode);
+  if (tf_mode_is_slip(mode) || mode != k->x.mode) return;
+  CHECK(tf_contact_force(&machine->contact, &in.h, &in.g, &is, mode,
+                         start_slip(&c), &f) == TF_OK);
+  CHECK(f.F == report.force.F && f.M == report.force.M);
+  tally->sticks++;
 }
 
 TEST(step_has_the_modes_of_its_forms) {
@@ -161,6 +173,7 @@ TEST(step_has_the_modes_of_its_forms) {
     CHECK(extreme || t->pins <= t->compared / 10000);
     CHECK(t->other <= (IS_DOUBLE ? 0 : t->compared / 10000));
     CHECK_ABOVE(t->compared, samples(60000));
+    CHECK_ABOVE(t->sticks, samples(1000));
     CHECK_ABOVE(t->count[1], samples(1000));
     CHECK_ABOVE(t->count[3], samples(extreme ? 500 : 1000));
   }

@@ -350,20 +350,3 @@ TEST(wrong_setpoints_are_answered) {
   CHECK_TOLD(&board, 0, TF_ANSWER_OLD);
   CHECK(acts_alike(&board, &before) && board.link.dated == 0);
 }
-
-/* An ignored command has come: only what never came is lost. */
-TEST(ignored_commands_are_not_lost) {
-  board_t board;
-  power_up(&board, "chaos");
-  for (unsigned n = 0; n < TF_LINK_QUEUE + 3; n++)
-    send_plain(&board, TF_UP_START);
-  CHECK(board.link.ignored == 3 && board.link.lost == 0);
-  CHECK(boundary(&board) == TF_LINK_QUEUE && drain(&board) == TF_LINK_QUEUE);
-  board.up -= 2; /* sent again, and one of them never came */
-  send_plain(&board, TF_UP_START);
-  CHECK_TOLD(&board, 1, TF_ANSWER_DONE);
-  CHECK(board.link.lost == 0);
-  board.up += 3;
-  send_plain(&board, TF_UP_START);
-  CHECK(board.link.lost == 2);
-}

@@ -4,7 +4,6 @@
 #include <ctype.h>
 
 #include "frame_in.h"
-#include "same_state.h"
 #include "tap.h"
 #include "twofold.h"
 
@@ -166,16 +165,6 @@ TEST(documented_laws_are_those_of_the_core) {
   while (!found && fgets(line, sizeof line, file)) found = !strcmp(line, want);
   fclose(file);
   if (!CHECK(found)) printf("# no line %s", want);
-}
-
-TEST(state_reads_back) {
-  uint8_t wire[LONGEST];
-  uint32_t sequence = 0;
-  tf_state_t state;
-  const tf_frame_t frame =
-      frame_of(wire, tf_send_state(wire, &sequence, &state_shown));
-  tf_read_state(frame.payload, frame.tick, &state);
-  CHECK(same_state(&state, &state_shown));
 }
 
 TEST(report_has_any_status) {

@@ -213,14 +213,6 @@ TEST(a_slip_that_may_miss_its_future_is_coarse) {
   CHECK_ABOVE(neither, samples(200));
 }
 
-static end_state_t balanced_end(tf_params_t p, const tf_state_t *x,
-                                tf_real_t dt) {
-  p.dt = dt;
-  const tf_machine_t k = prepared(&p);
-  const tf_input_t u = tf_input_default(&k);
-  return tf_balanced_end(&k, x, &u, TF_SLIP_PLUS, (tf_force_t){0, 0}).at;
-}
-
 /* A spring that turns by 1/45 rad a step or more gains 2^-20 of the energy a
  * step at most: what linearisation makes in a period does not add up. */
 TEST(a_stiff_spring_gains_no_energy_in_time) {
@@ -242,58 +234,6 @@ TEST(a_stiff_spring_gains_no_energy_in_time) {
       CHECK(wide(tf_energy(&s.k, &s.x, s.u.r0)) <= most);
     }
   }
-}
-
-/* The balanced step keeps the energy to rounding, and loses some by a damper
- * however strong it is and however long the step. */
-TEST(damping_takes_energy_from_a_balanced_step) {
-  for (int i = 0; i < samples(4000); i++) {
-    tf_params_t p = conservative();
-    p.c1 = i % 4 ? log_uniform(1e-3, 1e6) : 0;
-    p.c2 = i % 2 ? log_uniform(1e-3, 1e6) : 0;
-    const bool damped = i % 4 != 0;
-    if (!damped) p.theta = TF_R(0.5);
-    const ref_machine_t q = {PARAMETERS_OF(real, &p)};
-    const tf_state_t x = moving();
-    const end_state_t from = place(&x), to = balanced_end(p, &x, p.dt);
-    const real gain = energy_of(&q, to) - energy_of(&q, from);
-    const real room = 64 * (noise(&q, from) + noise(&q, to));
-    CHECK(gain <= room && (damped || gain >= -room));
-  }
-}
-
-/* How far the end of a balanced step is from (18), its equation of P, with the
- * matrix of the true middle. */
-static real missed_at_middle(const tf_params_t *p, const tf_state_t *x,
-                             tf_real_t dt) {
-  ref_machine_t q = {PARAMETERS_OF(real, p)};
-  const end_state_t from = place(x), to = balanced_end(*p, x, dt);
-  const real w0 = wide(from.w), w1 = wide(to.w);
-  const real R0 = hypotl(q.beta, wide(from.r)), R1 = hypotl(q.beta, wide(to.r));
-  const real dP = wide(to.v) - wide(from.v) - q.d * (w1 - w0);
-  const real r = wide(from.r + to.r) / 2, w = (R0 * w0 + R1 * w1) / (R0 + R1);
-  ref_prepare(&q);
-  const ref_state_t middle = ref_state(&q, r, 0, w);
-  return q.m *
-         fabsl(dP / wide(dt) - ref_rate(&q, middle, (ref_force_t){0, 0}).p);
-}
-
-/* A guess of the middle is one power of the step better than that before it:
- * the start is off by the first power, the second guess by the third. */
-TEST(two_guesses_miss_the_middle_by_the_third_power) {
-  real far = 0, near = 0;
-  for (int i = 0; i < samples(2000); i++) {
-    tf_params_t p = conservative();
-    p.theta = TF_R(0.5);
-    p.m = 1;
-    p.k2 = uniform(0.1, 10);
-    p.beta = uniform(0.3, 1);
-    const tf_state_t x = {
-        .r = uniform(0.5, 1), .v = uniform(-1, 1), .w = uniform(-2, 2)};
-    far += missed_at_middle(&p, &x, TF_R(0.04));
-    near += missed_at_middle(&p, &x, TF_R(0.02));
-  }
-  CHECK_NEAR(far / near, 8, 2);
 }
 
 /* The end of a step in long double, of (6) or (18). */
