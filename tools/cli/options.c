@@ -217,16 +217,6 @@ static int take(line_t *line, const char *word) {
   return CLI_DONE;
 }
 
-static int check_needs(const line_t *line) {
-  for (size_t i = 0; i < cli_option_count; i++) {
-    const cli_option_t *option = &cli_options[i];
-    if (cli_takes(line->command, option) && option->needs != NULL &&
-        was_given(line, option->name) && !was_given(line, option->needs))
-      return cli_usage("%s: only with %s", option->name, option->needs);
-  }
-  return CLI_DONE;
-}
-
 // Whether writing the one, or the `.part` or `.resume` beside it, would destroy
 // the other. Standard output takes the rows of one option.
 static bool destroys(const word_t *writer, const word_t *file) {
@@ -271,6 +261,11 @@ int cli_read_words(const cli_command_t *command, cli_args_t *args, int argc,
     CLI_TRY(is_option ? read_option(&line, argc, argv, &at)
                       : take(&line, word));
   }
-  CLI_TRY(check_needs(&line));
+  for (size_t i = 0; i < cli_option_count; i++) {
+    const cli_option_t *option = &cli_options[i];
+    if (cli_takes(line.command, option) && option->needs != NULL &&
+        was_given(&line, option->name) && !was_given(&line, option->needs))
+      return cli_usage("%s: only with %s", option->name, option->needs);
+  }
   return check_files(&line);
 }

@@ -20,10 +20,20 @@ int cli_analysis_check(cli_args_t *args) {
   return cli_usage("design: %s is missing", has_r ? "--omega W" : "--r R");
 }
 
-// The first two are found, the others are of a run.
-static void print_notes(bool finds_kappa) {
+// Prepares the machine. finds_kappa: the command computes kappa, so a scene
+// without kappa is not refused.
+static int prepare(const cli_args_t *args, bool finds_kappa) {
+  // The first two are found, the others are of a run.
   static const char *const unused[] = {
       "kappa", "k2", "dt", "theta", "tolerance", "r", "v", "omega", "h", "phi"};
+  job.args = args;
+  job.r = args->r;
+  job.omega = args->omega;
+  CLI_TRY(cli_setup_read(&job.setup, args->scene, &args->settings, NULL));
+  if (finds_kappa && !(job.setup.params.kappa > 0) &&
+      cli_settings_find(&args->settings, "kappa") == NULL)
+    job.setup.params.kappa = 1; // any value in its range
+  CLI_TRY(cli_setup_machine(&job.setup));
   cli_setup_notes(&job.setup);
   for (size_t i = finds_kappa ? 0 : 2; i < sizeof unused / sizeof unused[0];
        i++) {
@@ -35,20 +45,6 @@ static void print_notes(bool finds_kappa) {
                i < 2 ? "finds it" : "does not run");
     }
   }
-}
-
-// Prepares the machine. finds_kappa: the command computes kappa, so a scene
-// without kappa is not refused.
-static int prepare(const cli_args_t *args, bool finds_kappa) {
-  job.args = args;
-  job.r = args->r;
-  job.omega = args->omega;
-  CLI_TRY(cli_setup_read(&job.setup, args->scene, &args->settings, NULL));
-  if (finds_kappa && !(job.setup.params.kappa > 0) &&
-      cli_settings_find(&args->settings, "kappa") == NULL)
-    job.setup.params.kappa = 1; // any value in its range
-  CLI_TRY(cli_setup_machine(&job.setup));
-  print_notes(finds_kappa);
   return CLI_DONE;
 }
 

@@ -29,15 +29,6 @@ unsigned cli_processors(void) {
   return found > 1 ? (unsigned)found : 1;
 }
 
-// In the new process: it holds no file of the program, nor another pipe.
-static void begin(int to) {
-#ifdef __linux__
-  (void)prctl(PR_SET_PDEATHSIG, SIGKILL);
-#endif
-  (void)close(STDOUT_FILENO);
-  for (int i = STDERR_FILENO + 1; i < to; i++) (void)close(i);
-}
-
 int cli_workers_start(cli_workers_t *workers, unsigned count,
                       void (*work)(void *with, unsigned worker, int to),
                       void *with) {
@@ -50,7 +41,12 @@ int cli_workers_start(cli_workers_t *workers, unsigned count,
       return cli_stop("no process could be started: %s", strerror(error));
     }
     if (process == 0) {
-      begin(ends[1]);
+#ifdef __linux__
+      (void)prctl(PR_SET_PDEATHSIG, SIGKILL);
+#endif
+      // It holds no file of the program, nor another pipe.
+      (void)close(STDOUT_FILENO);
+      for (int i = STDERR_FILENO + 1; i < ends[1]; i++) (void)close(i);
       work(with, workers->count, ends[1]);
       _exit(0);
     }

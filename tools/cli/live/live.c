@@ -178,14 +178,6 @@ static void plot(const plane_t *plane, const cli_csv_t *at, unsigned ink) {
           place(&plane->y, at->column[plane->y.column], 4 * plane->rows), ink);
 }
 
-// The lines x = 0 and y = 0, where they are within the axes.
-static void plot_zeros(const plane_t *plane) {
-  const int column = place(&plane->x, 0, 2 * plane->columns);
-  const int row = place(&plane->y, 0, 4 * plane->rows);
-  for (int i = 0; i < 2 * plane->columns; i += 2) put_dot(plane, i, row, AXIS);
-  for (int i = 1; i < 4 * plane->rows; i += 2) put_dot(plane, column, i, AXIS);
-}
-
 // What is drawn. The time that is kept is divided into buckets, each with the
 // last instant in it and all modes of it: so memory and the time to draw do not
 // depend on the number of steps, and no mode that was visited is left out. It
@@ -300,7 +292,11 @@ static void draw_plane(const cli_live_t *live, plane_t *plane) {
            plane->digits, x->low, plane->digits, x->high);
   for (int row = HEAD; row < HEAD + plane->rows; row++)
     put_cell(row, plane->column - 1, BORDER, FRAME);
-  plot_zeros(plane);
+  // The lines x = 0 and y = 0, where they are within the axes.
+  const int column = place(&plane->x, 0, 2 * plane->columns);
+  const int line = place(&plane->y, 0, 4 * plane->rows);
+  for (int i = 0; i < 2 * plane->columns; i += 2) put_dot(plane, i, line, AXIS);
+  for (int i = 1; i < 4 * plane->rows; i += 2) put_dot(plane, column, i, AXIS);
   for (uint64_t back = BUCKETS; back > 0; back--) {
     const bucket_t *bucket = bucket_at(live, back - 1);
     if (bucket != NULL) plot(plane, &bucket->last, bucket->last.mode + 1);

@@ -55,7 +55,8 @@ static int count_steps(const cli_replay_t *replay, uint64_t *steps) {
   return CLI_DONE;
 }
 
-static int compare(const cli_replay_t *replay, const cli_setup_t *setup) {
+int cli_replay_begin(cli_replay_t *replay, cli_setup_t *setup,
+                     uint64_t *steps) {
   const uint8_t *schema = replay->session.schema.data;
   const uint32_t hash = (uint32_t)tf_wire_get(schema + SCHEMA_HASH, 4);
   const uint32_t here = tf_params_hash(&setup->params);
@@ -79,13 +80,6 @@ static int compare(const cli_replay_t *replay, const cli_setup_t *setup) {
         ", those here %08" PRIx32 "; is --dt 1/RATE of the firmware?",
         replay->session.name, hash, here);
   }
-  return CLI_DONE;
-}
-
-int cli_replay_begin(cli_replay_t *replay, cli_setup_t *setup,
-                     uint64_t *steps) {
-  const uint8_t *schema = replay->session.schema.data;
-  CLI_TRY(compare(replay, setup));
   CLI_TRY(count_steps(replay, steps));
   setup->seed = (uint32_t)tf_wire_get(schema + SCHEMA_SEED, 4);
   tf_link_open(&replay->link, setup->scene, &setup->params);

@@ -115,16 +115,10 @@ static void print_drive(const cli_run_t *run) {
 
 // The events in words: their counts, then one line each.
 
-// "1st", "2nd", "3rd", "4th", "11th", ...
-static const char *ordinal_ending(uint64_t n) {
-  static const char *const endings[4] = {"th", "st", "nd", "rd"};
-  const uint64_t last = n % 10;
-  return last > 3 || (n / 10) % 10 == 1 ? endings[0] : endings[last];
-}
-
 #define EVENT_ROOM 96
 
 static void describe(const cli_event_t *event, char out[EVENT_ROOM]) {
+  static const char *const endings[] = {"th", "st", "nd", "rd"};
   cli_buffer_t text = {out, 0, EVENT_ROOM, false};
   out[0] = '\0';
   if (event->from != event->to) {
@@ -133,12 +127,13 @@ static void describe(const cli_event_t *event, char out[EVENT_ROOM]) {
   }
   const char *comma = text.used > 0 ? ", " : "";
   if (((event->kinds >> CLI_TWO_FOLD) & 1u) != 0) {
-    const uint64_t n = event->arrival - 1;
+    const uint64_t n = event->arrival - 1; // 1st, 2nd, 3rd, 4th, 11th, ...
+    const bool plain = n % 10 > 3 || (n / 10) % 10 == 1;
     if (n == 0) {
       cli_add_form(&text, "%stwo-fold reached", comma);
     } else {
       cli_add_form(&text, "%sreturned to the two-fold (%" PRIu64 "%s time)",
-                   comma, n, ordinal_ending(n));
+                   comma, n, endings[plain ? 0 : n % 10]);
     }
   } else if (((event->kinds >> CLI_RETURNED) & 1u) != 0) {
     cli_add_form(&text, "%sreturned after %" PRIu64 " changes of slip", comma,

@@ -163,8 +163,15 @@ int cli_setup_check_starts(const cli_setup_t *setup) {
   return CLI_DONE;
 }
 
-// The start is refused: says why. The speed that belongs to h is a part of it.
-static int refuse_start(const cli_setup_t *setup, tf_status_t status) {
+int cli_setup_start(cli_setup_t *setup) {
+  CLI_TRY(cli_setup_check_starts(setup));
+  setup->start.state.seed = setup->seed;
+  setup->motion = (motion_t){.state = {.r = 0}};
+  (void)motion_prepare(&setup->motion, setup->scheme, &setup->params, NULL);
+  const tf_status_t status =
+      motion_begin(&setup->motion, setup->scheme, &setup->start, &setup->input);
+  if (status == TF_OK) return CLI_DONE;
+  // It is refused: says why. The speed that belongs to h is a part of it.
   const tf_machine_t *k = &setup->machine;
   const cli_setting_t *setting = setup->set[CLI_H];
   const tf_real_t h = setup->start.h, omega0 = setup->input.omega0;
@@ -182,16 +189,6 @@ static int refuse_start(const cli_setup_t *setup, tf_status_t status) {
       "is refused: %s",
       setup->scene->name, (double)x.r, (double)x.v, (double)x.w,
       (double)tf_slip(k, x.r, x.v, x.w, omega0).h, tf_status_name(status));
-}
-
-int cli_setup_start(cli_setup_t *setup) {
-  CLI_TRY(cli_setup_check_starts(setup));
-  setup->start.state.seed = setup->seed;
-  setup->motion = (motion_t){.state = {.r = 0}};
-  (void)motion_prepare(&setup->motion, setup->scheme, &setup->params, NULL);
-  const tf_status_t status =
-      motion_begin(&setup->motion, setup->scheme, &setup->start, &setup->input);
-  return status == TF_OK ? CLI_DONE : refuse_start(setup, status);
 }
 
 void cli_setup_notes(const cli_setup_t *setup) {

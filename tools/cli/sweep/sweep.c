@@ -139,16 +139,6 @@ static void add_provenance(const cli_sweep_t *sweep, cli_buffer_t *text) {
   cli_add(text, " t s\n");
 }
 
-static void add_header(const cli_args_t *args, cli_buffer_t *text) {
-  cli_add(text, "point");
-  for (size_t i = 0; i < args->axes; i++)
-    cli_add_form(text, ",%s", args->axis[i].name);
-  cli_add(text, ",status,reason,t");
-  for (size_t i = 0; i < args->measures; i++)
-    cli_add_form(text, ",%s", cli_measures[args->measure[i]].name);
-  cli_add(text, "\n");
-}
-
 // The shards of a sweep have header and comments once, so that their files, one
 // after the other, are the file of the whole.
 static int open_sheet(cli_sweep_t *sweep) {
@@ -159,7 +149,13 @@ static int open_sheet(cli_sweep_t *sweep) {
   add_provenance(sweep, &about);
   if (args->shard.index == 1) {
     cli_add(&begin, args->provenance ? sheets->about : "");
-    add_header(args, &begin);
+    cli_add(&begin, "point");
+    for (size_t i = 0; i < args->axes; i++)
+      cli_add_form(&begin, ",%s", args->axis[i].name);
+    cli_add(&begin, ",status,reason,t");
+    for (size_t i = 0; i < args->measures; i++)
+      cli_add_form(&begin, ",%s", cli_measures[args->measure[i]].name);
+    cli_add(&begin, "\n");
   }
   cli_add_form(&about, "shard %" PRIu64 "/%" PRIu64, args->shard.index,
                args->shard.of);
