@@ -197,18 +197,13 @@ static int open_all(cli_sheets_t *sheets) {
 
 // Shards differ by one piece of work at most. Each is a run of neighbours, so
 // that the rows of all shards, file after file, are those of the whole.
-static void take_shard(cli_sheets_t *sheets, const cli_shard_t *shard,
-                       uint64_t count) {
+int cli_sheets_open(cli_sheets_t *sheets, const cli_shard_t *shard,
+                    uint64_t count) {
   const uint64_t before = shard->index - 1;
   const uint64_t share = count / shard->of;
   const uint64_t longer = count % shard->of; // shards with one more
   sheets->first = share * before + (before < longer ? before : longer);
   sheets->total = share + (before < longer ? 1 : 0);
-}
-
-int cli_sheets_open(cli_sheets_t *sheets, const cli_shard_t *shard,
-                    uint64_t count) {
-  take_shard(sheets, shard, count);
   for (char *at = sheets->about; (at = strchr(at, '\n')) != NULL;) *at = ' ';
   const int code = open_all(sheets);
   sheets->kept = sheets->done;

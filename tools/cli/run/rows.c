@@ -40,22 +40,6 @@ static void glance_at(cli_run_t *run, const cli_csv_t *row) {
   if (glance.rows <= GLANCE) put_text(run, line);
 }
 
-static void end_glance(cli_run_t *run) {
-  const uint64_t rows = glance.rows;
-  const uint64_t left = rows > GLANCE ? rows - GLANCE : 0;
-  const uint64_t shown = left < GLANCE ? left : GLANCE;
-  char line[GLANCE_ROOM];
-  put_text(run, left > shown ? "        ...\n" : "");
-  for (uint64_t i = rows - shown; i < rows; i++)
-    put_text(run, glance.last[i % GLANCE]);
-  (void)snprintf(
-      line, sizeof line,
-      "%" PRIu64
-      " rows; all of them, with all digits: --out FILE, or into a pipe.\n\n",
-      rows);
-  put_text(run, line);
-}
-
 #define FRAME_ROOM TF_FRAME_SIZE(TF_FRAME_PAYLOAD)
 
 static struct {
@@ -165,19 +149,6 @@ size_t cli_run_provenance(const cli_run_t *run, const char *units,
   return cli_provenance(run->setup, how, units, lines);
 }
 
-static void begin_frames(cli_run_t *run) {
-  char lines[CLI_PROVENANCE_ROOM], every[CLI_REAL_ROOM];
-  const cli_setup_t setup = cli_run_setup(run);
-  const tf_schema_t schema = schema_of(run, &setup);
-  (void)snprintf(every, sizeof every, "%" PRIu64, run->args->every);
-  // In place of the units stands what else the rows depend on.
-  const size_t length = cli_run_provenance(run, every, lines);
-  frames.run =
-      tf_run_hash(cli_crc(0, lines, length), &schema, &run->system.state);
-  run->output.last = '\0';
-  cli_rows_schema(run);
-}
-
 void cli_rows_begin(cli_run_t *run) {
   char lines[CLI_PROVENANCE_ROOM];
   if (run->rowless) return;
@@ -186,7 +157,16 @@ void cli_rows_begin(cli_run_t *run) {
              "       t[s]       r[m]     v[m/s] omega[/s]     h[m/s]     "
              "g[m/s] mode   choices\n");
   } else if (run->args->format == CLI_FORMAT_FRAMES) {
-    begin_frames(run);
+    char every[CLI_REAL_ROOM];
+    const cli_setup_t setup = cli_run_setup(run);
+    const tf_schema_t schema = schema_of(run, &setup);
+    (void)snprintf(every, sizeof every, "%" PRIu64, run->args->every);
+    // In place of the units stands what else the rows depend on.
+    const size_t length = cli_run_provenance(run, every, lines);
+    frames.run =
+        tf_run_hash(cli_crc(0, lines, length), &schema, &run->system.state);
+    run->output.last = '\0';
+    cli_rows_schema(run);
   } else {
     if (run->args->provenance)
       put(run, lines, cli_run_provenance(run, CLI_CSV_UNITS, lines));
@@ -213,8 +193,21 @@ void cli_rows_add(cli_run_t *run) {
 }
 
 void cli_rows_end(cli_run_t *run) {
-  if (run->glance)
-    end_glance(run);
-  else if (run->args->format == CLI_FORMAT_FRAMES && !run->rowless)
+  if (run->glance) {
+    const uint64_t rows = glance.rows;
+    const uint64_t left = rows > GLANCE ? rows - GLANCE : 0;
+    const uint64_t shown = left < GLANCE ? left : GLANCE;
+    char line[GLANCE_ROOM];
+    put_text(run, left > shown ? "        ...\n" : "");
+    for (uint64_t i = rows - shown; i < rows; i++)
+      put_text(run, glance.last[i % GLANCE]);
+    (void)snprintf(
+        line, sizeof line,
+        "%" PRIu64
+        " rows; all of them, with all digits: --out FILE, or into a pipe.\n\n",
+        rows);
+    put_text(run, line);
+  } else if (run->args->format == CLI_FORMAT_FRAMES && !run->rowless) {
     end_frames(run);
+  }
 }

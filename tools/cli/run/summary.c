@@ -267,20 +267,6 @@ static void print_end(const cli_run_t *run) {
 // The same as JSON, in SI units and with all digits. It is one line, and the
 // last one on standard error, so that notes and messages before it do no harm.
 
-static void put_request(const cli_run_t *run) {
-  const cli_setup_t setup = cli_run_setup(run);
-  cli_put_begin("run");
-  cli_put(
-      "'scene': %s, 'scene_hash': %x, 'parameters': %x, 'law': %s, 'rule': %s, "
-      "'seed': %u, 'scheme': %s, 'dt': %g, 'first': %" PRIu64
-      ", 'steps': %" PRIu64 ", 'asked': %" PRIu64 ", 't': %f, ",
-      setup.scene->name, cli_scene_hash(run->setup),
-      tf_params_hash(&setup.params), tf_tyre_law_name(setup.params.law),
-      tf_rule_name(setup.params.rule), setup.seed,
-      motion_scheme_name(run->setup->scheme), (double)setup.machine.dt,
-      run->first, run->done, run->steps, cli_run_time(run, run->done));
-}
-
 static void put_replay(const cli_run_t *run) {
   char changes[CHANGES_ROOM];
   if (!run->replays) return;
@@ -379,7 +365,17 @@ static void put_all(const cli_run_t *run, int code) {
                                      [CLI_NOT_WRITTEN] = "not written"};
   const tf_state_t *state = &run->system.state;
   const tf_slip_t slip = run->system.report.slip;
-  put_request(run);
+  const cli_setup_t setup = cli_run_setup(run);
+  cli_put_begin("run");
+  cli_put(
+      "'scene': %s, 'scene_hash': %x, 'parameters': %x, 'law': %s, 'rule': %s, "
+      "'seed': %u, 'scheme': %s, 'dt': %g, 'first': %" PRIu64
+      ", 'steps': %" PRIu64 ", 'asked': %" PRIu64 ", 't': %f, ",
+      setup.scene->name, cli_scene_hash(run->setup),
+      tf_params_hash(&setup.params), tf_tyre_law_name(setup.params.law),
+      tf_rule_name(setup.params.rule), setup.seed,
+      motion_scheme_name(run->setup->scheme), (double)setup.machine.dt,
+      run->first, run->done, run->steps, cli_run_time(run, run->done));
   put_table("profile", &run->drive.profile);
   put_table("inputs", &run->drive.table);
   put_replay(run);

@@ -22,18 +22,6 @@ static int add_row(cli_inputs_t *inputs, const cli_input_row_t *row) {
   return CLI_DONE;
 }
 
-static int read_profile(cli_inputs_t *inputs, const tf_scene_t *scene) {
-  *inputs = (cli_inputs_t){.name = "profile of the scene", .linear = true};
-  inputs->given[CLI_INPUT_OMEGA0] = scene->knots > 0;
-  for (size_t i = 0; i < scene->knots; i++) {
-    const tf_knot_t *knot = &scene->profile[i];
-    const cli_input_row_t row = {.t = knot->t,
-                                 .value = {[CLI_INPUT_OMEGA0] = knot->omega0}};
-    CLI_TRY(add_row(inputs, &row));
-  }
-  return CLI_DONE;
-}
-
 #define LINE_ROOM 1024
 
 typedef struct {
@@ -179,7 +167,15 @@ void cli_inputs_free(cli_inputs_t *inputs) {
 int cli_drive_read(cli_drive_t *drive, const tf_scene_t *scene,
                    const char *inputs, unsigned between) {
   memset(drive, 0, sizeof *drive);
-  CLI_TRY(read_profile(&drive->profile, scene));
+  cli_inputs_t *profile = &drive->profile;
+  *profile = (cli_inputs_t){.name = "profile of the scene", .linear = true};
+  profile->given[CLI_INPUT_OMEGA0] = scene->knots > 0;
+  for (size_t i = 0; i < scene->knots; i++) {
+    const tf_knot_t *knot = &scene->profile[i];
+    const cli_input_row_t row = {.t = knot->t,
+                                 .value = {[CLI_INPUT_OMEGA0] = knot->omega0}};
+    CLI_TRY(add_row(profile, &row));
+  }
   if (inputs == NULL) return CLI_DONE;
   if (between == CLI_NOT_GIVEN) {
     return cli_usage(
