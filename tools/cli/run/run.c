@@ -227,10 +227,9 @@ static int open_files(cli_run_t *run, const cli_args_t *args) {
           args->save, run->output.name);
     }
   }
-  return args->lateness == NULL
-             ? CLI_DONE
-             : cli_output_begin(&run->late_rows, "--lateness", args->lateness,
-                                CLI_WRITE_OVER);
+  if (args->lateness == NULL) return CLI_DONE;
+  return cli_output_begin(&run->late_rows, "--lateness", args->lateness,
+                          CLI_WRITE_OVER);
 }
 
 static int perform(cli_run_t *run, const cli_args_t *args) {
@@ -322,18 +321,6 @@ static int go_on(cli_run_t *run, const cli_args_t *args, cli_setup_t *setup) {
   return CLI_DONE;
 }
 
-// The step after the last one of a record is never taken; what stands at the
-// end of the record is looked at before it.
-static int prepare_replay(cli_run_t *run, cli_setup_t *setup) {
-  const cli_setup_t asked = *setup;
-  run->replays = true;
-  CLI_TRY(cli_replay_begin(&run->replay, setup, &run->steps));
-  CLI_TRY(cli_setup_start(setup)); // with the seed of the board
-  run->steps++;
-  return check_start(run->args, &asked, "--replay", run->args->replay,
-                     setup->seed);
-}
-
 static int prepare(cli_run_t *run, cli_setup_t *setup) {
   const cli_args_t *args = run->args;
   CLI_TRY(cli_setup_read(setup, args->scene, &args->settings, args->select));
@@ -357,7 +344,16 @@ static int prepare(cli_run_t *run, cli_setup_t *setup) {
   setup->input = cli_drive_begin(&run->drive, &setup->machine, 0);
   CLI_TRY(cli_setup_start(setup));
   CLI_TRY(cli_count_steps(setup, &args->t_end, &run->steps));
-  if (args->replay != NULL) CLI_TRY(prepare_replay(run, setup));
+  // The step after the last one of a record is never taken; what stands at the
+  // end of the record is looked at before it.
+  if (args->replay != NULL) {
+    const cli_setup_t asked = *setup;
+    run->replays = true;
+    CLI_TRY(cli_replay_begin(&run->replay, setup, &run->steps));
+    CLI_TRY(cli_setup_start(setup)); // with the seed of the board
+    run->steps++;
+    CLI_TRY(check_start(args, &asked, "--replay", args->replay, setup->seed));
+  }
   run->system = setup->motion;
   run->drive.accuracy = (tf_real_t)args->accuracy;
   if (args->from != NULL) CLI_TRY(go_on(run, args, setup));

@@ -257,24 +257,8 @@ static int read_lines(reader_t *reader) {
   return CLI_DONE;
 }
 
-static int check_parameters(reader_t *reader) {
-  const tf_params_t *params = &reader->file->scene.params;
-  const size_t out = cli_parameter_out(params);
-  if (out == TF_PARAMETERS) return CLI_DONE;
-  const tf_parameter_range_t *range = cli_number(out);
-  if (reader->given[out] != 0) {
-    go_to(reader, reader->given[out]);
-    return refuse(reader, range, cli_parameter(params, out));
-  }
-  return cli_refuse(
-      "%s: %s is missing, which law %s needs: give it a value in [%g, %g] %s, "
-      "or begin with 'based-on SCENE'",
-      reader->lines.name, range->name, tf_tyre_law_name(params->law),
-      (double)range->low, (double)range->high, range->unit);
-}
-
-// What a scene that is based on no other one has to give besides.
-static int check_start(const reader_t *reader) {
+// A scene that is based on no other one has to give its start, too.
+static int check(reader_t *reader) {
   static const char *const needed[] = {"law", "r", "omega", "t-end"};
   const unsigned long *given = reader->given;
   for (size_t i = 0; i < 4 && given[BASED_ON] == 0; i++) {
@@ -285,9 +269,21 @@ static int check_start(const reader_t *reader) {
           reader->lines.name, needed[i]);
     }
   }
-  if (given[BASED_ON] != 0 || given[CLI_V] != 0 || given[CLI_H] != 0)
-    return CLI_DONE;
-  return cli_usage("%s: v or h is missing at the start", reader->lines.name);
+  if (given[BASED_ON] == 0 && given[CLI_V] == 0 && given[CLI_H] == 0)
+    return cli_usage("%s: v or h is missing at the start", reader->lines.name);
+  const tf_params_t *params = &reader->file->scene.params;
+  const size_t out = cli_parameter_out(params);
+  if (out == TF_PARAMETERS) return CLI_DONE;
+  const tf_parameter_range_t *range = cli_number(out);
+  if (given[out] != 0) {
+    go_to(reader, given[out]);
+    return refuse(reader, range, cli_parameter(params, out));
+  }
+  return cli_refuse(
+      "%s: %s is missing, which law %s needs: give it a value in [%g, %g] %s, "
+      "or begin with 'based-on SCENE'",
+      reader->lines.name, range->name, tf_tyre_law_name(params->law),
+      (double)range->low, (double)range->high, range->unit);
 }
 
 int cli_scene_parse(cli_scene_file_t *file, const char *path, const char *text,
@@ -303,8 +299,7 @@ int cli_scene_parse(cli_scene_file_t *file, const char *path, const char *text,
   }
   if (is_name(base, length)) memcpy(file->name, base, length);
   CLI_TRY(read_lines(&reader));
-  CLI_TRY(check_start(&reader));
-  CLI_TRY(check_parameters(&reader));
+  CLI_TRY(check(&reader));
   if (file->name[0] == '\0') {
     return cli_usage(
         "%s: the name of the file is no name of a scene (1 to %d letters, "
