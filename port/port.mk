@@ -78,6 +78,8 @@ $(call switch,BOARD_SMALL)
 $(call switch,BOARD_SHARED)
 $(call must_be_one,REAL,$(or $(BOARD_REALS),$(REALS)))
 $(call must_be_one,FORMAT,plotter csv frames)
+$(call must_be_one,PROGRAM,firmware trajectory window stack deadman fault kit \
+  calls$(if $(SOURCE_module), module))
 $(if $(OVERRUN),$(call must_be_one,OVERRUN,skip stop))
 $(if $(SCHEME),$(call must_be_one,SCHEME,moreau located compensated))
 # Whole, of at most 32 bits, to which the compiler would cut it, and without the

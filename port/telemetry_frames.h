@@ -10,6 +10,10 @@
 
 static uint32_t telemetry_sequence;
 static uint8_t telemetry_description; // its next part
+// Behind a heartbeat its parts are 4 ms apart: together they would delay the
+// records of several ticks, and controllers at 1 kHz by as much.
+static bool telemetry_is_paced;
+static uint32_t telemetry_described_at; // ticks of the board's clock
 static uint32_t telemetry_run;
 static uint32_t telemetry_chain;
 
@@ -74,6 +78,7 @@ static unsigned telemetry_heartbeat(const loop_counts_t *c, uint8_t *to) {
   beat.expired = sim.simulation.expired;
 #endif
   telemetry_description = 0;
+  telemetry_is_paced = c->steps > 0;
   const size_t n =
       tf_send_heartbeat(to, &telemetry_sequence, SIM_STATE.tick, &beat);
   return telemetry_done(to, telemetry_vouched(to, n));
@@ -136,9 +141,13 @@ static size_t telemetry_next(uint8_t *to) {
   // Behind the answer to the command that wants it.
   if (sim.link.describe && !sim.link.has_aside) {
     telemetry_description = 0;
+    telemetry_is_paced = false;
     sim.link.describe = false;
   }
 #endif
+  const uint32_t now = port_ticks();
+  if (telemetry_is_paced && now - telemetry_described_at < RATE / 250) return 0;
+  telemetry_described_at = now;
   switch (telemetry_description) {
     case 0:
       telemetry_description++;

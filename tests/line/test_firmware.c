@@ -157,6 +157,27 @@ TEST(counters_end_at_their_largest) {
   CHECK(app_record(line) <= LOOP_RECORD);
 }
 
+/* Behind a heartbeat the parts of a description come one after the other, and
+ * after `describe` at once. */
+TEST(descriptions_delay_no_records) {
+  const loop_counts_t counts = {.steps = 1};
+  switch_on();
+  while (app_other(line) > 0) continue;
+  ticks_now += RATE;
+  heartbeat_of(&counts);
+  for (unsigned part = 0, tick = 0; tick < 20; tick++, ticks_now++) {
+    const unsigned length = app_other(line);
+    CHECK((length > 0) == (tick % (RATE / 250) == 0 && part < 4));
+    part += length > 0;
+    CHECK(app_other(line) == 0);
+  }
+  heartbeat_of(&counts);
+  ask();
+  CHECK(app_latch() == 0);
+  for (unsigned frames = 0; frames < 5; frames++) CHECK(app_other(line) > 0);
+  CHECK(app_other(line) == 0);
+}
+
 /* CSV: the header first and every ten heartbeats, and nothing else beside the
  * rows. Time is exact after any number of ticks, and the longest row fits its
  * record. */

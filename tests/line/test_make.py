@@ -60,6 +60,8 @@ def test_what_is_no_number_or_no_choice_is_named():
                 f"4294967295], not '{value}'.  Stop.\n"))
     for name, choice in (("OVERRUN", "skip stop"), ("REAL", "float double"),
                          ("FORMAT", "plotter csv frames"),
+                         ("PROGRAM", "firmware trajectory window stack deadman "
+                          "fault kit calls"),
                          ("SCHEME", "moreau located compensated")):
         code, _, said = make("-n", f"{name}=other")
         same((code, f"{name} is one of: {choice}; not 'other'" in said),
