@@ -92,26 +92,25 @@ static void print_commands(void) {
   }
 }
 
-// A number of --set: its name, range and unit, and where it is used.
-static void print_number(size_t i) {
-  const tf_parameter_range_t *range = cli_number(i);
-  const bool plain = strcmp(range->unit, "1") == 0;
-  (void)printf("  %-9s [%g, %g]%s%s%s", range->name, (double)range->low,
-               (double)range->high, plain ? "" : " ", plain ? "" : range->unit,
-               i < TF_PARAMETERS ? "" : ", at the start");
-  const char *separator = ", only in law ";
-  for (unsigned law = 0; law < TF_TYRE_LAWS; law++) {
-    if ((range->laws & 1u << law) != 0 &&
-        (range->laws & 1u << TF_TYRE_COULOMB) == 0) {
-      (void)printf("%s%s", separator, tf_tyre_law_name(law));
-      separator = ", ";
+// Numbers of --set: name, range and unit, and where they are used.
+static void print_numbers(size_t i, size_t end) {
+  for (; i < end; i++) {
+    const tf_parameter_range_t *range = cli_number(i);
+    const bool plain = strcmp(range->unit, "1") == 0;
+    (void)printf("  %-9s [%g, %g]%s%s%s", range->name, (double)range->low,
+                 (double)range->high, plain ? "" : " ",
+                 plain ? "" : range->unit,
+                 i < TF_PARAMETERS ? "" : ", at the start");
+    const char *separator = ", only in law ";
+    for (unsigned law = 0; law < TF_TYRE_LAWS; law++) {
+      if ((range->laws & 1u << law) != 0 &&
+          (range->laws & 1u << TF_TYRE_COULOMB) == 0) {
+        (void)printf("%s%s", separator, tf_tyre_law_name(law));
+        separator = ", ";
+      }
     }
+    (void)puts("");
   }
-  (void)puts("");
-}
-
-static void print_numbers(size_t count) {
-  for (size_t i = 0; i < count; i++) print_number(i);
 }
 
 static void print_measure(const cli_measure_info_t *info) {
@@ -122,9 +121,9 @@ static void print_line(const char *line) {
   if (strcmp(line, "COMMANDS") == 0)
     print_commands();
   else if (strcmp(line, "PARAMETERS") == 0)
-    print_numbers(TF_PARAMETERS);
+    print_numbers(0, TF_PARAMETERS);
   else if (strcmp(line, "NUMBERS") == 0)
-    print_numbers(CLI_NUMBERS);
+    print_numbers(0, CLI_NUMBERS);
   else if (strcmp(line, "OUTCOMES") == 0)
     for (size_t i = 0; i < CLI_MEASURES; i++) print_measure(&cli_measures[i]);
   else
@@ -210,7 +209,7 @@ int cli_help(int argc, char *const argv[]) {
   if (i < TF_PARAMETERS) {
     (void)printf("Parameter %s: %s. --set %s=VALUE; name, range, unit:\n", word,
                  cli_parameter_about[i], word);
-    print_number(i);
+    print_numbers(i, i + 1);
   }
   const bool of_option = print_option(&closest);
   const tf_scene_t *scene = cli_find_scene(&closest);

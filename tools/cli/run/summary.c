@@ -226,16 +226,6 @@ static void print_final(const cli_run_t *run) {
           tf_mode_name(state->mode));
 }
 
-static void print_cost(const cli_run_t *run) {
-  if (run->done == run->first || run->seconds <= 0) return;
-  const double rate = (double)(run->done - run->first) / run->seconds;
-  cli_say(
-      "cost       %.0f ns a step, %.3g steps/s, %.3g x real time (and %.3g s "
-      "of output)\n",
-      1e9 / rate, rate, rate * (double)run->setup->machine.dt,
-      run->output_seconds);
-}
-
 // The reason of an early end is a message like any other.
 static void print_end(const cli_run_t *run) {
   const double t = cli_run_time(run, run->done);
@@ -266,28 +256,6 @@ static void print_end(const cli_run_t *run) {
 
 // The same as JSON, in SI units and with all digits. It is one line, and the
 // last one on standard error, so that notes and messages before it do no harm.
-
-static void put_replay(const cli_run_t *run) {
-  char changes[CHANGES_ROOM];
-  if (!run->replays) return;
-  (void)changes_of(run, changes);
-  cli_put("'replay': {'name': %s, 'commands': %" PRIu64 ", 'states': %" PRIu64
-          ", 'began_with': %x, 'changes': %s}, ",
-          run->replay.session.name, run->replay.commands, run->replay.states,
-          tf_params_hash(&run->setup->params), changes + strspn(changes, " "));
-}
-
-static void put_held(const tf_simulation_t *simulation) {
-  const tf_input_t *input = &simulation->input;
-  if (simulation->source == TF_INPUT_SCENE) return;
-  cli_put(
-      "'held': {'source': %s, 'deadman': %u, 'left': %u, 'omega0': %g, 'r0': "
-      "%g, 'force': %g, 'torque': %g, 'alpha': %g}, ",
-      simulation->source == TF_INPUT_SAFE ? "safe" : "outside",
-      simulation->deadman, simulation->left, (double)input->omega0,
-      (double)input->r0, (double)input->force, (double)input->torque,
-      (double)input->alpha);
-}
 
 static void put_table(const char *key, const cli_inputs_t *table) {
   if (table->count == 0) return;
@@ -363,6 +331,8 @@ static void put_all(const cli_run_t *run, int code) {
                                      [CLI_STEP_REFUSED] = "refused",
                                      [CLI_NOT_REPLAYED] = "not replayed",
                                      [CLI_NOT_WRITTEN] = "not written"};
+  const tf_simulation_t *simulation = &run->replay.simulation;
+  const tf_input_t *input = &simulation->input;
   const tf_state_t *state = &run->system.state;
   const tf_slip_t slip = run->system.report.slip;
   const cli_setup_t setup = cli_run_setup(run);
@@ -378,8 +348,24 @@ static void put_all(const cli_run_t *run, int code) {
       run->first, run->done, run->steps, cli_run_time(run, run->done));
   put_table("profile", &run->drive.profile);
   put_table("inputs", &run->drive.table);
-  put_replay(run);
-  put_held(&run->replay.simulation);
+  if (run->replays) {
+    char changes[CHANGES_ROOM];
+    (void)changes_of(run, changes);
+    cli_put("'replay': {'name': %s, 'commands': %" PRIu64 ", 'states': %" PRIu64
+            ", 'began_with': %x, 'changes': %s}, ",
+            run->replay.session.name, run->replay.commands, run->replay.states,
+            tf_params_hash(&run->setup->params),
+            changes + strspn(changes, " "));
+  }
+  if (simulation->source != TF_INPUT_SCENE) {
+    cli_put(
+        "'held': {'source': %s, 'deadman': %u, 'left': %u, 'omega0': %g, 'r0': "
+        "%g, 'force': %g, 'torque': %g, 'alpha': %g}, ",
+        simulation->source == TF_INPUT_SAFE ? "safe" : "outside",
+        simulation->deadman, simulation->left, (double)input->omega0,
+        (double)input->r0, (double)input->force, (double)input->torque,
+        (double)input->alpha);
+  }
   put_events(&run->events);
   put_quality(run);
   cli_put(
@@ -399,7 +385,14 @@ void cli_summary(const cli_run_t *run, bool json, int code) {
     print_events(&run->events);
     print_quality(run);
     print_final(run);
-    print_cost(run);
+    if (run->done > run->first && run->seconds > 0) {
+      const double rate = (double)(run->done - run->first) / run->seconds;
+      cli_say(
+          "cost       %.0f ns a step, %.3g steps/s, %.3g x real time (and %.3g "
+          "s of output)\n",
+          1e9 / rate, rate, rate * (double)run->setup->machine.dt,
+          run->output_seconds);
+    }
     if (run->args->real_time) {
       cli_say("real time  %" PRIu64 " of %" PRIu64
               " steps late, by %.3g s at most\n",

@@ -14,11 +14,6 @@ static void add_bytes(cli_buffer_t *buffer, const char *bytes, size_t length) {
   buffer->text[buffer->used] = '\0';
 }
 
-static void add_hash(cli_buffer_t *buffer, uint32_t value) {
-  for (unsigned at = 32; at > 0; at -= 4)
-    add_bytes(buffer, &"0123456789abcdef"[value >> (at - 4) & 15u], 1);
-}
-
 void cli_add(cli_buffer_t *buffer, const char *text) {
   add_bytes(buffer, text, strlen(text));
 }
@@ -40,7 +35,9 @@ void cli_add_form(cli_buffer_t *buffer, const char *form, ...) {
     else if (*form == 'g')
       cli_add_real(buffer, (tf_real_t)va_arg(arguments, double));
     else if (*form == 'x')
-      add_hash(buffer, va_arg(arguments, uint32_t));
+      for (uint32_t at = 32, hash = va_arg(arguments, uint32_t); at > 0;
+           at -= 4)
+        add_bytes(buffer, &"0123456789abcdef"[hash >> (at - 4) & 15u], 1);
     else
       cli_add_count(buffer, is_long ? va_arg(arguments, uint64_t)
                                     : va_arg(arguments, unsigned));
