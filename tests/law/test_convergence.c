@@ -1,5 +1,5 @@
 /* How the simulated motion converges to the true one. */
-#include "../data/reference.h"
+#include "problems.h"
 #include "sim.h"
 
 static double max3(double a, double b, double c) {
@@ -12,7 +12,7 @@ static double max3(double a, double b, double c) {
  * converge with the step; stick- ends at h = g = 0, where a step ends early; at
  * the two-fold the sliding field is 0/0 and the constant is larger. */
 TEST(cycle_converges_up_to_the_two_fold) {
-  const reference_event_t *want = references[0].event; /* its four */
+  const reference_event_t *want = reference_course(0)->event; /* its four */
   static const double bound[4] = {2, 2, 3, 20};
   static const double dts[] = {1e-3, 3.7e-4, 1e-4, 2.3e-5, 1e-5};
   const int sizes = IS_DOUBLE ? 5 : 3;
@@ -163,7 +163,7 @@ static double slope(double theta, const real end[3]) {
 }
 
 TEST(smooth_slip_order_of_convergence) {
-  ref_machine_t q = references[0].problem->machine;
+  ref_machine_t q = ref_problems[0].machine;
   ref_orbit_t orbit = {.tolerance = 1e-15L};
   ref_prepare(&q);
   const ref_state_t start = {.r = 0.18L, .z = -0.5L - q.omega0};

@@ -23,11 +23,7 @@ typedef struct {
 } watched_t;
 
 /// A / scale of A at which the straight line into a two-fold begins.
-#if REF_BITS == 113
-static const real_t near_fold = (real_t)1e-17L;
-#else
 static const real_t near_fold = 1e-9L;
-#endif
 
 /// Of a time: less than that many are not stepped, for a substep would be lost.
 static const real_t roundings = 256 * REF_EPSILON;

@@ -1,10 +1,9 @@
 /// @file
 /// The reference's number, by its bits: long double, which needs no library but
-/// libm; or, with -DREF_BITS=113, quadruple precision by gcc and libquadmath,
-/// for the maker of tests/data. Laws without a jump (tools/study/finer.c) take
-/// float and double, too, 24 and 53. The prototypes stand here instead of
-/// quadmath.h, which belongs to gcc, so that every static analyser can read
-/// these files.
+/// libm. Laws without a jump (tools/study/finer.c) take float and double, too,
+/// 24 and 53, and with -DREF_BITS=113 quadruple precision by gcc and
+/// libquadmath. The prototypes stand here instead of quadmath.h, which belongs
+/// to gcc, so that every static analyser can read these files.
 #ifndef REFERENCE_NUMBER_H
 #define REFERENCE_NUMBER_H
 
@@ -40,7 +39,6 @@ ref_real_t tanq(ref_real_t x);
 ref_real_t tanhq(ref_real_t x);
 ref_real_t atan2q(ref_real_t y, ref_real_t x);
 ref_real_t powq(ref_real_t x, ref_real_t y);
-int quadmath_snprintf(char *text, size_t size, const char *format, ...);
 
 #define REF_FN(name) name##q
 #define REF_NUMBER(decimal) (__extension__ decimal##Q)

@@ -1,18 +1,16 @@
 /// @file
 /// The reference problems: the scenes of the core and two benchmarks, in
-/// decimals of their own, of which the maker of tests/data takes all digits.
-/// gamma is -3 pi/4 or pi/2 to as many. `smooth` and `string` are stiff: they
-/// are followed for 2.5 s, which takes minutes; `chaos` reaches its two-fold at
-/// 2.05 s.
+/// decimals of their own. gamma is -3 pi/4 or pi/2. `smooth` and `string` are
+/// stiff: they are followed for 2.5 s; `chaos` reaches its two-fold at 2.05 s.
 #ifndef REFERENCE_PROBLEMS_H
 #define REFERENCE_PROBLEMS_H
 
 #include "reference.h"
 
-enum { REF_SIXTEENTHS = 16, REF_KEPT = 5 };
+enum { REF_SIXTEENTHS = 16, REF_KEPT = 5, REF_EVENTS = 40 };
 
-/// tests/data has states at sixteenths of t_grid, where the tests' steps may
-/// end, and events up to there, or up to t_events.
+/// A course has states at sixteenths of t_grid, where the tests' steps may end,
+/// and events up to there, or up to t_events.
 typedef struct {
   ref_machine_t machine;
   ref_real_t r, omega;
@@ -107,32 +105,31 @@ static inline ref_state_t ref_problem_start(const ref_problem_t *problem,
   return problem->v != 0 ? x : ref_with_h(q, x, problem->h);
 }
 
-/// What tests/data/reference.h has of each problem: the mode at its start,
-/// states and events, up to the end of its length or a two-fold. `after` is ""
-/// where several modes are consistent and none is chosen.
+/// Modes after events: REF_MODES where several modes are consistent and none is
+/// chosen.
 typedef struct {
-  long double t, r, v, w; ///< [s], [m], [m/s], [rad/s]
+  ref_real_t t, r, v, w; ///< [s], [m], [m/s], [rad/s]
 } reference_state_t;
 
 typedef struct {
-  const char *after;
-  long double t; ///< [s]
+  ref_mode_t after;
+  ref_real_t t; ///< [s]
 } reference_event_t;
 
 typedef struct {
   const ref_problem_t *problem;
-  const char *begins;
+  ref_mode_t begins;
+  ref_real_t t_last; ///< end of its length, or a two-fold
   int states, events;
-  const reference_state_t *state;
-  const reference_event_t *event;
+  reference_state_t state[REF_KEPT];
+  reference_event_t event[REF_EVENTS];
 } reference_t;
 
-/// When it ends [s].
-static inline long double reference_end(const reference_t *ref) {
-  const reference_event_t *last = ref->event + ref->events - 1;
-  const bool folds = ref->events > 0 && last->after[0] == '\0';
-  return folds ? last->t : (long double)ref->problem->t_grid;
-}
+/// The course of a problem, 0 <= i < REF_PROBLEMS, to 1e-13 as a rule. It is
+/// followed once.
+const reference_t *reference_course(int i);
+/// At another relative tolerance of its steps.
+void reference_follow(int i, ref_real_t tolerance, reference_t *course);
 
 #undef N
 #undef COMMON

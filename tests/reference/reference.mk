@@ -36,25 +36,3 @@ $(BUILD)/reference/reference: $(JUDGE_OBJECTS) \
     $(BUILD)/double/libtwofold.a $(BUILD)/float/libtwofold.a
 	@echo '  LINK  $@'
 	@$(CC) $(OPT) $(EXTRA) $^ $(SUNDIALS) -lm -o $@
-
-# Reference solutions in quadruple precision. Always by gcc: __float128 and
-# libquadmath are its own.
-TABLES := tests/reference/tables/main.c \
-  $(filter-out tests/reference/paper.c,$(wildcard tests/reference/*.c))
-TABLES_GCC ?= gcc
-
-$(BUILD)/tables/make: $(TABLES) $(wildcard tests/reference/*.h)
-	@mkdir -p $(@D)
-	@echo '__float128 sqrtq(__float128); int main(int n, char **a)' \
-	  '{ (void)a; return sqrtq(n) < 0; }' | \
-	  $(TABLES_GCC) -x c - -lquadmath -o $@ 2>/dev/null || { rm -f $@; \
-	  echo 'make oracle needs gcc with libquadmath, on a processor that it is' \
-	  'made for, as x86-64 (Debian: apt-get install gcc).'; exit 1; }
-	$(TABLES_GCC) $(filter-out -Iinclude,$(COMMON)) $(WARN) $(EXTRA) \
-	  -DREF_BITS=113 -Itests/reference $(TABLES) -lquadmath -lm -o $@
-
-.PHONY: oracle
-oracle: ## remake tests/data/reference.h (minutes; libquadmath)
-oracle: $(BUILD)/tables/make
-	@$< >$(<D)/reference.h && mv $(<D)/reference.h tests/data/reference.h
-	@echo 'The references are in tests/data/reference.h.'

@@ -53,7 +53,7 @@ tools/page/          tools/package/
 tools/study/         tools/page/ tests/reference/ tests/golden/population
 tools/bench/         tools/study/
 tools/verify/        tools/bench/ port/core port/port tests/support/same_state
-tests/reference/     src/ include/ tests/data/
+tests/reference/     src/ include/
 tests/reference/judge/library tests/reference/ tools/motion
 port/app
 port/choice
