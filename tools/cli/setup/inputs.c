@@ -148,16 +148,6 @@ int cli_inputs_parse(cli_inputs_t *inputs, const char *name, const char *text,
   return reader.lines.open ? cli_note_open(name) : CLI_DONE;
 }
 
-static int read_file(cli_inputs_t *inputs, const char *path) {
-  char *text = NULL;
-  size_t size = 0;
-  CLI_TRY(cli_read_text("--inputs ", path, SIZE_MAX - 1, &text, &size));
-  const int code = cli_inputs_parse(
-      inputs, strcmp(path, "-") == 0 ? "standard input" : path, text, size);
-  free(text);
-  return code;
-}
-
 void cli_inputs_free(cli_inputs_t *inputs) {
   free(inputs->rows);
   inputs->rows = NULL;
@@ -184,7 +174,13 @@ int cli_drive_read(cli_drive_t *drive, const tf_scene_t *scene,
         inputs);
   }
   drive->table.linear = between == 1;
-  const int code = read_file(&drive->table, inputs);
+  char *text = NULL;
+  size_t size = 0;
+  CLI_TRY(cli_read_text("--inputs ", inputs, SIZE_MAX - 1, &text, &size));
+  const bool standard = strcmp(inputs, "-") == 0;
+  const int code = cli_inputs_parse(
+      &drive->table, standard ? "standard input" : inputs, text, size);
+  free(text);
   if (drive->table.given[CLI_INPUT_OMEGA0]) cli_inputs_free(&drive->profile);
   return code;
 }

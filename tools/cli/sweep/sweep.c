@@ -44,20 +44,15 @@ static bool take_chunk(cli_sweep_t *sweep, uint64_t at) {
          cli_workers_read(&sweep->workers, worker, chunk.rows, chunk.used);
 }
 
-static int start_workers(cli_sweep_t *sweep) {
-  const uint64_t left = sweep->sheets.total - sweep->sheets.done.done;
+static int do_points(cli_sweep_t *sweep) {
+  cli_sheets_t *sheets = &sweep->sheets;
+  const uint64_t left = sheets->total - sheets->done.done;
   const uint64_t chunks = (left + sweep->together - 1) / sweep->together;
   uint64_t jobs = sweep->args->jobs > 0 ? sweep->args->jobs : cli_processors();
   jobs = jobs < CLI_JOBS ? jobs : CLI_JOBS;
   sweep->jobs = (unsigned)(jobs < chunks ? jobs : chunks);
-  return sweep->jobs > 1
-             ? cli_workers_start(&sweep->workers, sweep->jobs, work, sweep)
-             : CLI_DONE;
-}
-
-static int do_points(cli_sweep_t *sweep) {
-  cli_sheets_t *sheets = &sweep->sheets;
-  CLI_TRY(start_workers(sweep));
+  if (sweep->jobs > 1)
+    CLI_TRY(cli_workers_start(&sweep->workers, sweep->jobs, work, sweep));
   while (sheets->done.done < sheets->total && !cli_stop_asked() &&
          take_chunk(sweep, sheets->done.done)) {
     sheets->done.done += size_at(sweep, sheets->done.done);
