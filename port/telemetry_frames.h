@@ -145,8 +145,8 @@ static size_t telemetry_next(uint8_t *to) {
     sim.link.describe = false;
   }
 #endif
-  const uint32_t now = port_ticks();
-  if (telemetry_is_paced && now - telemetry_described_at < RATE / 250) return 0;
+  const uint32_t now = port_ticks(), gap = RATE / 250;
+  if (telemetry_is_paced && now - telemetry_described_at < gap) return 0;
   telemetry_described_at = now;
   switch (telemetry_description) {
     case 0:

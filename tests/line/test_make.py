@@ -181,7 +181,8 @@ def test_another_key_is_another_program():
         path.chmod(0o600)
         os.utime(path, (year * 31556952 - 62167219200,) * 2)
         code, said, errors = make("FORMAT=frames", "UPLINK=yes", "NAMED=-other",
-                                  "BOARD_OPT=-O0", f"KEY={path}")
+                                  "BOARD_OPT=-O0 -Werror", "RATE=50", "EVERY=1",
+                             f"KEY={path}")
         check(code == 0, errors)
         built.append("  BOARD " in said)
         check(bytes.fromhex(key) in program.read_bytes(), "another key")
