@@ -18,12 +18,7 @@ static motion_t any_motion(tf_tyre_law_t law) {
   p->k2 = uniform(0, 1); /* no period of it is balanced, see grows() */
   p->c2 = 0;
   p->mu = uniform(0.1, 1);
-  p->epsilon = uniform(0.1, 0.5);
-  p->k = uniform(1, 20);
-  p->delta = uniform(1, 10);
-  p->sigma = uniform(0, 1);
-  p->rho = uniform(0.3, 1);
-  p->a = uniform(0.1, 0.5);
+  draw_law_constants(p);
   m.r = tap_uniform(0.3, 1);
   m.v = tap_uniform(-1, 1);
   m.w = (double)p->omega0 + tap_uniform(-2, 2);

@@ -152,12 +152,7 @@ static tf_params_t any_params(const kind_t *kind) {
   if (one_in(20)) p.law = TF_TYRE_COULOMB;
   if (!kind->of_any_law) return p;
   p.law = (tf_tyre_law_t)(tap_bits() % TF_TYRE_LAWS);
-  p.epsilon = uniform(1e-3, 0.1);
-  p.k = uniform(1, 20);
-  p.delta = uniform(1, 10);
-  p.sigma = uniform(0, 1);
-  p.rho = uniform(0.25, 1);
-  p.a = uniform(0.1, 1);
+  draw_law_constants(&p);
   return p;
 }
 

@@ -81,6 +81,16 @@ static inline tf_params_t wide_params(void) {
   return p;
 }
 
+/* Constants of ordinary size for the laws that have some. */
+static inline void draw_law_constants(tf_params_t *p) {
+  p->epsilon = uniform(0.1, 0.5);
+  p->k = uniform(1, 20);
+  p->delta = uniform(1, 10);
+  p->sigma = uniform(0, 1);
+  p->rho = uniform(0.3, 1);
+  p->a = uniform(0.1, 0.5);
+}
+
 static inline paper_t paper_of(const tf_params_t *p) {
   return (paper_t){PARAMETERS_OF(real, p)};
 }

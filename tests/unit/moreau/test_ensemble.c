@@ -35,6 +35,14 @@ static void twin(size_t n) {
   }
 }
 
+/* Notes whether a state and its report are the same alone and in its lane. */
+static void compare_twin(size_t i) {
+  const tf_state_t x = tf_ensemble_get(twins.state_blocks, i);
+  const tf_report_t report = tf_ensemble_report(twins.report_blocks, i);
+  CHECK(same_state(&x, &twins.states[i]) &&
+        same_report(&report, &twins.reports[i]));
+}
+
 /* One step of both. The lane beyond the last state is not written. */
 static void step_twins(const tf_input_t *u) {
   const tf_state_t beyond = tf_ensemble_get(twins.state_blocks, twins.n);
@@ -48,10 +56,7 @@ static void step_twins(const tf_input_t *u) {
   for (size_t i = 0; i < twins.n; i++) {
     const tf_status_t status =
         tf_step(&twins.machine, &twins.states[i], u, &twins.reports[i]);
-    const tf_state_t x = tf_ensemble_get(twins.state_blocks, i);
-    const tf_report_t report = tf_ensemble_report(twins.report_blocks, i);
-    CHECK(same_state(&x, &twins.states[i]) &&
-          same_report(&report, &twins.reports[i]));
+    compare_twin(i);
     twins.seen[status - TF_STEP_TOO_LONG]++;
   }
 }
@@ -194,12 +199,7 @@ TEST(ensemble_takes_many_steps_at_once) {
     for (uint32_t at = 0; at < steps; at++, u.alpha = 0)
       for (size_t i = 0; i < n; i++)
         tf_step(&twins.machine, &twins.states[i], &u, &twins.reports[i]);
-    for (size_t i = 0; i < n; i++) {
-      const tf_state_t x = tf_ensemble_get(twins.state_blocks, i);
-      const tf_report_t report = tf_ensemble_report(twins.report_blocks, i);
-      CHECK(same_state(&x, &twins.states[i]) &&
-            same_report(&report, &twins.reports[i]));
-    }
+    for (size_t i = 0; i < n; i++) compare_twin(i);
   }
 }
 

@@ -14,12 +14,7 @@ static case_t random_case(tf_tyre_law_t law, double longest) {
   p->law = law;
   p->d = uniform(-1, 1);
   p->kappa = uniform(0.05, 1);
-  p->epsilon = log_uniform(1e-3, 1);
-  p->k = log_uniform(1, 100);
-  p->delta = log_uniform(0.1, 10);
-  p->sigma = uniform(0, 1);
-  p->rho = uniform(0.3, 1);
-  p->a = uniform(0.05, 0.5);
+  draw_law_constants(p);
   p->theta = uniform(0.5, 1);
   p->dt = log_uniform(1e-4, longest);
   p->with_angle = true;
