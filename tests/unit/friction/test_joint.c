@@ -358,5 +358,5 @@ TEST(joint_modes_are_all_found) {
 TEST(modes_of_one_contact_are_all_found) {
   for (int class = 0; class < CLASSES; class ++)
     if (class != DEPENDENT && class != REDUNDANT)
-      judge_all((class_t) class, 1, draws(8000));
+      judge_all((class_t) class, 1, draws(5000));
 }
