@@ -8,7 +8,7 @@
 // in stick- again. q is small: it is a product over levels of g - n_g h, which
 // no noise moves. Each starts from states in which the last one was reached.
 //
-// usage: corner R N_G EPS SAMPLES SEED
+// usage: corner R N_G N_2 EPS SAMPLES SEED
 // Prints P0, q, e and P, and b; behind P0, q and P their standard errors.
 
 #include "../cli/diverge/corner.h"
@@ -60,15 +60,15 @@ static double splits(const cli_corner_t *c, int n, double *variance) {
 }
 
 int main(int argc, char **argv) {
-  if (argc != 6) return 2;
+  if (argc != 7) return 2;
   tf_machine_t chaos;
   (void)tf_prepare(&chaos, &tf_scenes[0]->params, NULL);
   const cli_wide_t wide = cli_widen(&chaos);
-  const cli_corner_t c =
-      cli_corner_at(&wide, strtod(argv[1], NULL), strtod(argv[2], NULL),
-                    strtod(argv[3], NULL));
-  const int n = atoi(argv[4]);
-  numbers = cli_random_of(strtoull(argv[5], NULL, 10));
+  const double noise[2] = {strtod(argv[2], NULL), strtod(argv[3], NULL)};
+  const cli_corner_t c = cli_corner_at(&wide, strtod(argv[1], NULL), noise,
+                                       strtod(argv[4], NULL));
+  const int n = atoi(argv[5]);
+  numbers = cli_random_of(strtoull(argv[6], NULL, 10));
   int first = 0;
   for (int i = 0; i < n; i++) {
     cli_slip_t x = cli_corner_arrives(&c);

@@ -12,6 +12,9 @@
 #define FAR 0.125   // eps |g| of an averaged stick
 #define NEAR 0.8    // of that, what it comes back to
 #define REACH 300.0 // h'^2 |g| where a motion begins, and where it has left
+#define WIDTH 4.0   // |h| that no stick- has
+#define AWAY 10.0   // b |g| / s2 from where stick- does not come back
+#define MOST 10000000 // steps of a walk
 
 cli_random_t cli_random_of(uint64_t seed) {
   cli_random_t random = {.has = false};
@@ -57,8 +60,8 @@ static cli_slip_t field(const cli_corner_t *c, double h, double g) {
   const double T = tan(c->share * atan2(fabs(g), fabs(h)));
   const double F = copysign(4.0 / 3 - T / (18 * c->kappa), h);
   const double M = copysign(T / 6, h) * copysign(1, g);
-  return (cli_slip_t){c->smooth.h + c->of_F.h * F + c->of_M.h * M,
-                      c->smooth.g + c->of_F.g * F + c->of_M.g * M};
+  return (cli_slip_t){.h = c->smooth.h + c->of_F.h * F + c->of_M.h * M,
+                      .g = c->smooth.g + c->of_F.g * F + c->of_M.g * M};
 }
 
 // S(x) of a drift: the integral of exp(-2 drift y) from 0 to x.
@@ -100,8 +103,8 @@ static exit_t exit_strip(const double drift[2], double h, double d) {
   return exit;
 }
 
-cli_corner_t cli_corner_at(const cli_wide_t *given, double r, double n_g,
-                           double eps) {
+cli_corner_t cli_corner_at(const cli_wide_t *given, double r,
+                           const double n[2], double eps) {
   const tf_machine_t k = {CLI_WIDE(given),
                           .contact.stick_kappa = given->stick_kappa};
   const tf_input_t input = {.omega0 = k.omega0, .r0 = k.r0};
@@ -109,12 +112,13 @@ cli_corner_t cli_corner_at(const cli_wide_t *given, double r, double n_g,
   const tf_slip_t smooth = slip_from_pq(&k, a.dp, a.dq);
   const tf_slip_t of_F = slip_from_pq(&k, a.Fp * given->mu, a.Fq * given->mu);
   const tf_slip_t of_M = slip_from_pq(&k, 0, a.Mq * given->mu);
-  cli_corner_t c = {.smooth = {smooth.h, smooth.g},
-                    .of_F = {of_F.h, of_F.g},
-                    .of_M = {of_M.h, of_M.g},
+  cli_corner_t c = {.smooth = {smooth.h, smooth.g, 0},
+                    .of_F = {of_F.h, of_F.g, 0},
+                    .of_M = {of_M.h, of_M.g, 0},
                     .kappa = given->stick_kappa,
                     .share = 2 / PI * atan(6 * given->stick_kappa),
-                    .n_g = n_g,
+                    .n_g = n[0],
+                    .n_2 = n[1],
                     .eps = eps,
                     .far = FAR / eps};
   for (int i = 0; i < 4; i++) {
@@ -124,24 +128,35 @@ cli_corner_t cli_corner_at(const cli_wide_t *given, double r, double n_g,
     c.g[i / 2][i % 2] = f.g;
   }
   const double *h = c.h[1], *g = c.g[1];
-  const double s = n_g - (g[0] - g[1]) / (h[0] - h[1]);
+  const double s = n[0] - (g[0] - g[1]) / (h[0] - h[1]);
   const double up = h[1] / (h[1] - h[0]); // the share of time with h > 0
   c.b = -(up * g[0] + (1 - up) * g[1]);
-  c.s2 = s * s;
+  c.s2 = s * s + n[1] * n[1];
   c.in = REACH / (c.h[0][0] * c.h[0][0]);
   c.out = REACH / (c.h[0][1] * c.h[0][1]);
   return c;
 }
 
-// h/g where the field points to 0, by bisection.
-cli_slip_t cli_corner_arrives(const cli_corner_t *c) {
+// At g > 0, on the ray of slip+ or slip- (side 1 or -1): h/g where the field
+// points to 0 or away from it, by bisection.
+static cli_slip_t on_ray(const cli_corner_t *c, double side, double g) {
   double low = 1e-9, high = 10;
   for (int i = 0; i < 100; i++) {
     const double slope = sqrt(low * high);
-    const cli_slip_t f = field(c, slope, 1);
-    *(f.h > slope * f.g ? &low : &high) = slope;
+    const cli_slip_t f = field(c, side * slope, 1);
+    *(side * f.h > slope * f.g ? &low : &high) = slope;
   }
-  return (cli_slip_t){low * c->in, c->in};
+  return (cli_slip_t){.h = side * low * g, .g = g};
+}
+
+cli_slip_t cli_corner_arrives(const cli_corner_t *c) {
+  return on_ray(c, 1, c->in);
+}
+
+// In a time in which the noise on h is dW.
+static double noise_of_g(const cli_corner_t *c, cli_random_t *random, double dt,
+                         double dW) {
+  return c->n_g * dW + (c->n_2 > 0 ? c->n_2 * sqrt(dt) * normal(random) : 0);
 }
 
 cli_slip_t cli_corner_step(const cli_corner_t *c, cli_random_t *random,
@@ -152,18 +167,21 @@ cli_slip_t cli_corner_step(const cli_corner_t *c, cli_random_t *random,
     const exit_t exit = exit_strip(h, x.h, d);
     const double to = cli_uniform(random) < exit.up ? 2 * d : -2 * d;
     const double dW = to - x.h - h[0] * exit.time[0] - h[1] * exit.time[1];
-    return (cli_slip_t){
-        to, x.g + g[0] * exit.time[0] + g[1] * exit.time[1] + c->n_g * dW};
+    const double dg = g[0] * exit.time[0] + g[1] * exit.time[1];
+    const double dt = exit.time[0] + exit.time[1];
+    return (cli_slip_t){to, x.g + dg + noise_of_g(c, random, dt, dW), x.t + dt};
   }
   const cli_slip_t rate = field(c, x.h, x.g);
   double dt = fmin(1.6 * eps * x.h * x.h, 3 * eps * fabs(x.h / rate.h));
   dt = fmin(dt, 2 * eps * hypot(x.h, x.g));
   const double dW = sqrt(dt) * normal(random);
-  return (cli_slip_t){x.h + rate.h * dt + dW, x.g + rate.g * dt + c->n_g * dW};
+  return (cli_slip_t){x.h + rate.h * dt + dW,
+                      x.g + rate.g * dt + noise_of_g(c, random, dt, dW),
+                      x.t + dt};
 }
 
 bool cli_corner_sticks(const cli_corner_t *c, cli_slip_t x) {
-  return x.g < -c->far;
+  return x.g < -c->far && fabs(x.h) < WIDTH;
 }
 
 bool cli_corner_left(const cli_corner_t *c, cli_slip_t x) {
@@ -178,8 +196,8 @@ double cli_corner_gone(const cli_corner_t *c) {
 cli_slip_t cli_corner_back(const cli_corner_t *c, cli_random_t *random) {
   const double *h = c->h[1];
   const bool up = cli_uniform(random) < h[1] / (h[1] - h[0]);
-  return (cli_slip_t){log(cli_uniform(random)) / (2 * h[up ? 0 : 1]),
-                      -NEAR * c->far};
+  return (cli_slip_t){.h = log(cli_uniform(random)) / (2 * h[up ? 0 : 1]),
+                      .g = -NEAR * c->far};
 }
 
 bool cli_corner_selects(const cli_corner_t *c, cli_random_t *random) {
@@ -188,4 +206,32 @@ bool cli_corner_selects(const cli_corner_t *c, cli_random_t *random) {
   while (!cli_corner_left(c, x) && !cli_corner_sticks(c, x))
     x = cli_corner_step(c, random, x);
   return cli_corner_left(c, x);
+}
+
+bool cli_corner_attracts(const cli_corner_t *c) {
+  return c->h[1][0] < 0 && c->h[1][1] > 0;
+}
+
+double cli_corner_away(const cli_corner_t *c) {
+  return c->b > 0 ? fmin(AWAY * c->s2 / c->b, CLI_CORNER_REACH / 2)
+                  : CLI_CORNER_REACH;
+}
+
+bool cli_corner_walk(const cli_corner_t *c, cli_random_t *random,
+                     cli_slip_t *x) {
+  const bool attracts = cli_corner_attracts(c);
+  const bool slips = c->h[0][1] < 0 && c->g[0][1] > 0; // slip- leaves
+  const double away = cli_corner_away(c);
+  for (int i = 0; i < MOST; i++) {
+    if (hypot(x->h, x->g) > CLI_CORNER_REACH) return true;
+    if (attracts && cli_corner_sticks(c, *x) && (c->b > 0 || slips)) {
+      const double t = x->t + (c->b > 0 ? away / c->b : 0);
+      *x = c->b > 0 ? (cli_slip_t){.h = 0, .g = -away}
+                    : on_ray(c, -1, CLI_CORNER_REACH);
+      x->t = t;
+      return true;
+    }
+    *x = cli_corner_step(c, random, *x);
+  }
+  return false;
 }

@@ -4,7 +4,7 @@
 
 #include "../host/sheet.h"
 #include "../setup/args.h"
-#include "canard.h"
+#include "corner.h"
 
 // What selects the exit of a motion whose future is not unique.
 
@@ -113,6 +113,10 @@ bool cli_motion_advance(cli_motion_t *motion);
 
 /// A random number in (0, 1).
 double cli_draw_uniform(cli_motion_t *motion);
+
+/// Noise on v next to h = g = 0, where the motion is; and its numbers.
+cli_corner_t cli_motion_corner(const cli_motion_t *motion);
+cli_random_t cli_draw_random(cli_motion_t *motion);
 
 /// Takes a step of a length by tf_step_located. Returns: whether it was taken.
 bool cli_step_of(cli_motion_t *motion, double dt);

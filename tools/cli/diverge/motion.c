@@ -13,10 +13,8 @@
 // added to h: the Euler-Maruyama method for the stochastic differential
 // inclusion. In the sliding region the next step returns to the surface for any
 // dt. Near the two-fold dt has to resolve the time (size / (dA/dt mu))^(2/3) in
-// which the noise is stronger than the weak attraction. At h = g = 0 the
-// acceleration, of the order of mu/m, depends on the direction alone, so noise
-// decides within (size / (mu/m))^2, and a longer step would decide by itself
-// (--fine).
+// which the noise is stronger than the weak attraction. Next to h = g = 0 it
+// goes on in units of the noise (corner.h), which no rounding limits.
 
 #include <math.h>
 
@@ -34,6 +32,14 @@
 #define BEFORE 4e-3 // [m], distance of a start before the two-fold
 #define NEAR 0.011  // steps are short where r differs by less than this part
 #define SEVERAL_STEPS 4 // whose rounding slip_rounding is
+
+// Next to h = g = 0: squares of the parts of the way there that the noise and
+// the motion of a step come to; |h/g| of stick under noise; of the |g| at which
+// stick- has left, the part to which it does not come back.
+#define SMALL 1e-4
+#define SHARE 0.0625
+#define ON 0.1
+#define RETURN 0.25
 
 // A motion that lands this often without coming back is in a small cycle.
 #define SMALL_LANDINGS 3
@@ -71,6 +77,20 @@ static void draw(cli_motion_t *motion, double out[2]) {
   tf_philox(number, (uint32_t)motion->job->args->seed, word);
   for (int i = 0; i < 2; i++)
     out[i] = ((double)word[i] + 0.5) * (1.0 / 4294967296.0);
+}
+
+cli_random_t cli_draw_random(cli_motion_t *motion) {
+  double u[2];
+  draw(motion, u);
+  return cli_random_of((uint64_t)(u[0] * 0x1p32) << 32 |
+                       (uint64_t)(u[1] * 0x1p32));
+}
+
+cli_corner_t cli_motion_corner(const cli_motion_t *motion) {
+  const cli_wide_t *k = &motion->job->wide;
+  const double on_v[2] = {k->cos_gamma / k->sin_gamma, 0};
+  return cli_corner_at(k, (double)motion->state.r, on_v,
+                       1 / motion->job->args->fine);
 }
 
 double cli_draw_uniform(cli_motion_t *motion) {
@@ -334,29 +354,58 @@ static void add_noise(cli_motion_t *motion, double dt) {
 
 static double square(double x) { return x * x; }
 
-// The shortest step under noise: a share of the time in which noise decides at
-// h = g = 0, but so long that the noise of a step is above the rounding of h.
+// The shortest step under noise: its noise is above the rounding of h.
 static double least_step(const cli_motion_t *motion) {
   const tf_machine_t *k = &motion->job->machine;
   const tf_state_t *x = &motion->state;
   const double rounding =
       (double)slip_rounding(k, x->r, x->v, x->w, k->omega0) / SEVERAL_STEPS;
-  const double decides =
-      motion->size * (double)k->m / (double)k->contact.tyre.mu;
-  return fmax(square(decides) / motion->job->args->fine,
-              square(rounding / motion->size));
+  return square(rounding / motion->size);
 }
 
-// A step of the scene; next to h = g = 0 one in which neither noise nor the
-// motion crosses more than a share of the way there. A step that went further
-// is taken again before its noise is drawn, so the noise does not depend on it.
+// Near h = g = 0, in units of the noise, unless it leaves in stick-.
+static bool is_at_corner(const cli_motion_t *motion, const cli_instant_t *at,
+                         cli_corner_t *corner) {
+  const double unit = square(motion->size);
+  if (hypot(at->h, at->g) > CLI_CORNER_REACH * unit) return false;
+  *corner = cli_motion_corner(motion);
+  const bool sticks = at->g < 0 && fabs(at->h) < ON * fabs(at->g);
+  return !(sticks && cli_corner_attracts(corner) && corner->b > 0 &&
+           -at->g > RETURN * cli_corner_away(corner) * unit);
+}
+
+// r stays as it is. What does not leave rests for longer than the patience.
+static bool advance_corner(cli_motion_t *motion, const cli_instant_t *at,
+                           const cli_corner_t *corner) {
+  const cli_wide_t *k = &motion->job->wide;
+  const double unit = square(motion->size), r = at->at.r;
+  cli_random_t random = cli_draw_random(motion);
+  cli_slip_t x = {.h = at->h / unit, .g = at->g / unit};
+  const bool leaves = cli_corner_walk(corner, &random, &x);
+  const double h = x.h * unit, g = x.g * unit;
+  const cli_point_t to = {r, -h * k->sin_gamma - g * k->cos_gamma,
+                          (g * k->sin_gamma - h * k->cos_gamma) / r};
+  motion->state = cli_state_at(k, to);
+  motion->state.mode = (uint8_t)(h > 0   ? TF_SLIP_PLUS
+                                 : h < 0 ? TF_SLIP_MINUS
+                                         : TF_STICK_MINUS);
+  motion->t += leaves ? x.t * unit : 2 * motion->job->args->patience;
+  const cli_instant_t now = cli_instant(motion);
+  return cli_track(motion, &now);
+}
+
+// A step of the scene; nearer to h = g = 0 one whose noise is a small part of
+// the way there, and whose motion a share of it. One that went further is taken
+// again before its noise is drawn, so the noise does not depend on it.
 static bool advance_noise(cli_motion_t *motion) {
-  const double share = 1 / motion->job->args->fine;
   const tf_state_t from = motion->state;
   const cli_instant_t at = cli_instant(motion);
   const double way = square(at.h) + square(at.g);
   const double least = least_step(motion);
-  double dt = fmin(2 * motion->length, share * way / square(motion->size));
+  cli_corner_t corner;
+  if (is_at_corner(motion, &at, &corner))
+    return advance_corner(motion, &at, &corner);
+  double dt = fmin(2 * motion->length, SMALL * way / square(motion->size));
   dt = fmin(fmax(dt, least), longest_step(motion, &at));
   cli_instant_t now = at;
   for (bool near = false; !near; dt = near ? dt : fmax(dt / 2, least)) {
@@ -364,7 +413,7 @@ static bool advance_noise(cli_motion_t *motion) {
     if (!cli_step_of(motion, dt)) return cli_refuse_cycle(motion);
     now = cli_instant(motion);
     near = dt <= least ||
-           square(now.h - at.h) + square(now.g - at.g) <= share * way;
+           square(now.h - at.h) + square(now.g - at.g) <= SHARE * way;
   }
   motion->length = dt;
   now.t = motion->t += dt;

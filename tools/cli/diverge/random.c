@@ -11,13 +11,11 @@
 #include <math.h>
 
 #include "../../../src/model/mechanics.h"
-#include "corner.h"
 #include "diverge.h"
 
 #define CHANGES 32    // within a step
 #define SHORTEST 2e-9 // [s], of a step
 #define OFF 1e-5      // [s], of the first step away from h = g = 0
-#define CORNER_ERROR 0.1
 #define TINY 1e-300 // [m/s], of an h or g that has a sign alone
 #define SLIPS (TF_MODE_BIT(TF_SLIP_PLUS) | TF_MODE_BIT(TF_SLIP_MINUS))
 
@@ -197,11 +195,8 @@ static unsigned choose(cli_motion_t *motion, corner_t at) {
     return draw_mode(motion, at.set);
   if (at.before != TF_SLIP_PLUS || (at.set & both) != both)
     return draw_mode(motion, (at.set & SLIPS) != 0 ? at.set & SLIPS : at.set);
-  const cli_wide_t *k = &motion->job->wide;
-  const cli_corner_t corner = cli_corner_at(
-      k, (double)motion->state.r, k->cos_gamma / k->sin_gamma, CORNER_ERROR);
-  cli_random_t random =
-      cli_random_of((uint64_t)motion->sample << 32 | motion->drawn++);
+  const cli_corner_t corner = cli_motion_corner(motion);
+  cli_random_t random = cli_draw_random(motion);
   return cli_corner_selects(&corner, &random) ? TF_SLIP_MINUS : TF_STICK_MINUS;
 }
 

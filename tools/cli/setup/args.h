@@ -62,7 +62,7 @@ typedef struct {
   double spread;            ///< sizes are drawn from [size / spread, size]
   double patience;          ///< longest cycle [s]
   double refinement;        ///< dt / step near the two-fold
-  double fine;              ///< steps for the noise to reach h = g = 0
+  double fine;              ///< 1 / error of a step of noise at h = g = 0
   double grid;              ///< of --exhaustive: time between two exits [s]
   uint64_t samples, cycles; ///< cycles: of each sample, at most
   uint64_t depth, nodes;    ///< bounds of --exhaustive
