@@ -86,11 +86,15 @@ def test_rows_do_not_depend_on_dt():
 
 def test_noise():
     """Steps that do not resolve the noise at h = g = 0 have half of these rest
-    there before they have wound, for longer than this patience."""
-    exits, returns = rows_of("chaos", "--by", "noise", "--size", "1e-5",
-                             "--fine", "4", "--samples", "10", "--patience",
-                             "30", "--seed", "3")
+    there before they have wound. Finer steps there leave the exits as they
+    are."""
+    words = ("chaos", "--by", "noise", "--size", "1e-5", "--samples", "10",
+             "--seed", "3")
+    exits, returns = rows_of(*words)
     share(exits, lambda row: row["phase"], 1)
+    finer = rows_of(*words, "--fine", "20")
+    same(column(finer[0], "r"), column(exits, "r"))
+    check(finer[1] != returns, "--fine changes nothing")
     share(returns, lambda row: row["outcome"] == "returned", 1)
 
 

@@ -16,8 +16,10 @@ CORNER = Path(os.environ.get("CORNER") or
 DT, SAMPLES, BEGIN, END = 5, 1000, 1e5, 1e6
 
 
-def euler_maruyama(corner, r):
-    """The share that leaves in slip- before it is in stick- for long."""
+def euler_maruyama(corner, r, of):
+    """The share that leaves in slip- before it is in stick- for long. of: h and
+    g of a unit of each noise."""
+    of = np.array(of) / math.hypot(*(h for h, _ in of))
     place, random = corner.at(r), np.random.default_rng(3)
     of_h, of_g = place.h, place.g
     share = 2 / math.pi * math.atan(6 * corner.KAPPA)
@@ -27,8 +29,8 @@ def euler_maruyama(corner, r):
         T = np.tan(share * np.arctan2(abs(g), abs(h)))
         law = np.array([1 + 0 * h, np.sign(h) * (4 / 3 - T / 18 / corner.KAPPA),
                         np.sign(h * g) * T / 6])
-        noise = math.sqrt(DT) * random.normal(size=len(g))
-        h, g = h + of_h @ law * DT + noise, g + of_g @ law * DT + noise
+        noise = of.T @ random.normal(0, math.sqrt(DT), (len(of), len(g)))
+        h, g = h + of_h @ law * DT + noise[0], g + of_g @ law * DT + noise[1]
         leaves = (g > END) & (h < 0)
         left += leaves.sum()
         stays = ~leaves & (g > -20 * DT)
@@ -39,8 +41,11 @@ def euler_maruyama(corner, r):
 def selected(_):
     """0.08 is four standard deviations of the difference."""
     corner = study("corner")
-    found = corner.probability(CORNER, "v", 0.182, 0.1, SAMPLES, 1)
-    check(abs(found[0] - euler_maruyama(corner, 0.182)) < 0.08, found)
+    r, s = 0.182, math.sqrt(0.5)
+    on_v, on_omega = (s, s), ((r - 1) * s, -(r + 1) * s)
+    for kind, of in ("v", [on_v]), ("v and omega", [on_v, on_omega]):
+        found = corner.probability(CORNER, kind, r, 0.1, SAMPLES, 1)
+        check(abs(found[0] - euler_maruyama(corner, r, of)) < 0.08, found)
     for off in -1e-5, 1e-5:
         r = corner.critical() + off
         b = corner.probability(CORNER, "v", r, 0.4, 1, 1)[-1]

@@ -1,9 +1,10 @@
 """`make corner`: what small noise selects at h = g = 0 of `chaos`, where slip+
-arrives: slip- or stick-, by r, for two directions of the noise (corner.c).
+arrives: slip- or stick-, by r, for three directions of the noise (corner.c).
 
-Length and time in units of the noise leave only its direction: no probability
-depends on its size. n = (n_g, n_h) is a unit of noise on v or on omega. That of
-one Wiener process on both, "v and omega", is not resolved by these eps.
+Length and time in units of the noise on h leave only the covariance of that on
+g with it: no probability depends on its size. "v and omega" have independent
+noises, of 1 m/s^1.5 and 1 rad/s^1.5. Above r_c stick- does not leave, and there
+is nothing to compute.
 """
 import math
 import os
@@ -23,9 +24,10 @@ from pictures import LINE, SERIES, pyplot
 K2, R0, C, BETA, D, OMEGA = 2.2270992253886014, 0.1, 1e-3, 0.05, 1, -1
 KAPPA, GAMMA = 0.27241153714062028, -3 * math.pi / 4
 SAMPLES = int(os.environ.get("SAMPLES") or 10000)
-EPS = 0.2, 0.1, 0.05
-PLACES = {"v": (0.176, 0.178, 0.18, 0.182, 0.183, 0.185, 0.19, 0.195),
-          "omega": (0.178, 0.18, 0.182, 0.183, 0.19)}
+EPS = {0.1: 1, 0.05: 1, 0.025: 0.3}  # and of the samples a share
+PLACES = 0.176, 0.178, 0.18, 0.182, 0.183
+STICKS = *PLACES, 0.185, 0.19, 0.195
+DIRECTIONS = "v", "omega", "v and omega"
 
 # Cycles of each sample, by the rate of exits from the two-fold [1/s], which is
 # as the noise^(-2/3).
@@ -44,12 +46,21 @@ class Corner(NamedTuple):
         law = np.array([1, sign_h, sign_h * sign_g * KAPPA])
         return float(self.h @ law), float(self.g @ law)
 
-    def stick(self, n_g: float = 1) -> tuple[float, float]:
-        """Of stick-, averaged over h: the rate b of |g|, and s^2."""
+    def stick(self, n_g: float = 1,
+              n_2: float = 0) -> tuple[float, float, float]:
+        """Of stick-, averaged over h: b and c of the rate b + c / |g| of |g|,
+        and s^2. The stationary law of h has exponential sides; g - jump h has
+        the same rate b on both, and c is the mean of what h / g adds."""
         (h_up, g_up), (h_down, g_down) = self.near(1, -1), self.near(-1, -1)
         up = h_down / (h_down - h_up)
         jump = (g_up - g_down) / (h_up - h_down)
-        return -up * g_up - (1 - up) * g_down, (n_g - jump) ** 2
+        share = 2 / math.pi * math.atan(6 * KAPPA)
+        by_h = share * (1 + 36 * KAPPA ** 2) * np.array(
+            [0, 1 / (18 * KAPPA), 1 / 6])  # of F and M at h > 0
+        c = -float((self.g - jump * self.h) @ by_h) / 2 * (
+            up / abs(h_up) - (1 - up) / abs(h_down))
+        return (-up * g_up - (1 - up) * g_down, c,
+                (n_g - jump) ** 2 + n_2 ** 2)
 
 
 def at(r: float) -> Corner:
@@ -61,13 +72,13 @@ def at(r: float) -> Corner:
     return Corner(-p * s - q * c, q * s - p * c)
 
 
-def direction(kind: str, r: float) -> float:
-    """n_g of n_h = 1."""
+def direction(kind: str, r: float) -> tuple[float, float]:
+    """n_g and n_2: noise on g with that on h, and beside it, where h has 1."""
     s, c = math.sin(GAMMA), math.cos(GAMMA)
-    of = {"v": np.array([-s, -c]),
-          "omega": np.array([D * s - r * c, r * s + D * c])}
-    h, g = sum(of[word] for word in kind.split(" and "))
-    return float(g / h)
+    of = {"v": (-s, -c), "omega": (D * s - r * c, r * s + D * c)}
+    h, g = np.array([of[word] for word in kind.split(" and ")]).T
+    n_g = h @ g / (h @ h)
+    return float(n_g), math.sqrt(sum((g - n_g * h) ** 2) / (h @ h))
 
 
 def critical() -> float:
@@ -79,18 +90,19 @@ def probability(program: Path, kind: str, r: float, eps: float,
                 samples: int, seed: int) -> list[float]:
     """What corner.c prints."""
     return [float(x) for x in driven.output(
-        program, r, repr(direction(kind, r)), eps, samples, seed).split(",")]
+        program, r, *map(repr, direction(kind, r)), eps, samples,
+        seed).split(",")]
 
 
 def follow(work: Path, twofold: str) -> None:
     """corner.csv: a row for each direction, r and eps, from the longest on; and
     returns to the two-fold where noise selects, for three times of the exit."""
-    runs = sorted(((kind, r, eps) for kind, places in PLACES.items()
-                   for r in places for eps in EPS),
-                  key=lambda run: run[2])
+    runs = [(kind, r, eps) for eps in sorted(EPS) for r in PLACES
+            for kind in DIRECTIONS]
     program = work.parent / "corner-program"
     found = driven.side_by_side(lambda n: probability(
-        program, *runs[n], SAMPLES, seed=n), range(len(runs)))
+        program, *runs[n], math.ceil(EPS[runs[n][2]] * SAMPLES), seed=n),
+        range(len(runs)))
     pd.DataFrame([[*run, *row] for run, row in zip(runs, found)],
                  columns=["noise", "r", "eps", *COLUMNS]).to_csv(
                      work / "corner.csv", index=False)
@@ -114,16 +126,17 @@ def count(work: Path, kept: Path) -> dict[str, pd.DataFrame]:
     for (kind, r), some in rows.groupby(["noise", "r"], sort=False):
         limit = at_zero(some)
         drawn.append((kind, r, limit))
-        b, s2 = at(r).stick(direction(kind, r))
-        found.append({"noise on": kind, "r": r, "b": f"{b:.3g}",
-                      "s^2": f"{s2:.3g}", **{
+        s2 = at(r).stick(*direction(kind, r))[2]
+        found.append({"r": r, "noise on": kind, "s^2": f"{s2:.3g}", **{
                           f"P, eps {one.eps:g}": f"{one.P:.3f}({one[9]:.3f})"
                           for one in some.itertuples(index=False)},
                       "P, eps -> 0": limit.text(3)})
     draw(kept, drawn)
     return {
-        "selected": pd.DataFrame(found).fillna("").sort_values(
-            ["noise on", "r"], ascending=[False, True]),
+        "stick": pd.DataFrame([{"r": r, "b": f"{b:.3g}", "c": f"{c:.2g}"}
+                               for r in STICKS for b, c, _ in [at(r).stick()]]),
+        "selected": pd.DataFrame(found).sort_values(
+            "r", kind="stable"),
         "returns": pd.DataFrame([returned(work, rate) for rate in CYCLES])}
 
 
@@ -141,7 +154,7 @@ def returned(work: Path, rate: str) -> dict[str, object]:
 def draw(kept: Path, found: list[tuple[str, float, table.Estimate]]) -> None:
     """P over r, by the direction of the noise."""
     figure, axes = pyplot.subplots(figsize=(6, 3.8))
-    for colour, kind in zip(SERIES, PLACES):
+    for colour, kind in zip(SERIES, DIRECTIONS):
         some = sorted((r, *limit) for of, r, limit in found if of == kind)
         r, P, low, high = np.array(some).T
         axes.errorbar(r, P, [P - low, high - P], fmt="o", ms=4, color=colour,

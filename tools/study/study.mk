@@ -47,9 +47,9 @@ STUDIES := statistics recurrence noise fold corner finer sides mechanisms \
   test-shards
 statistics: ## exits and returns of chaos, counted (15 minutes)
 recurrence: ## where motions return, over 20000 machines (25 minutes)
-noise: ## what vanishing noise selects, at three steps (2 hours)
+noise: ## exits and returns under noise of three sizes (8 core-minutes)
 fold: ## to which side noise leaves a two-fold, by band (5 minutes)
-corner: ## what noise selects at h = g = 0, by r (90 core-minutes)
+corner: ## what noise selects at h = g = 0, by r (40 core-minutes)
 finer: ## what finer laws select behind the two-fold (10 minutes)
 sides: ## their first sides at 200 widths a decade (50 minutes)
 mechanisms: ## two-folds of 100000 random mechanisms (5 minutes)

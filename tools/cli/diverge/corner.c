@@ -13,7 +13,7 @@
 #define NEAR 0.8    // of that, what it comes back to
 #define REACH 300.0 // h'^2 |g| where a motion begins, and where it has left
 #define WIDTH 4.0   // |h| that no stick- has
-#define AWAY 10.0   // b |g| / s2 from where stick- does not come back
+#define AWAY 10.0   // |b g| / s2 from where on noise does not turn stick-
 #define MOST 10000000 // steps of a walk
 
 cli_random_t cli_random_of(uint64_t seed) {
@@ -213,8 +213,7 @@ bool cli_corner_attracts(const cli_corner_t *c) {
 }
 
 double cli_corner_away(const cli_corner_t *c) {
-  return c->b > 0 ? fmin(AWAY * c->s2 / c->b, CLI_CORNER_REACH / 2)
-                  : CLI_CORNER_REACH;
+  return fmin(AWAY * c->s2 / fabs(c->b), CLI_CORNER_REACH / 2);
 }
 
 bool cli_corner_walk(const cli_corner_t *c, cli_random_t *random,

@@ -15,7 +15,7 @@ typedef struct {
   double h, g, t;
 } cli_slip_t;
 
-#define CLI_CORNER_REACH 1e6 ///< distance at which a walk ends
+#define CLI_CORNER_REACH 2e5 ///< distance at which a walk ends
 
 /// The field at one r. [2]: of h > 0, of h < 0.
 typedef struct {
@@ -65,7 +65,7 @@ cli_slip_t cli_corner_back(const cli_corner_t *corner, cli_random_t *random);
 /// slip- then is left out: 1 in 10000 for `chaos` (make corner).
 bool cli_corner_selects(const cli_corner_t *corner, cli_random_t *random);
 
-/// Whether stick- attracts slips; and |g| from where on it has left for good.
+/// Whether stick- attracts slips; and |g| from where on noise does not turn it.
 bool cli_corner_attracts(const cli_corner_t *corner);
 double cli_corner_away(const cli_corner_t *corner);
 

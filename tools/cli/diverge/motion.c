@@ -37,7 +37,7 @@
 // the motion of a step come to; |h/g| of stick under noise; of the |g| at which
 // stick- has left, the part to which it does not come back.
 #define SMALL 1e-4
-#define SHARE 0.0625
+#define SHARE 0.015625
 #define ON 0.1
 #define RETURN 0.25
 
@@ -363,15 +363,16 @@ static double least_step(const cli_motion_t *motion) {
   return square(rounding / motion->size);
 }
 
-// Near h = g = 0, in units of the noise, unless it leaves in stick-.
+// Near h = g = 0, in units of the noise; in stick- nearer. A stick- that has
+// left is to be turned back by noise before it is there again.
 static bool is_at_corner(const cli_motion_t *motion, const cli_instant_t *at,
                          cli_corner_t *corner) {
   const double unit = square(motion->size);
   if (hypot(at->h, at->g) > CLI_CORNER_REACH * unit) return false;
   *corner = cli_motion_corner(motion);
   const bool sticks = at->g < 0 && fabs(at->h) < ON * fabs(at->g);
-  return !(sticks && cli_corner_attracts(corner) && corner->b > 0 &&
-           -at->g > RETURN * cli_corner_away(corner) * unit);
+  const double there = (corner->b > 0 ? RETURN : 1) * cli_corner_away(corner);
+  return !(sticks && cli_corner_attracts(corner) && -at->g > there * unit);
 }
 
 // r stays as it is. What does not leave rests for longer than the patience.
