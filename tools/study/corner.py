@@ -24,7 +24,7 @@ from pictures import LINE, SERIES, pyplot
 K2, R0, C, BETA, D, OMEGA = 2.2270992253886014, 0.1, 1e-3, 0.05, 1, -1
 KAPPA, GAMMA = 0.27241153714062028, -3 * math.pi / 4
 SAMPLES = int(os.environ.get("SAMPLES") or 10000)
-EPS = {0.1: 1, 0.05: 1, 0.025: 0.3}  # and of the samples a share
+EPS = 0.2, 0.1, 0.05
 PLACES = 0.176, 0.178, 0.18, 0.182, 0.183
 STICKS = *PLACES, 0.185, 0.19, 0.195
 DIRECTIONS = "v", "omega", "v and omega"
@@ -101,8 +101,7 @@ def follow(work: Path, twofold: str) -> None:
             for kind in DIRECTIONS]
     program = work.parent / "corner-program"
     found = driven.side_by_side(lambda n: probability(
-        program, *runs[n], math.ceil(EPS[runs[n][2]] * SAMPLES), seed=n),
-        range(len(runs)))
+        program, *runs[n], SAMPLES, seed=n), range(len(runs)))
     pd.DataFrame([[*run, *row] for run, row in zip(runs, found)],
                  columns=["noise", "r", "eps", *COLUMNS]).to_csv(
                      work / "corner.csv", index=False)
