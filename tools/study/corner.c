@@ -65,8 +65,8 @@ int main(int argc, char **argv) {
   (void)tf_prepare(&chaos, &tf_scenes[0]->params, NULL);
   const cli_wide_t wide = cli_widen(&chaos);
   const double noise[2] = {strtod(argv[2], NULL), strtod(argv[3], NULL)};
-  const cli_corner_t c = cli_corner_at(&wide, strtod(argv[1], NULL), noise,
-                                       strtod(argv[4], NULL));
+  const cli_corner_t c =
+      cli_corner_at(&wide, strtod(argv[1], NULL), noise, strtod(argv[4], NULL));
   const int n = atoi(argv[5]);
   numbers = cli_random_of(strtoull(argv[6], NULL, 10));
   int first = 0;

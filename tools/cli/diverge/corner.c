@@ -9,11 +9,11 @@
 #include "../../../src/model/rates.h"
 
 #define PI 3.141592653589793
-#define FAR 0.125   // eps |g| of an averaged stick
-#define NEAR 0.8    // of that, what it comes back to
-#define REACH 300.0 // h'^2 |g| where a motion begins, and where it has left
-#define WIDTH 4.0   // |h| that no stick- has
-#define AWAY 10.0   // |b g| / s2 from where on noise does not turn stick-
+#define FAR 0.125     // eps |g| of an averaged stick
+#define NEAR 0.8      // of that, what it comes back to
+#define REACH 300.0   // h'^2 |g| where a motion begins, and where it has left
+#define WIDTH 4.0     // |h| that no stick- has
+#define AWAY 10.0     // |b g| / s2 from where on noise does not turn stick-
 #define MOST 10000000 // steps of a walk
 
 cli_random_t cli_random_of(uint64_t seed) {
@@ -103,8 +103,8 @@ static exit_t exit_strip(const double drift[2], double h, double d) {
   return exit;
 }
 
-cli_corner_t cli_corner_at(const cli_wide_t *given, double r,
-                           const double n[2], double eps) {
+cli_corner_t cli_corner_at(const cli_wide_t *given, double r, const double n[2],
+                           double eps) {
   const tf_machine_t k = {CLI_WIDE(given),
                           .contact.stick_kappa = given->stick_kappa};
   const tf_input_t input = {.omega0 = k.omega0, .r0 = k.r0};

@@ -16,7 +16,7 @@
 #define CHANGES 32    // within a step
 #define SHORTEST 2e-9 // [s], of a step
 #define OFF 1e-5      // [s], of the first step away from h = g = 0
-#define TINY 1e-300 // [m/s], of an h or g that has a sign alone
+#define TINY 1e-300   // [m/s], of an h or g that has a sign alone
 #define SLIPS (TF_MODE_BIT(TF_SLIP_PLUS) | TF_MODE_BIT(TF_SLIP_MINUS))
 
 static double draw_time(cli_motion_t *motion) {
