@@ -20,7 +20,32 @@
 #define RISE 0.25  // far apart are two levels, up to far,
 #define FACTOR 2.0 // and beyond that the ratio of two
 
+#define NEAR 0.8    // of far, what comes back from stick-
+#define REACH 300.0 // h'^2 |g| where a motion begins, and where it has left
+
 static cli_random_t numbers;
+
+// |g| where slip+ begins (side 0), or slip- has left.
+static double reach_of(const cli_corner_t *c, int side) {
+  return REACH / (c->h[0][side] * c->h[0][side]);
+}
+
+static bool left_in_slip(const cli_corner_t *c, cli_slip_t x) {
+  return x.g > reach_of(c, 1) && -x.h > 4 * sqrt(x.g);
+}
+
+// The probability that stick- never comes back; and where it does, which does
+// not depend on what was before: h is in its stationary law.
+static double gone_of(const cli_corner_t *c) {
+  return c->b > 0 ? -expm1(-2 * c->b * (1 - NEAR) * c->far / c->s2) : 0;
+}
+
+static cli_slip_t back(const cli_corner_t *c) {
+  const double *h = c->h[1];
+  const bool up = cli_uniform(&numbers) < h[1] / (h[1] - h[0]);
+  return (cli_slip_t){.h = log(cli_uniform(&numbers)) / (2 * h[up ? 0 : 1]),
+                      .g = -NEAR * c->far};
+}
 
 // q, and its relative variance.
 static double splits(const cli_corner_t *c, int n, double *variance) {
@@ -30,16 +55,16 @@ static double splits(const cli_corner_t *c, int n, double *variance) {
   int have = n;
   if (now == NULL || next == NULL) exit(1);
   *variance = 0;
-  for (int i = 0; i < n; i++) now[i] = cli_corner_back(c, &numbers);
-  while (have > 0 && level < 4 * c->out) {
+  for (int i = 0; i < n; i++) now[i] = back(c);
+  while (have > 0 && level < 4 * reach_of(c, 1)) {
     int reached = 0, gone = 0;
     for (int i = 0; i < n; i++) {
       cli_slip_t x =
           have == n ? now[i] : now[(int)(cli_uniform(&numbers) * have)];
       while (!cli_corner_sticks(c, x) && x.g - c->n_g * x.h < level &&
-             !cli_corner_left(c, x))
+             !left_in_slip(c, x))
         x = cli_corner_step(c, &numbers, x);
-      if (cli_corner_left(c, x))
+      if (left_in_slip(c, x))
         gone++;
       else if (!cli_corner_sticks(c, x))
         next[reached++] = x;
@@ -68,17 +93,17 @@ int main(int argc, char **argv) {
   const cli_corner_t c =
       cli_corner_at(&wide, strtod(argv[1], NULL), noise, strtod(argv[4], NULL));
   const int n = atoi(argv[5]);
-  numbers = cli_random_of(strtoull(argv[6], NULL, 10));
+  numbers.key = (uint32_t)strtoul(argv[6], NULL, 10);
   int first = 0;
   for (int i = 0; i < n; i++) {
-    cli_slip_t x = cli_corner_arrives(&c);
-    while (!cli_corner_sticks(&c, x) && !cli_corner_left(&c, x))
+    cli_slip_t x = cli_corner_ray(&c, 1, reach_of(&c, 0));
+    while (!cli_corner_sticks(&c, x) && !left_in_slip(&c, x))
       x = cli_corner_step(&c, &numbers, x);
-    first += cli_corner_left(&c, x);
+    first += left_in_slip(&c, x);
   }
   double variance;
   const double P0 = (double)first / n, error = sqrt(P0 * (1 - P0) / n);
-  const double q = splits(&c, n, &variance), e = cli_corner_gone(&c);
+  const double q = splits(&c, n, &variance), e = gone_of(&c);
   const double R = q > 0 ? q * (1 - e) / (q + e - q * e) : 0;
   printf("%.6g,%.3g,%.6g,%.3g,%.6g,%.6g,%.3g,%.6g\n", P0, error, q,
          q * sqrt(variance), e, P0 + (1 - P0) * R,

@@ -10,50 +10,31 @@
 
 #define PI 3.141592653589793
 #define FAR 0.125     // eps |g| of an averaged stick
-#define NEAR 0.8      // of that, what it comes back to
-#define REACH 300.0   // h'^2 |g| where a motion begins, and where it has left
 #define WIDTH 4.0     // |h| that no stick- has
 #define AWAY 10.0     // |b g| / s2 from where on noise does not turn stick-
+#define WHOLE 8e6     // far from what decides
 #define MOST 10000000 // steps of a walk
 
-cli_random_t cli_random_of(uint64_t seed) {
-  cli_random_t random = {.has = false};
-  for (int i = 0; i < 4; i++) {
-    uint64_t z = seed += 0x9e3779b97f4a7c15;
-    z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9;
-    z = (z ^ z >> 27) * 0x94d049bb133111eb;
-    random.word[i] = z ^ z >> 31;
-  }
-  return random;
+static void draw(cli_random_t *random, double out[2]) {
+  uint32_t word[2];
+  tf_philox(random->number++, random->key, word);
+  for (int i = 0; i < 2; i++) out[i] = ((double)word[i] + 0.5) * 0x1p-32;
 }
-
-static uint64_t turned(uint64_t x, int n) { return x << n | x >> (64 - n); }
 
 double cli_uniform(cli_random_t *random) {
-  uint64_t *w = random->word;
-  const uint64_t out = turned(w[0] + w[3], 23) + w[0], t = w[1] << 17;
-  w[2] ^= w[0];
-  w[3] ^= w[1];
-  w[1] ^= w[2];
-  w[0] ^= w[3];
-  w[2] ^= t;
-  w[3] = turned(w[3], 45);
-  return ((double)(out >> 12) + 0.5) * 0x1p-52;
+  double u[2];
+  draw(random, u);
+  return u[0];
 }
 
-// Marsaglia's polar method.
-static double normal(cli_random_t *random) {
+double cli_normal(cli_random_t *random) {
   random->has = !random->has;
   if (!random->has) return random->kept;
-  double u, v, s;
-  do {
-    u = 2 * cli_uniform(random) - 1;
-    v = 2 * cli_uniform(random) - 1;
-    s = u * u + v * v;
-  } while (s >= 1 || s == 0);
-  const double size = sqrt(-2 * log(s) / s);
-  random->kept = v * size;
-  return u * size;
+  double u[2];
+  draw(random, u);
+  const double size = sqrt(-2 * log(u[0]));
+  random->kept = size * sin(2 * PI * u[1]);
+  return size * cos(2 * PI * u[1]);
 }
 
 static cli_slip_t field(const cli_corner_t *c, double h, double g) {
@@ -132,14 +113,11 @@ cli_corner_t cli_corner_at(const cli_wide_t *given, double r, const double n[2],
   const double up = h[1] / (h[1] - h[0]); // the share of time with h > 0
   c.b = -(up * g[0] + (1 - up) * g[1]);
   c.s2 = s * s + n[1] * n[1];
-  c.in = REACH / (c.h[0][0] * c.h[0][0]);
-  c.out = REACH / (c.h[0][1] * c.h[0][1]);
   return c;
 }
 
-// At g > 0, on the ray of slip+ or slip- (side 1 or -1): h/g where the field
-// points to 0 or away from it, by bisection.
-static cli_slip_t on_ray(const cli_corner_t *c, double side, double g) {
+// h/g where the field points to 0 or away from it, by bisection.
+cli_slip_t cli_corner_ray(const cli_corner_t *c, double side, double g) {
   double low = 1e-9, high = 10;
   for (int i = 0; i < 100; i++) {
     const double slope = sqrt(low * high);
@@ -149,14 +127,11 @@ static cli_slip_t on_ray(const cli_corner_t *c, double side, double g) {
   return (cli_slip_t){.h = side * low * g, .g = g};
 }
 
-cli_slip_t cli_corner_arrives(const cli_corner_t *c) {
-  return on_ray(c, 1, c->in);
-}
-
 // In a time in which the noise on h is dW.
 static double noise_of_g(const cli_corner_t *c, cli_random_t *random, double dt,
                          double dW) {
-  return c->n_g * dW + (c->n_2 > 0 ? c->n_2 * sqrt(dt) * normal(random) : 0);
+  return c->n_g * dW +
+         (c->n_2 > 0 ? c->n_2 * sqrt(dt) * cli_normal(random) : 0);
 }
 
 cli_slip_t cli_corner_step(const cli_corner_t *c, cli_random_t *random,
@@ -174,7 +149,7 @@ cli_slip_t cli_corner_step(const cli_corner_t *c, cli_random_t *random,
   const cli_slip_t rate = field(c, x.h, x.g);
   double dt = fmin(1.6 * eps * x.h * x.h, 3 * eps * fabs(x.h / rate.h));
   dt = fmin(dt, 2 * eps * hypot(x.h, x.g));
-  const double dW = sqrt(dt) * normal(random);
+  const double dW = sqrt(dt) * cli_normal(random);
   return (cli_slip_t){x.h + rate.h * dt + dW,
                       x.g + rate.g * dt + noise_of_g(c, random, dt, dW),
                       x.t + dt};
@@ -182,30 +157,6 @@ cli_slip_t cli_corner_step(const cli_corner_t *c, cli_random_t *random,
 
 bool cli_corner_sticks(const cli_corner_t *c, cli_slip_t x) {
   return x.g < -c->far && fabs(x.h) < WIDTH;
-}
-
-bool cli_corner_left(const cli_corner_t *c, cli_slip_t x) {
-  return x.g > c->out && -x.h > 4 * sqrt(x.g);
-}
-
-double cli_corner_gone(const cli_corner_t *c) {
-  return c->b > 0 ? -expm1(-2 * c->b * (1 - NEAR) * c->far / c->s2) : 0;
-}
-
-// h is in its stationary law.
-cli_slip_t cli_corner_back(const cli_corner_t *c, cli_random_t *random) {
-  const double *h = c->h[1];
-  const bool up = cli_uniform(random) < h[1] / (h[1] - h[0]);
-  return (cli_slip_t){.h = log(cli_uniform(random)) / (2 * h[up ? 0 : 1]),
-                      .g = -NEAR * c->far};
-}
-
-bool cli_corner_selects(const cli_corner_t *c, cli_random_t *random) {
-  if (!(c->b > 0)) return true;
-  cli_slip_t x = cli_corner_arrives(c);
-  while (!cli_corner_left(c, x) && !cli_corner_sticks(c, x))
-    x = cli_corner_step(c, random, x);
-  return cli_corner_left(c, x);
 }
 
 bool cli_corner_attracts(const cli_corner_t *c) {
@@ -216,21 +167,26 @@ double cli_corner_away(const cli_corner_t *c) {
   return fmin(AWAY * c->s2 / fabs(c->b), CLI_CORNER_REACH / 2);
 }
 
-bool cli_corner_walk(const cli_corner_t *c, cli_random_t *random,
+bool cli_corner_walk(const cli_corner_t *c, cli_random_t *random, double reach,
                      cli_slip_t *x) {
   const bool attracts = cli_corner_attracts(c);
   const bool slips = c->h[0][1] < 0 && c->g[0][1] > 0; // slip- leaves
   const double away = cli_corner_away(c);
   for (int i = 0; i < MOST; i++) {
-    if (hypot(x->h, x->g) > CLI_CORNER_REACH) return true;
+    if (hypot(x->h, x->g) > reach) return true;
     if (attracts && cli_corner_sticks(c, *x) && (c->b > 0 || slips)) {
       const double t = x->t + (c->b > 0 ? away / c->b : 0);
       *x = c->b > 0 ? (cli_slip_t){.h = 0, .g = -away}
-                    : on_ray(c, -1, CLI_CORNER_REACH);
+                    : cli_corner_ray(c, -1, reach);
       x->t = t;
       return true;
     }
     *x = cli_corner_step(c, random, *x);
   }
   return false;
+}
+
+bool cli_corner_selects(const cli_corner_t *c, cli_random_t *random) {
+  cli_slip_t x = cli_corner_ray(c, 1, WHOLE / 2);
+  return !(c->b > 0) || !cli_corner_walk(c, random, WHOLE, &x) || x.g > 0;
 }

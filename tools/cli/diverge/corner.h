@@ -15,7 +15,7 @@ typedef struct {
   double h, g, t;
 } cli_slip_t;
 
-#define CLI_CORNER_REACH 2e5 ///< distance at which a walk ends
+#define CLI_CORNER_REACH 2e5 ///< of a walk within a motion
 
 /// The field at one r. [2]: of h > 0, of h < 0.
 typedef struct {
@@ -25,25 +25,25 @@ typedef struct {
   double h[2][2], g[2][2];       ///< h', g' at h -> 0; first index: g > 0, < 0
   double far;                    ///< |g| from which on stick- is averaged
   double b, s2;                  ///< |g| of stick-: drift, variance a time
-  double in, out;                ///< g where slip+ begins, and slip- has left
 } cli_corner_t;
 
-/// Random numbers: xoshiro256++ (Blackman and Vigna), seeded by splitmix64.
+/// Random numbers: number n under a key is the same whatever was drawn before.
 typedef struct {
-  uint64_t word[4];
-  double kept; ///< a normal one
+  uint64_t number;
+  uint32_t key;
   bool has;
+  double kept; ///< a normal one
 } cli_random_t;
-cli_random_t cli_random_of(uint64_t seed);
 double cli_uniform(cli_random_t *random); ///< in (0, 1)
+double cli_normal(cli_random_t *random);
 
 /// machine: in, whose mu is not 0. n: in, n_g and n_2. eps: in, of the steps,
 /// in (0, 0.5).
 cli_corner_t cli_corner_at(const cli_wide_t *machine, double r,
                            const double n[2], double eps);
 
-/// The ray along which slip+ arrives, far from the corner.
-cli_slip_t cli_corner_arrives(const cli_corner_t *corner);
+/// On the ray at g > 0 along which slip+ arrives, or slip- leaves (side 1, -1).
+cli_slip_t cli_corner_ray(const cli_corner_t *corner, double side, double g);
 
 /// Takes a step. Next to h = 0 it is the exact exit from a strip of a diffusion
 /// with a constant drift on either side, elsewhere that of Euler and Maruyama.
@@ -51,27 +51,20 @@ cli_slip_t cli_corner_step(const cli_corner_t *corner, cli_random_t *random,
                            cli_slip_t x);
 
 /// Whether it is in stick- far from the corner, where |g| is a Brownian motion
-/// with drift b; or has left in slip-.
+/// with drift b.
 bool cli_corner_sticks(const cli_corner_t *corner, cli_slip_t x);
-bool cli_corner_left(const cli_corner_t *corner, cli_slip_t x);
-
-/// The probability that stick- then never comes back; and where it comes back,
-/// which does not depend on what was before.
-double cli_corner_gone(const cli_corner_t *corner);
-cli_slip_t cli_corner_back(const cli_corner_t *corner, cli_random_t *random);
-
-/// Whether a motion that arrives in slip+ leaves in slip-, else in stick-. It
-/// does where stick- does not leave. What comes back from stick- and leaves in
-/// slip- then is left out: 1 in 10000 for `chaos` (make corner).
-bool cli_corner_selects(const cli_corner_t *corner, cli_random_t *random);
 
 /// Whether stick- attracts slips; and |g| from where on noise does not turn it.
 bool cli_corner_attracts(const cli_corner_t *corner);
 double cli_corner_away(const cli_corner_t *corner);
 
-/// Follows noise from anywhere near h = g = 0 until it is CLI_CORNER_REACH from
+/// Follows noise from anywhere near h = g = 0 until it is `reach` from
 /// it, or at cli_corner_away in stick-. Stick- that does not leave goes on in
 /// slip- at once: its rest takes about 1e9 units of time at most (`chaos`).
 /// Returns: whether it came there within ten million steps.
 bool cli_corner_walk(const cli_corner_t *corner, cli_random_t *random,
-                     cli_slip_t *x);
+                     double reach, cli_slip_t *x);
+
+/// Whether a motion that arrives in slip+ leaves in slip-, else in stick-. What
+/// comes back from stick- is left out: 1 in 10000 for `chaos` (make corner).
+bool cli_corner_selects(const cli_corner_t *corner, cli_random_t *random);

@@ -85,8 +85,8 @@ typedef struct {
 
 typedef struct {
   const cli_job_t *job;
-  uint32_t sample, drawn; ///< its number; random numbers so far
-  cli_cycle_t cycle;      ///< the present one
+  cli_random_t random;
+  cli_cycle_t cycle; ///< the present one
   cli_instant_t before, last;
   double on_since; ///< start of the present stay on the surface
   double on_r;     ///< where it began [m]
@@ -111,12 +111,8 @@ void cli_motion_begin(cli_motion_t *motion, const cli_job_t *job,
 /// Returns: whether the cycle ended.
 bool cli_motion_advance(cli_motion_t *motion);
 
-/// A random number in (0, 1).
-double cli_draw_uniform(cli_motion_t *motion);
-
-/// Noise on v next to h = g = 0, where the motion is; and its numbers.
+/// Noise on v next to h = g = 0, where the motion is.
 cli_corner_t cli_motion_corner(const cli_motion_t *motion);
-cli_random_t cli_draw_random(cli_motion_t *motion);
 
 /// Takes a step of a length by tf_step_located. Returns: whether it was taken.
 bool cli_step_of(cli_motion_t *motion, double dt);

@@ -21,8 +21,6 @@
 #include "../../../src/model/mechanics.h"
 #include "diverge.h"
 
-#define TWO_PI 6.283185307179586
-
 // A wheel rests on the turntable where it is pinned, and in a stick that tends
 // to g = 0 without an end, from |g| <= REST_SPEED on; under noise, where stick
 // is a band around h = 0, from |g| <= REST_BANDS band on.
@@ -69,34 +67,11 @@ bool cli_find_two_fold(const tf_machine_t *k, cli_two_fold_t *out) {
   return false;
 }
 
-// Two numbers in (0, 1). Draw n of sample i under a seed is the same whatever
-// was drawn before.
-static void draw(cli_motion_t *motion, double out[2]) {
-  const uint64_t number = (uint64_t)motion->sample << 32 | motion->drawn++;
-  uint32_t word[2];
-  tf_philox(number, (uint32_t)motion->job->args->seed, word);
-  for (int i = 0; i < 2; i++)
-    out[i] = ((double)word[i] + 0.5) * (1.0 / 4294967296.0);
-}
-
-cli_random_t cli_draw_random(cli_motion_t *motion) {
-  double u[2];
-  draw(motion, u);
-  return cli_random_of((uint64_t)(u[0] * 0x1p32) << 32 |
-                       (uint64_t)(u[1] * 0x1p32));
-}
-
 cli_corner_t cli_motion_corner(const cli_motion_t *motion) {
   const cli_wide_t *k = &motion->job->wide;
   const double on_v[2] = {k->cos_gamma / k->sin_gamma, 0};
   return cli_corner_at(k, (double)motion->state.r, on_v,
                        1 / motion->job->args->fine);
-}
-
-double cli_draw_uniform(cli_motion_t *motion) {
-  double u[2];
-  draw(motion, u);
-  return u[0];
 }
 
 bool cli_step_of(cli_motion_t *motion, double dt) {
@@ -306,7 +281,7 @@ static void begin_noise(cli_motion_t *motion) {
   const cli_args_t *args = job->args;
   motion->size = args->size;
   if (args->spread > 1)
-    motion->size *= pow(args->spread, -cli_draw_uniform(motion));
+    motion->size *= pow(args->spread, -cli_uniform(&motion->random));
   const double time = pow(2 * motion->size / weakening(job), 2.0 / 3.0);
   const double resolved = isfinite(time) ? time : 1; // [s], at the two-fold
   if (job->at_two_fold) start_before_two_fold(motion);
@@ -320,11 +295,12 @@ static void begin_noise(cli_motion_t *motion) {
 void cli_motion_begin(cli_motion_t *motion, const cli_job_t *job,
                       uint64_t sample) {
   const bool random = job->args->mechanism == CLI_BY_RANDOM;
-  *motion = (cli_motion_t){.job = job,
-                           .sample = (uint32_t)sample,
-                           .state = job->setup.motion.state,
-                           .passes = random && job->at_two_fold,
-                           .wait = -1};
+  *motion = (cli_motion_t){
+      .job = job,
+      .random = {.number = sample << 32, .key = (uint32_t)job->args->seed},
+      .state = job->setup.motion.state,
+      .passes = random && job->at_two_fold,
+      .wait = -1};
   if (!random)
     begin_noise(motion);
   else if (job->at_two_fold)
@@ -342,10 +318,7 @@ static double longest_step(const cli_motion_t *motion,
 
 static void add_noise(cli_motion_t *motion, double dt) {
   const tf_machine_t *k = &motion->job->machine;
-  double u[2];
-  draw(motion, u);
-  const double normal = sqrt(-2 * log(u[0])) * cos(TWO_PI * u[1]);
-  const double noise = motion->size * sqrt(dt) * normal;
+  const double noise = motion->size * sqrt(dt) * cli_normal(&motion->random);
   motion->state.v -= (tf_real_t)(noise / (double)k->sin_gamma);
   const tf_slip_t slip =
       tf_slip(k, motion->state.r, motion->state.v, motion->state.w, k->omega0);
@@ -353,15 +326,6 @@ static void add_noise(cli_motion_t *motion, double dt) {
 }
 
 static double square(double x) { return x * x; }
-
-// The shortest step under noise: its noise is above the rounding of h.
-static double least_step(const cli_motion_t *motion) {
-  const tf_machine_t *k = &motion->job->machine;
-  const tf_state_t *x = &motion->state;
-  const double rounding =
-      (double)slip_rounding(k, x->r, x->v, x->w, k->omega0) / SEVERAL_STEPS;
-  return square(rounding / motion->size);
-}
 
 // Near h = g = 0, in units of the noise; in stick- nearer. A stick- that has
 // left is to be turned back by noise before it is there again.
@@ -380,9 +344,9 @@ static bool advance_corner(cli_motion_t *motion, const cli_instant_t *at,
                            const cli_corner_t *corner) {
   const cli_wide_t *k = &motion->job->wide;
   const double unit = square(motion->size), r = at->at.r;
-  cli_random_t random = cli_draw_random(motion);
   cli_slip_t x = {.h = at->h / unit, .g = at->g / unit};
-  const bool leaves = cli_corner_walk(corner, &random, &x);
+  const bool leaves =
+      cli_corner_walk(corner, &motion->random, CLI_CORNER_REACH, &x);
   const double h = x.h * unit, g = x.g * unit;
   const cli_point_t to = {r, -h * k->sin_gamma - g * k->cos_gamma,
                           (g * k->sin_gamma - h * k->cos_gamma) / r};
@@ -402,7 +366,10 @@ static bool advance_noise(cli_motion_t *motion) {
   const tf_state_t from = motion->state;
   const cli_instant_t at = cli_instant(motion);
   const double way = square(at.h) + square(at.g);
-  const double least = least_step(motion);
+  const tf_machine_t *k = &motion->job->machine;
+  const double rounding =
+      (double)slip_rounding(k, from.r, from.v, from.w, k->omega0);
+  const double least = square(rounding / SEVERAL_STEPS / motion->size);
   cli_corner_t corner;
   if (is_at_corner(motion, &at, &corner))
     return advance_corner(motion, &at, &corner);

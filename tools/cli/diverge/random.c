@@ -21,7 +21,7 @@
 
 static double draw_time(cli_motion_t *motion) {
   const double rate = (double)motion->job->setup.params.rate;
-  const double u = cli_draw_uniform(motion);
+  const double u = cli_uniform(&motion->random);
   return rate > 0 ? -log(u) / rate : (double)INFINITY;
 }
 
@@ -32,7 +32,7 @@ static unsigned draw_mode(cli_motion_t *motion, unsigned set) {
   for (unsigned mode = 0; mode < TF_MODES; mode++)
     if ((set & TF_MODE_BIT(mode)) != 0) modes[n++] = mode;
   if (n < 2) return n == 0 ? TF_NO_MODE : modes[0];
-  return modes[(unsigned)(cli_draw_uniform(motion) * n) % n];
+  return modes[(unsigned)(cli_uniform(&motion->random) * n) % n];
 }
 
 // Passes an instant within a step to the tracker, where h and g are 0 but for
@@ -196,8 +196,8 @@ static unsigned choose(cli_motion_t *motion, corner_t at) {
   if (at.before != TF_SLIP_PLUS || (at.set & both) != both)
     return draw_mode(motion, (at.set & SLIPS) != 0 ? at.set & SLIPS : at.set);
   const cli_corner_t corner = cli_motion_corner(motion);
-  cli_random_t random = cli_draw_random(motion);
-  return cli_corner_selects(&corner, &random) ? TF_SLIP_MINUS : TF_STICK_MINUS;
+  return cli_corner_selects(&corner, &motion->random) ? TF_SLIP_MINUS
+                                                      : TF_STICK_MINUS;
 }
 
 // Leaves h = g = 0 after a pinned wheel has waited, in one of the other modes.
