@@ -18,6 +18,7 @@ import test_figures  # noqa: E402
 import test_finer  # noqa: E402
 import test_mechanisms  # noqa: E402
 import test_fold  # noqa: E402
+import test_halfrange  # noqa: E402
 import test_noise  # noqa: E402
 import test_trolley  # noqa: E402
 
@@ -166,8 +167,8 @@ TESTS = [("parallel: the bytes of one run", under_parallel),
          ("map: words, numbers, refused points, one axis", maps),
          ("map: what it refuses", maps_refuse),
          *test_corner.TESTS, *test_figures.TESTS, *test_finer.TESTS,
-         *test_fold.TESTS, *test_mechanisms.TESTS, *test_noise.TESTS,
-         *test_trolley.TESTS]
+         *test_fold.TESTS, *test_halfrange.TESTS, *test_mechanisms.TESTS,
+         *test_noise.TESTS, *test_trolley.TESTS]
 
 
 # Two at a time: each is one process most of the time, or waits.

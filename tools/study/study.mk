@@ -41,8 +41,8 @@ $(FINER): $(BUILD)/study/finer-%: $(FINER_SOURCES) \
 	  -DREF_BITS=$* $(FINER_SOURCES) -lm $(if $(filter 113,$*),-lquadmath) \
 	  -o $@
 
-STUDIES := statistics recurrence noise fold corner finer sides mechanisms \
-  trolley cart figures
+STUDIES := statistics recurrence noise fold corner halfrange finer sides \
+  mechanisms trolley cart figures
 .PHONY: $(STUDIES) $(STUDIES:%=keep-%) recurrence-page keep-futures \
   test-shards
 statistics: ## exits and returns of chaos, counted (15 minutes)
@@ -50,6 +50,7 @@ recurrence: ## where motions return, over 20000 machines (25 minutes)
 noise: ## exits and returns under noise of three sizes (8 core-minutes)
 fold: ## to which side noise leaves a two-fold, by band (5 minutes)
 corner: ## what noise selects at h = g = 0, by r (25 core-minutes)
+halfrange: ## the same without samples, and how long a rest lasts (3 minutes)
 finer: ## what finer laws select behind the two-fold (10 minutes)
 sides: ## their first sides at 200 widths a decade (50 minutes)
 mechanisms: ## two-folds of 100000 random mechanisms (5 minutes)

@@ -8,8 +8,8 @@ usage: tools/run study SECTION          follows what is to be followed, makes
        tools/run study machine N        of recurrence: the row of a machine, and
                                         the commands for it
 
-SECTION is statistics, recurrence, noise, fold, corner, finer, sides,
-mechanisms, trolley, cart or figures.
+SECTION is statistics, recurrence, noise, fold, corner, halfrange, finer,
+sides, mechanisms, trolley, cart or figures.
 Environment: BUILD, TWOFOLD, JOBS; CYCLES=1000 of statistics and noise,
 MACHINES of statistics and recurrence, MECHANISMS=10000.
 """
@@ -24,6 +24,7 @@ import table
 
 SECTIONS = {"statistics": "exits", "recurrence": "recurrence",
             "noise": "noise", "fold": "fold", "corner": "corner",
+            "halfrange": "halfrange",
             "finer": "finer", "sides": "sides",
             "mechanisms": "mechanisms", "trolley": "trolley", "cart": "cart",
             "figures": "figures"}

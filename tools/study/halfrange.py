@@ -1,0 +1,339 @@
+"""`make halfrange`: what small noise selects at h = g = 0 of `chaos`, and how
+long it rests there, without a sample: as boundary value problems.
+
+Length and time are in units of the noise, n = (n_g, 1) (corner.py). No noise
+acts on u = g - n_g h, so the backward equation has a diffusion over h alone:
+
+    h' P_h + P_hh / 2 + u' P_u = 0 (or -1, for a mean time)
+
+u' changes its sign, so each line of h has a limit where it leaves: a half-range
+problem. Over h the scheme is that of Scharfetter and Gummel, exact where the
+field does not change; over u there are differences of order 2 against the
+motion. Near g > 0 all but the leading order in A drops out, and there are two
+numbers left, the multiplier of stick+ and e/V.
+"""
+import math
+from pathlib import Path
+from typing import Callable, NamedTuple
+
+import numpy as np
+import pandas as pd
+from scipy import optimize, sparse
+from scipy.sparse import linalg
+
+import driven
+import table
+
+# `chaos`, at rest on the turntable, from its mass matrix.
+K2, R0, C, BETA, OMEGA = 2.2270992253886014, 0.1, 1e-3, 0.05, -1
+KAPPA, GAMMA = 0.27241153714062028, -3 * math.pi / 4
+SIN, COS, SHARE = math.sin(GAMMA), math.cos(GAMMA), 2 / math.pi * math.atan(
+    6 * KAPPA)
+RATIOS = 0.12, 0.085  # of a grid: its steps grow by so much
+FIRST, REACH = 0.04, 1200  # its first step; h'^2 g where motions begin and end
+LEAST = 1e-8  # g of the leading order, in V / A^2
+PLACES = 0.176, 0.178, 0.18, 0.182, 0.183
+RESTS = 0.1834, 0.1836, 0.1838, 0.184, 0.1845, 0.185
+SIZES = 1e-4, 1e-5
+LAMBDAS, SLOPES = (-0.6, -0.3, 0, 0.3, 0.6), (1.7, 1.87, 2.2)
+SIMULATED = 0.18, 0.182, 0.183  # by steps of one length, DT
+DT, SAMPLES = (320, 80, 20, 5), 4000
+STICKS = 0.176, 0.19
+
+Field = Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]
+
+
+def field_at(r: float) -> Field:
+    """h' and g' of (h, g) next to 0."""
+    mass = np.array([[1, -1], [-1, BETA ** 2 + r * r + 1]])
+    forces = np.array([[K2 * (R0 - r) + r * OMEGA ** 2, SIN, 0],
+                       [-C * OMEGA, r * COS - SIN, 1]])
+    of_h, of_g = np.array([[-SIN, SIN - r * COS],
+                           [-COS, COS + r * SIN]]) @ np.linalg.solve(mass,
+                                                                     forces)
+
+    def field(h, g):
+        T = np.tan(SHARE * np.arctan2(abs(g), abs(h)))
+        F = np.sign(h) * (4 / 3 - T / 18 / KAPPA)
+        M = np.sign(h) * np.sign(g) * T / 6
+        return tuple(of[0] + of[1] * F + of[2] * M for of in (of_h, of_g))
+
+    return field
+
+
+def leading(multiplier: float, slope: float) -> Field:
+    """The field near g > 0; slope is e/V."""
+    return lambda h, g: (np.sign(h) - multiplier - slope * h / g, -np.sign(h))
+
+
+class Near(NamedTuple):
+    """Beside h = 0 at g = +-1, [0] at h > 0 and [1] at h < 0: h' and g', and
+    how they change with h/|g|."""
+    h: np.ndarray
+    g: np.ndarray
+    of_h: np.ndarray
+    of_g: np.ndarray
+
+
+def near(field: Field, sign: int) -> Near:
+    side, g = np.array([1e-9, -1e-9]), np.full(2, float(sign))
+    here, off = np.array(field(side, g)), np.array(field(1e4 * side, g))
+    return Near(*here, *((off - here) / (1e4 * side)))
+
+
+class Stick(NamedTuple):
+    """Stick-, averaged over h: d|g| = (b + c/|g|) dt + s dW."""
+    K: float
+    b: float
+    s2: float
+    c: float
+
+
+def stick(field: Field, n_g: float = 1) -> Stick:
+    """h is exponential on either side: |g| + K h has the drift b, and c from
+    the means of h."""
+    x = near(field, -1)
+    K = (x.g[0] - x.g[1]) / (x.h[0] - x.h[1])
+    share = np.array([-x.h[1], x.h[0]]) / (x.h[0] - x.h[1])
+    mean = share * (1, -1) / (2 * abs(x.h))
+    return Stick(K, -share @ x.g, (n_g - K) ** 2, mean @ (K * x.of_h - x.of_g))
+
+
+def critical() -> float:
+    """r_c, below which stick- leaves."""
+    return float(optimize.brentq(lambda r: stick(field_at(r)).b, 0.17, 0.2))
+
+
+def grid(low: float, high: float, first: float, ratio: float) -> np.ndarray:
+    """Steps from 0 on that begin with `first` and come to grow by `ratio`."""
+    def half(end):
+        n = math.ceil(math.asinh(end / first * ratio) / ratio)
+        return first / ratio * np.sinh(ratio * np.arange(n + 1))
+    return np.r_[-half(-low)[:0:-1], half(high)]
+
+
+def bernoulli(x: np.ndarray) -> np.ndarray:
+    """x / (exp(x) - 1)."""
+    safe = np.where(abs(x) < 1e-5, 1, np.clip(x, -700, 700))
+    return np.where(abs(x) < 1e-5, 1 - x / 2, safe / np.expm1(safe))
+
+
+def solve(field: Field, u: np.ndarray, h: np.ndarray, n_g: float, left: float,
+          beyond: Callable[[float], tuple[float, float]],
+          source: float = 0) -> np.ndarray:
+    """P over (u, h), or a mean time where source is 1. `left` beyond the last
+    u; before the first u by a distance it is `beyond` of that distance, a share
+    of that at the first u, and a sum."""
+    d = np.diff(h)
+    middle, across = (h[1:] + h[:-1]) / 2, u[:, None]
+    rate, along = field(middle + 0 * across, across + n_g * middle)
+    x, along = 2 * rate * d, along - n_g * rate
+    wide = np.r_[d, 0] + np.r_[0, d]
+    index = np.arange(len(u) * len(h)).reshape(len(u), len(h))
+    entries: list[tuple] = []
+    right = np.zeros(index.shape)
+    plus, minus = np.zeros(index.shape), np.zeros(index.shape)
+    # Each half of a cell: the rate of its step, and the time spent there.
+    for here, there, sign in ((slice(-1), slice(1, None), 1),
+                              (slice(1, None), slice(-1), -1)):
+        step = bernoulli(-sign * x) / d / wide[here]
+        time = 2 * d / wide[here] * np.where(
+            abs(x) < 1e-4, 0.5, (bernoulli(-sign * x) - 1) * sign
+            / np.where(abs(x) < 1e-4, 1, x))
+        at = index[:, here]
+        entries += [(at, index[:, there], step), (at, at, -step)]
+        right[:, here] -= source * time
+        plus[:, here] += time * np.maximum(along, 0)
+        minus[:, here] += time * np.minimum(along, 0)
+    first, last = u[1] - u[0], u[-1] - u[-2]
+    more = np.r_[u[0] - 2 * first, u[0] - first, u, u[-1] + last,
+                 u[-1] + 2 * last]
+    for i, at in enumerate(index):
+        for sign, speed in ((1, plus[i]), (-1, minus[i])):
+            a, b = more[i + 2 + sign] - u[i], more[i + 2 + 2 * sign] - u[i]
+            for n, by in ((1, b / a / (b - a)), (2, -a / b / (b - a))):
+                to, by = i + sign * n, speed * by
+                entries.append((at, at, -by))
+                if to >= len(u):
+                    right[i] -= by * left
+                elif to < 0:
+                    share, more_of = beyond(u[0] - more[to + 2])
+                    entries.append((at, index[0], by * share))
+                    right[i] -= by * more_of
+                else:
+                    entries.append((at, index[to], by))
+    row, column, value = (np.concatenate([np.ravel(one[k]) for one in entries])
+                          for k in range(3))
+    matrix = sparse.csc_matrix((value, (row, column)), (index.size, index.size))
+    return linalg.splu(matrix).solve(right.ravel()).reshape(index.shape)
+
+
+def arrives(field: Field) -> float:
+    """h/g of the ray along which slip+ arrives."""
+    def turn(slope):
+        h, g = field(np.array(slope), np.array(1.0))
+        return h - slope * g
+    return float(optimize.brentq(turn, 1e-9, 3))
+
+
+def value(P: np.ndarray, u: np.ndarray, h: np.ndarray, at: tuple) -> float:
+    """Between the nodes; at is (u, h)."""
+    i = min(np.searchsorted(u, at[0]), len(u) - 1)
+    rows = [np.interp(at[1], h, P[k]) for k in (i - 1, i)]
+    return float(np.interp(at[0], u[i - 1:i + 1], rows))
+
+
+def selected(field: Field, ratio: float, n_g: float = 1, low: float = 0
+             ) -> float:
+    """P of slip-. low: of a field that is that near g > 0, its least g."""
+    of, slope = near(field, 1), arrives(field)
+    begin = REACH / 4 / of.h[0] ** 2
+    top = 4 * max(begin, REACH / 4 / of.h[1] ** 2)
+    wide = grid(-0.1 * top, 3 * slope * top, FIRST if not low else
+                0.3 * math.sqrt(low), ratio)
+    if low:
+        u = low * np.exp(np.arange(0, math.log(top / low), ratio))
+        P = solve(field, u, wide, 0, 1, lambda _: (0, 0))
+        return value(P, u, wide, (begin, slope * begin))
+    u, x = grid(-100, top, FIRST, ratio), stick(field, n_g)
+    P = solve(field, u, wide, n_g, 1, lambda far: (
+        math.exp(-2 * x.b / x.s2 * far), 0))
+    return value(P, u, wide, (begin * (1 - n_g * slope), slope * begin))
+
+
+def rests(field: Field, ratio: float) -> float:
+    """The mean time of a rest above r_c, in units of the noise."""
+    x, top = stick(field), REACH / near(field, 1).h[1] ** 2
+    u = grid(-1000, top, FIRST, ratio)
+    h = grid(-0.1 * top, 0.1 * top, FIRST, ratio)
+    T = solve(field, u, h, 1, 0, lambda far: (1, -far / x.b), 1)
+    return value(T, u, h, (-1, 0))
+
+
+def refined(what: Callable, *of, **more) -> float:
+    """Its value for steps to 0, of order 2."""
+    coarse, fine = (what(*of, ratio, **more) for ratio in RATIOS)
+    return fine + (fine - coarse) / ((RATIOS[0] / RATIOS[1]) ** 2 - 1)
+
+
+def numbers(field: Field) -> tuple[float, float, float]:
+    """Near g > 0: |A|, the multiplier of stick+, e/V."""
+    x = near(field, 1)
+    A = (x.h[0] - x.h[1]) / 2
+    return A, -x.h.mean() / A, 2 * x.of_h.mean() / (x.g[0] - x.g[1])
+
+
+def euler(r: float, dt: float, seed: int, end: float = 3e5) -> float:
+    """P of slip- by steps of Euler and Maruyama of one length."""
+    field, random = field_at(r), np.random.default_rng(seed)
+    g = np.full(SAMPLES, end / 3)
+    h, left = arrives(field) * g, 0
+    while len(g):
+        rate_h, rate_g = field(h, g)
+        noise = math.sqrt(dt) * random.normal(size=len(g))
+        h, g = h + rate_h * dt + noise, g + rate_g * dt + noise
+        leaves = (g > end) & (h < 0)
+        left += leaves.sum()
+        stays = ~leaves & (g > -20 * dt)
+        h, g = h[stays], g[stays]
+    return left / SAMPLES
+
+
+def averaged(r: float, seed: int, dt: float = 0.04, steps: int = 50000
+             ) -> Stick:
+    """Stick- by such steps: b and s^2 of -g, and c as the mean of what the
+    distance adds to the rate."""
+    field, random = field_at(r), np.random.default_rng(seed)
+    x, h, g, added = stick(field), 0.0, np.full(SAMPLES, -1500.0), 0.0
+    for _ in range(steps):
+        rate_h, rate_g = field(h, g)
+        added += np.mean((x.K * rate_h - rate_g - x.b) * -g)
+        noise = math.sqrt(dt) * random.normal(size=SAMPLES)
+        h, g = h + rate_h * dt + noise, g + rate_g * dt + noise
+    went = -1500 - g
+    return Stick(x.K, went.mean() / (steps * dt), went.var() / (steps * dt),
+                 added / steps)
+
+
+def drifting(begin: float, size: float, rows: pd.DataFrame,
+             dt: float = 1e5, samples: int = 1000) -> float:
+    """The mean time [s] of a rest, where r rises by v meanwhile: |g| is a
+    Brownian motion with drift b, reflected at 0, and ends by its pushes."""
+    random = np.random.default_rng(1)
+    time, times = dt * size ** 2, np.zeros(samples)
+    r, g, left = (np.full(samples, begin), np.zeros(samples),
+                  random.exponential(size=samples))
+    while (left > 0).any():
+        g += np.interp(r, rows.r, rows.b) * time + math.sqrt(
+            np.interp(begin, rows.r, rows.s2) * time) * size * random.normal(
+                size=samples)
+        push, g = np.maximum(-g, 0), np.maximum(g, 0)
+        left -= push * np.interp(r, rows.r, -1 / (rows.rest * rows.b)
+                                 ) / size ** 2
+        r += (1 / r - 1) / math.sqrt(2) * g * time
+        times += time * (left > 0)
+    return float(times.mean())
+
+
+def row(task: tuple) -> dict[str, object]:
+    """What the rows of halfrange.csv have, of one kind."""
+    kind, *of = task
+    found = {"kind": kind, "r": of[0]}
+    if kind == "euler":
+        return {**found, "dt": of[1], "P": euler(of[0], of[1], 1)}
+    if kind == "averaged":
+        return {**found, **averaged(of[0], 1)._asdict()}
+    if kind == "leading":
+        return {**found, "slope": of[1], "P": refined(
+            selected, leading(*of), low=LEAST)}
+    field = field_at(of[0])
+    x = stick(field)
+    found.update(x._asdict())
+    if kind == "rest":
+        return {**found, "rest": refined(rests, field)}
+    A, multiplier, slope = numbers(field)
+    return {**found, "A": A, "multiplier": multiplier, "slope": slope,
+            "P": refined(selected, field), "first": refined(
+                selected, leading(multiplier, slope), low=LEAST)}
+
+
+def follow(work: Path, _: str) -> None:
+    """halfrange.csv."""
+    tasks = [*(("euler", r, dt) for dt in DT[::-1] for r in SIMULATED),
+             *(("averaged", r) for r in STICKS), *(("P", r) for r in PLACES),
+             *(("rest", r) for r in RESTS),
+             *(("leading", x, slope) for x in LAMBDAS for slope in SLOPES)]
+    pd.DataFrame(driven.side_by_side(lambda n: row(tasks[n]), range(
+        len(tasks)))).to_csv(work / "halfrange.csv", index=False)
+
+
+def count(work: Path, _: Path) -> dict[str, pd.DataFrame]:
+    """The tables."""
+    rows = table.read(work / "halfrange.csv")
+    kinds = {kind: some for kind, some in rows.groupby("kind")}
+    places, rest = kinds["P"], kinds["rest"].sort_values("r")
+    short = "{:.3g}".format
+    steps = kinds["euler"].pivot(index="r", columns="dt", values="P")[[*DT]]
+    steps.columns = [f"step {dt}" for dt in DT]
+    chosen = pd.DataFrame({
+        "r": places.r, "|A|": places.A.map(short),
+        "multiplier": places.multiplier.map(short),
+        "e/V": places.slope.map(short), "P, leading order":
+        places["first"].map("{:.4f}".format), "P": places.P.map(
+            "{:.4f}".format)}).merge(steps.reset_index(), how="left").fillna("")
+    law = kinds["leading"].pivot(index="r", columns="slope", values="P")
+    law.columns = [f"e/V = {slope:g}" for slope in law.columns]
+    sticks = pd.DataFrame([
+        {"r": one.r, "K": short(one.K), **{
+            name: f"{getattr(one, key):.3g}; {getattr(mine, key):.3g}"
+            for name, key in (("b", "b"), ("s^2", "s2"), ("c", "c"))}}
+        for one in kinds["averaged"].itertuples()
+        for mine in [stick(field_at(one.r))]])
+    waits = pd.DataFrame({
+        "r": rest.r, "b": rest.b.map(short), "T / size^2": rest.rest.map(short),
+        **{f"at {size:g}, r held; r free [s]": [
+            f"{one.rest * size ** 2:.2g}; {drifting(one.r, size, rest):.2g}"
+            for one in rest.itertuples()] for size in SIZES}})
+    return {"selected": chosen,
+            "law": law.rename_axis("multiplier").reset_index(),
+            "stick": sticks, "rest": waits}
