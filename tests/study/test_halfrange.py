@@ -2,29 +2,15 @@
 an Euler-Maruyama step, whole paths those of `make corner`."""
 import math
 
-import numpy as np
+import euler
 from tap import check
 from test_finer import study
 
-SAMPLES, DT, BEGIN, LOW, HIGH = 40000, 0.01, -0.5, -1, 1
-
-
-def euler_maruyama(field):
-    """The share that comes from u = g - h = BEGIN to HIGH before LOW."""
-    random = np.random.default_rng(5)
-    h, g, up = np.full(SAMPLES, 1e-9), np.full(SAMPLES, BEGIN), 0
-    while len(g):
-        rate_h, rate_g = field(h, g)
-        noise = math.sqrt(DT) * random.normal(size=len(g))
-        h, g = h + rate_h * DT + noise, g + rate_g * DT + noise
-        up += (g - h >= HIGH).sum()
-        stays = (g - h > LOW) & (g - h < HIGH)
-        h, g = h[stays], g[stays]
-    return up / SAMPLES
+BEGIN, LOW, HIGH = -0.5, -1, 1
 
 
 def near_zero(_):
-    """Four standard deviations, and the step's error of a twentieth."""
+    """Four standard deviations, and a twentieth for the step's error."""
     half = study("halfrange")
     field = half.field_at(0.1836)
     u, h = half.grid(LOW, HIGH, 0.025, 0.04), half.grid(-60, 60, 0.025, 0.06)
@@ -32,8 +18,9 @@ def near_zero(_):
     u[u > 0] *= HIGH / u[-1]
     P = half.value(half.solve(field, u, h, 1, 1, lambda _: (0, 0)), u, h,
                    (BEGIN, 0))
-    found = euler_maruyama(field)
-    check(abs(P - found) < 4 * math.sqrt(P / SAMPLES) + P / 20, (P, found))
+    found = euler.crosses(0.1836, 0.01, BEGIN, LOW, HIGH)
+    check(abs(P - found) < 4 * math.sqrt(P / euler.SAMPLES) + P / 20,
+          (P, found))
 
 
 def whole(_):

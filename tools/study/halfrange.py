@@ -29,16 +29,13 @@ K2, R0, C, BETA, OMEGA = 2.2270992253886014, 0.1, 1e-3, 0.05, -1
 KAPPA, GAMMA = 0.27241153714062028, -3 * math.pi / 4
 SIN, COS, SHARE = math.sin(GAMMA), math.cos(GAMMA), 2 / math.pi * math.atan(
     6 * KAPPA)
-RATIOS = 0.12, 0.085  # of a grid: its steps grow by so much
+RATIOS, COARSE = (0.12, 0.085), (0.17, 0.12)  # the growth of a grid's steps
 FIRST, REACH = 0.04, 1200  # its first step; h'^2 g where motions begin and end
 LEAST = 1e-8  # g of the leading order, in V / A^2
 PLACES = 0.176, 0.178, 0.18, 0.182, 0.183
 RESTS = 0.1834, 0.1836, 0.1838, 0.184, 0.1845, 0.185
 SIZES = 1e-4, 1e-5
 LAMBDAS, SLOPES = (-0.6, -0.3, 0, 0.3, 0.6), (1.7, 1.87, 2.2)
-SIMULATED = 0.18, 0.182, 0.183  # by steps of one length, DT
-DT, SAMPLES = (320, 80, 20, 5), 4000
-STICKS = 0.176, 0.19
 
 Field = Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]
 
@@ -210,10 +207,11 @@ def rests(field: Field, ratio: float) -> float:
     return value(T, u, h, (-1, 0))
 
 
-def refined(what: Callable, *of, **more) -> float:
+def refined(what: Callable, field: Field, ratios: tuple = RATIOS, **more
+            ) -> float:
     """Its value for steps to 0, of order 2."""
-    coarse, fine = (what(*of, ratio, **more) for ratio in RATIOS)
-    return fine + (fine - coarse) / ((RATIOS[0] / RATIOS[1]) ** 2 - 1)
+    coarse, fine = (what(field, ratio, **more) for ratio in ratios)
+    return fine + (fine - coarse) / ((ratios[0] / ratios[1]) ** 2 - 1)
 
 
 def numbers(field: Field) -> tuple[float, float, float]:
@@ -223,40 +221,8 @@ def numbers(field: Field) -> tuple[float, float, float]:
     return A, -x.h.mean() / A, 2 * x.of_h.mean() / (x.g[0] - x.g[1])
 
 
-def euler(r: float, dt: float, seed: int, end: float = 3e5) -> float:
-    """P of slip- by steps of Euler and Maruyama of one length."""
-    field, random = field_at(r), np.random.default_rng(seed)
-    g = np.full(SAMPLES, end / 3)
-    h, left = arrives(field) * g, 0
-    while len(g):
-        rate_h, rate_g = field(h, g)
-        noise = math.sqrt(dt) * random.normal(size=len(g))
-        h, g = h + rate_h * dt + noise, g + rate_g * dt + noise
-        leaves = (g > end) & (h < 0)
-        left += leaves.sum()
-        stays = ~leaves & (g > -20 * dt)
-        h, g = h[stays], g[stays]
-    return left / SAMPLES
-
-
-def averaged(r: float, seed: int, dt: float = 0.04, steps: int = 50000
-             ) -> Stick:
-    """Stick- by such steps: b and s^2 of -g, and c as the mean of what the
-    distance adds to the rate."""
-    field, random = field_at(r), np.random.default_rng(seed)
-    x, h, g, added = stick(field), 0.0, np.full(SAMPLES, -1500.0), 0.0
-    for _ in range(steps):
-        rate_h, rate_g = field(h, g)
-        added += np.mean((x.K * rate_h - rate_g - x.b) * -g)
-        noise = math.sqrt(dt) * random.normal(size=SAMPLES)
-        h, g = h + rate_h * dt + noise, g + rate_g * dt + noise
-    went = -1500 - g
-    return Stick(x.K, went.mean() / (steps * dt), went.var() / (steps * dt),
-                 added / steps)
-
-
 def drifting(begin: float, size: float, rows: pd.DataFrame,
-             dt: float = 1e5, samples: int = 1000) -> float:
+             dt: float = 4e5, samples: int = 200) -> float:
     """The mean time [s] of a rest, where r rises by v meanwhile: |g| is a
     Brownian motion with drift b, reflected at 0, and ends by its pushes."""
     random = np.random.default_rng(1)
@@ -279,13 +245,9 @@ def row(task: tuple) -> dict[str, object]:
     """What the rows of halfrange.csv have, of one kind."""
     kind, *of = task
     found = {"kind": kind, "r": of[0]}
-    if kind == "euler":
-        return {**found, "dt": of[1], "P": euler(of[0], of[1], 1)}
-    if kind == "averaged":
-        return {**found, **averaged(of[0], 1)._asdict()}
     if kind == "leading":
         return {**found, "slope": of[1], "P": refined(
-            selected, leading(*of), low=LEAST)}
+            selected, leading(*of), COARSE, low=LEAST)}
     field = field_at(of[0])
     x = stick(field)
     found.update(x._asdict())
@@ -294,17 +256,17 @@ def row(task: tuple) -> dict[str, object]:
     A, multiplier, slope = numbers(field)
     return {**found, "A": A, "multiplier": multiplier, "slope": slope,
             "P": refined(selected, field), "first": refined(
-                selected, leading(multiplier, slope), low=LEAST)}
+                selected, leading(multiplier, slope), COARSE, low=LEAST)}
+
+
+TASKS = [*(("P", r) for r in PLACES), *(("rest", r) for r in RESTS),
+         *(("leading", x, slope) for x in LAMBDAS for slope in SLOPES)]
 
 
 def follow(work: Path, _: str) -> None:
     """halfrange.csv."""
-    tasks = [*(("euler", r, dt) for dt in DT[::-1] for r in SIMULATED),
-             *(("averaged", r) for r in STICKS), *(("P", r) for r in PLACES),
-             *(("rest", r) for r in RESTS),
-             *(("leading", x, slope) for x in LAMBDAS for slope in SLOPES)]
-    pd.DataFrame(driven.side_by_side(lambda n: row(tasks[n]), range(
-        len(tasks)))).to_csv(work / "halfrange.csv", index=False)
+    pd.DataFrame(driven.side_by_side(row, TASKS)).to_csv(
+        work / "halfrange.csv", index=False)
 
 
 def count(work: Path, _: Path) -> dict[str, pd.DataFrame]:
@@ -313,27 +275,20 @@ def count(work: Path, _: Path) -> dict[str, pd.DataFrame]:
     kinds = {kind: some for kind, some in rows.groupby("kind")}
     places, rest = kinds["P"], kinds["rest"].sort_values("r")
     short = "{:.3g}".format
-    steps = kinds["euler"].pivot(index="r", columns="dt", values="P")[[*DT]]
-    steps.columns = [f"step {dt}" for dt in DT]
     chosen = pd.DataFrame({
-        "r": places.r, "|A|": places.A.map(short),
+        "r": places.r, "-A": places.A.map(short),
         "multiplier": places.multiplier.map(short),
         "e/V": places.slope.map(short), "P, leading order":
         places["first"].map("{:.4f}".format), "P": places.P.map(
-            "{:.4f}".format)}).merge(steps.reset_index(), how="left").fillna("")
-    law = kinds["leading"].pivot(index="r", columns="slope", values="P")
+            "{:.4f}".format)})
+    law = kinds["leading"].pivot(index="r", columns="slope", values="P").round(3)
     law.columns = [f"e/V = {slope:g}" for slope in law.columns]
-    sticks = pd.DataFrame([
-        {"r": one.r, "K": short(one.K), **{
-            name: f"{getattr(one, key):.3g}; {getattr(mine, key):.3g}"
-            for name, key in (("b", "b"), ("s^2", "s2"), ("c", "c"))}}
-        for one in kinds["averaged"].itertuples()
-        for mine in [stick(field_at(one.r))]])
     waits = pd.DataFrame({
         "r": rest.r, "b": rest.b.map(short), "T / size^2": rest.rest.map(short),
-        **{f"at {size:g}, r held; r free [s]": [
-            f"{one.rest * size ** 2:.2g}; {drifting(one.r, size, rest):.2g}"
-            for one in rest.itertuples()] for size in SIZES}})
+        **{f"at {size:g} [s]": (rest.rest * size ** 2).map("{:.2g}".format)
+           for size in SIZES},
+        f"at {SIZES[0]:g}, where r rises [s]": [
+            f"{drifting(r, SIZES[0], rest):.2g}" for r in rest.r]})
     return {"selected": chosen,
             "law": law.rename_axis("multiplier").reset_index(),
-            "stick": sticks, "rest": waits}
+            "rest": waits}
