@@ -112,8 +112,6 @@ def count(work: Path, _: Path) -> dict[str, pd.DataFrame]:
     shares["median time / t_c"] = middle.q2.map("{:.3g}".format)
     slaved = rows[(rows.of != "chaos") & (rows.band == BANDS[-1])]
     return {"shares": shares.rename_axis("band / h_c").reset_index(),
-            "phase": chaos.drop_duplicates("eps")[["eps", "n", "phase"]].round(
-                {"phase": 3}),
             "slaved": pd.DataFrame({
                 "multiplier of stick": slaved.of.str.split().str[1],
                 "to slip+": slaved.share})}

@@ -34,7 +34,7 @@ FIRST, REACH = 0.04, 1200  # its first step; h'^2 g where motions begin and end
 LEAST = 1e-8  # g of the leading order, in V / A^2
 PLACES = 0.176, 0.178, 0.18, 0.182, 0.183
 RESTS = 0.1834, 0.1836, 0.1838, 0.184, 0.1845, 0.185
-SIZES = 1e-4, 1e-5
+SIZE = 1e-4  # [m/s^1.5]
 LAMBDAS, SLOPES = (-0.6, -0.3, 0, 0.3, 0.6), (1.7, 1.87, 2.2)
 
 Field = Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]
@@ -284,11 +284,10 @@ def count(work: Path, _: Path) -> dict[str, pd.DataFrame]:
     law = kinds["leading"].pivot(index="r", columns="slope", values="P").round(3)
     law.columns = [f"e/V = {slope:g}" for slope in law.columns]
     waits = pd.DataFrame({
-        "r": rest.r, "b": rest.b.map(short), "T / size^2": rest.rest.map(short),
-        **{f"at {size:g} [s]": (rest.rest * size ** 2).map("{:.2g}".format)
-           for size in SIZES},
-        f"at {SIZES[0]:g}, where r rises [s]": [
-            f"{drifting(r, SIZES[0], rest):.2g}" for r in rest.r]})
+        "r": rest.r, "T / size^2": rest.rest.map(short),
+        f"at {SIZE:g} [s]": (rest.rest * SIZE ** 2).map("{:.2g}".format),
+        "where r rises [s]": [f"{drifting(r, SIZE, rest):.2g}"
+                              for r in rest.r]})
     return {"selected": chosen,
             "law": law.rename_axis("multiplier").reset_index(),
             "rest": waits}
