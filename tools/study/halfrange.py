@@ -277,11 +277,11 @@ def count(work: Path, _: Path) -> dict[str, pd.DataFrame]:
     short = "{:.3g}".format
     chosen = pd.DataFrame({
         "r": places.r, "-A": places.A.map(short),
-        "multiplier": places.multiplier.map(short),
-        "e/V": places.slope.map(short), "P, leading order":
+        "multiplier": places.multiplier.map(short), "P, leading order":
         places["first"].map("{:.4f}".format), "P": places.P.map(
             "{:.4f}".format)})
-    law = kinds["leading"].pivot(index="r", columns="slope", values="P").round(3)
+    law = kinds["leading"].round(3).pivot(index="r", columns="slope",
+                                          values="P")
     law.columns = [f"e/V = {slope:g}" for slope in law.columns]
     waits = pd.DataFrame({
         "r": rest.r, "T / size^2": rest.rest.map(short),
