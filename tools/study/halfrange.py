@@ -1,5 +1,4 @@
-"""`make halfrange`: what small noise selects at h = g = 0 of `chaos`, and how
-long it rests there, without a sample: as boundary value problems.
+"""`make halfrange`: `make corner` without samples, as boundary value problems.
 
 Length and time are in units of the noise, n = (n_g, 1) (corner.py). No noise
 acts on u = g - n_g h, so the backward equation has a diffusion over h alone:
@@ -96,11 +95,6 @@ def stick(field: Field, n_g: float = 1) -> Stick:
     return Stick(K, -share @ x.g, (n_g - K) ** 2, mean @ (K * x.of_h - x.of_g))
 
 
-def critical() -> float:
-    """r_c, below which stick- leaves."""
-    return float(optimize.brentq(lambda r: stick(field_at(r)).b, 0.17, 0.2))
-
-
 def grid(low: float, high: float, first: float, ratio: float) -> np.ndarray:
     """Steps from 0 on that begin with `first` and come to grow by `ratio`."""
     def half(end):
@@ -142,9 +136,8 @@ def solve(field: Field, u: np.ndarray, h: np.ndarray, n_g: float, left: float,
         right[:, here] -= source * time
         plus[:, here] += time * np.maximum(along, 0)
         minus[:, here] += time * np.minimum(along, 0)
-    first, last = u[1] - u[0], u[-1] - u[-2]
-    more = np.r_[u[0] - 2 * first, u[0] - first, u, u[-1] + last,
-                 u[-1] + 2 * last]
+    more = np.r_[u[0] + (u[0] - u[1]) * (2, 1), u,
+                 u[-1] + (u[-1] - u[-2]) * (1, 2)]
     for i, at in enumerate(index):
         for sign, speed in ((1, plus[i]), (-1, minus[i])):
             a, b = more[i + 2 + sign] - u[i], more[i + 2 + 2 * sign] - u[i]
@@ -214,28 +207,19 @@ def refined(what: Callable, field: Field, ratios: tuple = RATIOS, **more
     return fine + (fine - coarse) / ((ratios[0] / ratios[1]) ** 2 - 1)
 
 
-def numbers(field: Field) -> tuple[float, float, float]:
-    """Near g > 0: |A|, the multiplier of stick+, e/V."""
-    x = near(field, 1)
-    A = (x.h[0] - x.h[1]) / 2
-    return A, -x.h.mean() / A, 2 * x.of_h.mean() / (x.g[0] - x.g[1])
-
-
 def drifting(begin: float, size: float, rows: pd.DataFrame,
              dt: float = 4e5, samples: int = 200) -> float:
     """The mean time [s] of a rest, where r rises by v meanwhile: |g| is a
     Brownian motion with drift b, reflected at 0, and ends by its pushes."""
     random = np.random.default_rng(1)
-    time, times = dt * size ** 2, np.zeros(samples)
-    r, g, left = (np.full(samples, begin), np.zeros(samples),
-                  random.exponential(size=samples))
+    time, rate = dt * size ** 2, -1 / (rows.rest * rows.b) / size ** 2
+    (r, g, times), left = (np.outer((begin, 0, 0), np.ones(samples)),
+                           random.exponential(size=samples))
+    sd = size * math.sqrt(rows.s2.mean() * time)
     while (left > 0).any():
-        g += np.interp(r, rows.r, rows.b) * time + math.sqrt(
-            np.interp(begin, rows.r, rows.s2) * time) * size * random.normal(
-                size=samples)
-        push, g = np.maximum(-g, 0), np.maximum(g, 0)
-        left -= push * np.interp(r, rows.r, -1 / (rows.rest * rows.b)
-                                 ) / size ** 2
+        g += np.interp(r, rows.r, rows.b) * time + random.normal(0, sd, samples)
+        left -= np.maximum(-g, 0) * np.interp(r, rows.r, rate)
+        g = np.maximum(g, 0)
         r += (1 / r - 1) / math.sqrt(2) * g * time
         times += time * (left > 0)
     return float(times.mean())
@@ -253,7 +237,9 @@ def row(task: tuple) -> dict[str, object]:
     found.update(x._asdict())
     if kind == "rest":
         return {**found, "rest": refined(rests, field)}
-    A, multiplier, slope = numbers(field)
+    by = near(field, 1)
+    A, V = (by.h[0] - by.h[1]) / 2, (by.g[1] - by.g[0]) / 2
+    multiplier, slope = -by.h.mean() / A, -by.of_h.mean() / V
     return {**found, "A": A, "multiplier": multiplier, "slope": slope,
             "P": refined(selected, field), "first": refined(
                 selected, leading(multiplier, slope), COARSE, low=LEAST)}
