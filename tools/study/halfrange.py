@@ -136,8 +136,8 @@ def solve(field: Field, u: np.ndarray, h: np.ndarray, n_g: float, left: float,
         right[:, here] -= source * time
         plus[:, here] += time * np.maximum(along, 0)
         minus[:, here] += time * np.minimum(along, 0)
-    more = np.r_[u[0] + (u[0] - u[1]) * (2, 1), u,
-                 u[-1] + (u[-1] - u[-2]) * (1, 2)]
+    more = np.r_[u[0] + (u[0] - u[1]) * np.array([2, 1]), u,
+                 u[-1] + (u[-1] - u[-2]) * np.array([1, 2])]
     for i, at in enumerate(index):
         for sign, speed in ((1, plus[i]), (-1, minus[i])):
             a, b = more[i + 2 + sign] - u[i], more[i + 2 + 2 * sign] - u[i]
