@@ -328,14 +328,17 @@ static void judge_all(class_t class, unsigned n, int systems) {
       n, class_names[class], systems, sum.modes, sum.most, sum.several,
       sum.missed, sum.false_, sum.unsure, sum.unproven, sum.wrong, sum.turned,
       sum.miscounted, sum.by_force, sum.coarse);
-  /* in float rounding is as wide as what such forces leave */
+  /* in float rounding is as wide as what such forces leave, and as what is
+   * between the zeros of curves that nearly touch */
+  const bool is_curve = n == 1 && class == CURVED;
   unsigned lost = 0;
-  if (!IS_DOUBLE && (class == REDUNDANT || class == DEPENDENT))
+  if (!IS_DOUBLE && (class == REDUNDANT || class == DEPENDENT || is_curve))
     lost = 2 + (unsigned)systems / 200;
-  CHECK(sum.missed <= lost && sum.false_ == 0 && sum.unproven == 0);
+  CHECK(sum.missed <= lost && sum.false_ == 0);
+  CHECK(sum.unproven <= (is_curve ? lost : 0));
   CHECK(sum.wrong == 0 && sum.miscounted == 0 && sum.by_force == 0);
   /* where forms bend much, one contact attracts by their chord */
-  CHECK(sum.turned == 0 || (n == 1 && class == CURVED));
+  CHECK(sum.turned == 0 || is_curve);
   CHECK_ABOVE(sum.several, 0);
 }
 
