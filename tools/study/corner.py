@@ -26,7 +26,7 @@ KAPPA, GAMMA = 0.27241153714062028, -3 * math.pi / 4
 SAMPLES = int(os.environ.get("SAMPLES") or 10000)
 EPS = 0.2, 0.1, 0.05
 PLACES = 0.176, 0.178, 0.18, 0.182, 0.183
-STICKS = *PLACES, 0.185, 0.19, 0.195
+STICKS = 0.176, 0.18, 0.182, 0.185, 0.195
 DIRECTIONS = "v", "omega", "v and omega"
 
 # Cycles of each sample, by the rate of exits from the two-fold [1/s], which is
@@ -119,23 +119,21 @@ def at_zero(rows: pd.DataFrame) -> table.Estimate:
         fit[1] + 2 * math.sqrt(spread[1, 1]) * np.array([0, -1, 1]), 0, 1))
 
 
-def count(work: Path, kept: Path) -> dict[str, pd.DataFrame]:
+def count(work: Path, kept: Path) -> dict[str, object]:
     """The tables, and the picture."""
     rows, found, drawn = table.read(work / "corner.csv"), [], []
     for (kind, r), some in rows.groupby(["noise", "r"], sort=False):
         limit = at_zero(some)
         drawn.append((kind, r, limit))
-        s2 = at(r).stick(*direction(kind, r))[2]
-        found.append({"r": r, "noise on": kind, "s^2": f"{s2:.3g}", **{
-                          f"P, eps {one.eps:g}": f"{one.P:.3f}({one[9]:.3f})"
-                          for one in some.itertuples(index=False)},
+        found.append({"r": r, "noise on": kind.replace("v and omega", "both"),
+                      "P, eps " + ", ".join(f"{eps:g}" for eps in some.eps):
+                      ", ".join(f"{P:.3f}" for P in some.P),
                       "P, eps -> 0": limit.text(3)})
     draw(kept, drawn)
     return {
-        "stick": pd.DataFrame([{"r": r, "b": f"{b:.3g}", "c": f"{c:.2g}"}
-                               for r in STICKS for b, c, _ in [at(r).stick()]]),
-        "selected": pd.DataFrame(found).sort_values(
-            "r", kind="stable"),
+        "stick": "At r = " + ", ".join(map(str, STICKS)) + " c is " + ", ".join(
+            f"{at(r).stick()[1]:.2g}" for r in STICKS) + ".",
+        "selected": pd.DataFrame(found).sort_values("r", kind="stable"),
         "returns": pd.DataFrame([returned(work, rate) for rate in CYCLES])}
 
 

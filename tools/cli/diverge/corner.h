@@ -58,9 +58,9 @@ bool cli_corner_sticks(const cli_corner_t *corner, cli_slip_t x);
 bool cli_corner_attracts(const cli_corner_t *corner);
 double cli_corner_away(const cli_corner_t *corner);
 
-/// Follows noise from anywhere near h = g = 0 until it is `reach` from it, or at
-/// cli_corner_away in stick-. Where stick- does not leave it goes on in slip- at
-/// once: its rest, of about 1e6 / |b| for `chaos`, is left out.
+/// Follows noise from anywhere near h = g = 0 until it is `reach` from it, or
+/// at cli_corner_away in stick-. Where stick- does not leave it goes on in
+/// slip- at once: its rest, of about 1e6 / |b| for `chaos`, is left out.
 /// Returns: whether it came there within ten million steps.
 bool cli_corner_walk(const cli_corner_t *corner, cli_random_t *random,
                      double reach, cli_slip_t *x);
