@@ -1,12 +1,22 @@
 // Where the noise decides is a layer: |h| as large as sqrt(|g|). A step that is
 // a share of the distance to h = g = 0 never resolves it.
 
+#ifdef TF_REAL_FLOAT
+#define IS_FLOAT
 #undef TF_REAL_FLOAT
+#endif
 #include "corner.h"
 
 #include <math.h>
 
 #include "../../../src/model/rates.h"
+
+// Random numbers have no real, and the library that is linked has its own name.
+#ifdef IS_FLOAT
+void tf_philox_f32(uint64_t counter, uint32_t key, uint32_t out[2]);
+#undef tf_philox
+#define tf_philox tf_philox_f32
+#endif
 
 #define PI 3.141592653589793
 #define FAR 0.125     // eps |g| of an averaged stick
