@@ -1,7 +1,8 @@
 /// @file
-/// Several contacts of one mechanism: every joint future of a step. A contact
-/// that is alone takes contact.h, which is faster. Contact after contact finds
-/// too few: a force of one contact changes which modes another may have.
+/// Several contacts of one mechanism: every joint future of a step. Use
+/// contact.h for one contact: it is faster. Do not call contact.h for one
+/// contact after another: the force of one changes which modes the others may
+/// have, and futures are missed.
 #ifndef TWOFOLD_CONTACTS_H
 #define TWOFOLD_CONTACTS_H
 
@@ -9,45 +10,59 @@
 
 TF_BEGIN_C
 
-/// Most contacts, and multipliers m = (x_0, y_0, x_1, y_1, ...) of n.
+/// Most contacts. n contacts have 2 n multipliers m = (x_0, y_0, x_1, y_1 ...).
 #define TF_CONTACTS 4
 #define TF_MULTIPLIERS(n) (2 * (n))
 
-/// Numbers of one form: h_i or g_i at the end of the step [m/s] as
-/// c + sum over a of b_a m_a + sum over a <= b of q_ab m_a m_b, in this order:
-///   c, b_0 ... b_(2n-1), q_00, q_01, q_11, q_02, q_12, q_22, q_03 ...
-/// The forms of a mechanism are an array forms[n][2][TF_TERMS(n)]: h_0, g_0,
-/// h_1, g_1, ... For n = 1 a form is a tf_form_t. Products may be 0: they make
-/// a step of second order where the directions of h and g turn.
-#define TF_TERMS(n) (((size_t)(n) + 1) * (2 * (size_t)(n) + 1))
+/// Room for all joint modes: TF_MODES^n.
+#define TF_JOINT_ROOM(n) ((n) == 1 ? 5 : (n) == 2 ? 25 : (n) == 3 ? 125 : 625)
 
-/// A mode of each contact, all at once. Of slip the multipliers are those at
-/// h -> 0, but the law at `now` where h cannot come to 0 in this step.
+/// A form is h_i or g_i at the end of the step [m/s] by the multipliers:
+///   c + sum over a of b_a m_a + sum over a <= b of q_ab m_a m_b
+/// It is an array of TF_TERMS(n) numbers:
+///   [0] c    [1 + a] b_a    [TF_PRODUCT(n, a, b)] q_ab, a <= b
+/// The forms of a mechanism are an array forms[n][2][TF_TERMS(n)] in the order
+/// h_0, g_0, h_1, g_1, ... For n = 1 a form has the layout of tf_form_t. The
+/// products q may be 0. With them a step is of second order where the
+/// directions of h and g turn.
+#define TF_TERMS(n) (((size_t)(n) + 1) * (2 * (size_t)(n) + 1))
+#define TF_PRODUCT(n, a, b) \
+  (1 + 2 * (size_t)(n) + (size_t)(b) * ((size_t)(b) + 1) / 2 + (size_t)(a))
+
+/// One mode for each contact. They hold together.
 typedef struct {
   uint8_t mode[TF_CONTACTS]; ///< tf_mode_t of each contact
   uint8_t attracting; ///< bit i: contact i sticks, and a small h_i decays while
                       ///< the other contacts keep their modes
-  uint8_t near_plus;  ///< bit i: g_i > 0 is the present side: decides a tie
-  uint16_t points;    ///< solutions with these modes
-  tf_real_t x[TF_CONTACTS], y[TF_CONTACTS]; ///< multipliers F/mu, M/(kappa mu)
+  uint8_t near_plus;  ///< bit i: the present side of g_i is g_i > 0: it decides
+                      ///< between stick+ and stick-
+  uint16_t points;    ///< how many solutions have these modes; here is one
+  /// F/mu and M/(kappa mu). In slip: the limit at h -> 0, or the law at `now`
+  /// where h cannot come to 0 in this step.
+  tf_real_t x[TF_CONTACTS], y[TF_CONTACTS];
   tf_real_t h[TF_CONTACTS], g[TF_CONTACTS]; ///< slips at the end [m/s]
 } tf_joint_mode_t;
 
-/// Every joint mode in which a step may end, in the order of their modes, of
-/// the last contact first. Of several solutions with the same modes: the slip
-/// whose g keeps its side, then the one with the least sum of |x| + |y|.
-/// Redundant contacts: forces are not unique though the motion is; reported are
-/// those with the least sum of squares of x and y, or, where the law forbids
-/// these, some away from its borders.
-/// n: in, 1 to TF_CONTACTS. contacts, forms, now: in, [n] each, slips before
-///   the step [m/s]. found: out, [room]. count: out, how many there are; of
-///   more than `room` the first `room` are in found.
-/// Returns: TF_OK; TF_COARSE: products so large that a solution may be missing;
-///   TF_BAD_PARAMETER: n, or h_i of a COULOMB contact grows with x_i (see
-///   tf_contact_modes); TF_BAD_STATE: not finite (both untouched).
-/// Trust: under the hull there is always one. A solution is certain unless a
-///   change of the coefficients by 64 epsilon lets it vanish (in float one in
-///   200 of redundant contacts is lost).
+/// Finds every joint mode in which a step may end. They are sorted by the mode
+/// of the last contact, then of the one before it, and so on.
+/// n: in, 1 to TF_CONTACTS. contacts, forms: in. now: in, [n], slips before the
+///   step [m/s]. found: out, [room], the first `room` joint modes. count: out,
+///   how many there are, also where that is more than room.
+/// Returns: TF_OK; TF_COARSE: a solution may be missing, because products are
+///   large or contacts with products redundant; TF_BAD_PARAMETER: n, or h_i of
+///   a COULOMB contact grows with x_i (see tf_contact_modes); TF_BAD_STATE: not
+///   finite (found and count untouched).
+/// Several solutions may have the same modes. The one in `found` keeps the
+///   present side of g in slip; of those, it has the least sum of |x| + |y|.
+/// Redundant contacts: the motion is unique, but the forces are not. Those in
+///   `found` have the least sum of squares of x and y. Where the law forbids
+///   them, they are some that are well inside the law.
+/// Trust: with TF_REST_HULL there is always a joint mode. One is certainly
+///   found unless a change of the coefficients by 64 epsilon removes it. Of
+///   contacts that are almost redundant one in 10,000 is lost, in float 50.
+/// h_i = g_i = 0: there is no tf_contact_leave for several contacts. A contact
+///   that comes there may be pinned; the next steps find the modes in which it
+///   leaves. Which of them is taken may depend on the step.
 #define tf_contacts_modes TF_LINK(tf_contacts_modes)
 TF_API tf_status_t tf_contacts_modes(unsigned n, const tf_contact_t *contacts,
                                      const tf_real_t *forms,
@@ -55,12 +70,12 @@ TF_API tf_status_t tf_contacts_modes(unsigned n, const tf_contact_t *contacts,
                                      tf_joint_mode_t *found, unsigned room,
                                      unsigned *count);
 
-/// The joint mode that the rules take. Contacts choose in the order of their
-/// index, each by tf_contact_choose among the joint modes that are left. No
+/// Takes one joint mode. Contact 0 chooses first, by tf_contact_choose and its
+/// own rule; then contact 1 among the joint modes that are left, and so on. No
 /// slip enters a stick that does not attract.
 /// found, count: in, all joint modes. modes: in, [n], before the step, or
 ///   TF_NO_MODE. tick, seed: in, counter and key of the draw; contact i draws
-///   with key seed + i.
+///   with the key seed + i.
 /// Returns: the index in found; count where none is admissible.
 #define tf_contacts_choose TF_LINK(tf_contacts_choose)
 TF_API unsigned tf_contacts_choose(unsigned n, const tf_contact_t *contacts,
@@ -68,11 +83,12 @@ TF_API unsigned tf_contacts_choose(unsigned n, const tf_contact_t *contacts,
                                    const uint8_t *modes, uint64_t tick,
                                    uint32_t seed);
 
-/// Mean forces of a step that ends in a joint mode: in slip those of the law at
-/// `at`, but those at h -> 0 where the law would carry h across 0; in stick and
-/// pinned those that keep h, or h and g, at 0 beside them.
-/// joint: in, of found; NULL: none was admissible. at: in, [n], slips of the
-///   law: at the theta point, or at the start. force: out, [n].
+/// The mean forces of a step that ends in a joint mode. A contact that slips
+/// has the force of the law at `at`, but the limit at h -> 0 where that would
+/// carry h across 0. One that sticks or is pinned has the force that keeps h,
+/// or h and g, at 0 while those forces act.
+/// joint: in, of found; NULL: none was admissible. at: in, [n], slips at which
+///   the law is read: at the theta point, or at the start. force: out, [n].
 /// Returns: TF_OK; TF_DEGRADED: joint is NULL: the law of slip at `at`;
 ///   TF_BAD_PARAMETER: n; TF_BAD_STATE: not finite (force untouched).
 #define tf_contacts_force TF_LINK(tf_contacts_force)

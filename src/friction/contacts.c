@@ -55,7 +55,6 @@ TF_API tf_status_t tf_contacts_modes(unsigned n, const tf_contact_t *contacts,
                                      tf_joint_mode_t *found, unsigned room,
                                      unsigned *count) {
   mechanism_t k;
-  unsigned mode[TF_CONTACTS] = {0}, next, unsure = 0;
   if (n - 1 >= TF_CONTACTS) return TF_BAD_PARAMETER;
   if (!set_up(&k, n, contacts, forms, now)) return TF_BAD_STATE;
   for (unsigned i = 0; i < n; i++) {
@@ -66,17 +65,11 @@ TF_API tf_status_t tf_contacts_modes(unsigned n, const tf_contact_t *contacts,
     modes_of_one(&k, now[0], found, room, count);
     return TF_OK;
   }
+  tf_bound_products(&k);
   for (unsigned i = 0; i < n; i++)
     if (!tf_comes_to_h_0(&k, i, now[i].h))
       slip_with_law(&k, i, sign_of(now[i].h), now[i]);
-  *count = 0;
-  do {
-    tf_joint_mode_t joint = {.points = 0};
-    unsure += tf_solve_modes(&k, mode, &joint) ? 0 : 1;
-    if (joint.points > 0 && (*count)++ < room) found[*count - 1] = joint;
-    for (next = 0; next < n && ++mode[next] == TF_MODES; next++) mode[next] = 0;
-  } while (next < n);
-  return unsure == 0 ? TF_OK : TF_COARSE;
+  return tf_joint_modes(&k, found, room, count) ? TF_OK : TF_COARSE;
 }
 
 // Whether a joint mode is admissible after the modes before, and has what the

@@ -10,10 +10,13 @@
 
 #define MOST_PARTS 512u       // for one set of modes and shares
 #define MOST_HALVES 32u       // of the stack of boxes
+#define MOST_SOFT 4u          // boxes of redundant contacts in which none holds
 #define MOST_NEWTON_STEPS 32u // of Newton's method
+#define SMALL_STEP TF_R(0x1p-6) // leaves the inverse of the slopes as it is
 
-// The sign of g that the moment of a slip stands for. OPEN: any.
-typedef enum { SHARE_PLUS, SHARE_MINUS, SHARE_ZERO, SHARES, OPEN } share_t;
+// The sign of g that the moment of a slip stands for: the present one, the
+// other, 0. OPEN: any.
+typedef enum { SAME_SIGN, OTHER_SIGN, ZERO, SHARES, OPEN } share_t;
 
 static void pose_one(problem_t *p, unsigned a, equation_t equation,
                      sought_t sought, tf_real_t middle, tf_real_t half) {
@@ -23,16 +26,18 @@ static void pose_one(problem_t *p, unsigned a, equation_t equation,
   p->box.half[a] = half;
 }
 
-// The equations of a contact in a mode.
+// The equations of a contact in a mode. TF_NO_MODE: in any.
 static void pose(const mechanism_t *k, unsigned i, unsigned mode, share_t share,
                  problem_t *p) {
   const unsigned x = 2 * i, y = 2 * i + 1;
-  const sign_t s = sign_in(mode);
+  const sign_t s = sign_in(mode), now = (k->near_plus >> i) & 1u ? PLUS : MINUS;
   const sought_t side = s == PLUS ? ABOVE : BELOW;
   const bool moment = has_moment(k, i);
-  const bool is_near = ((k->near_plus >> i) & 1u) == (s == PLUS);
   pose_one(p, y, HELD, ANY, 0, 0);
-  if (slips_by_law(k, i)) {
+  if (mode == TF_NO_MODE) {
+    pose_one(p, x, HELD, ANY, 0, most_of(x));
+    pose_one(p, y, HELD, ANY, 0, most_of(y));
+  } else if (slips_by_law(k, i)) {
     pose_one(p, x, HELD, ANY, k->law[i].x, 0);
     pose_one(p, y, HELD, ANY, k->law[i].y, 0);
   } else if (mode == TF_PINNED) {
@@ -43,28 +48,45 @@ static void pose(const mechanism_t *k, unsigned i, unsigned mode, share_t share,
     if (moment)
       pose_one(p, y, s == PLUS ? RAY_PLUS : RAY_MINUS, side, 0, 1);
     else // g = 0 counts as the present side
-      p->sought[y] = !is_near ? side : s == PLUS ? FROM_0 : TO_0;
+      p->sought[y] = s != now ? side : s == PLUS ? FROM_0 : TO_0;
   } else {
+    const sign_t of_g = share == SAME_SIGN ? now : opposite(now);
     pose_one(p, x, HELD, side, unit(s), 0);
-    if (moment && share >= SHARE_ZERO)
+    if (moment && share >= ZERO)
       pose_one(p, y, share == OPEN ? HELD : FORM, ANY, 0, 1);
     else if (moment)
-      pose_one(p, y, HELD, share == SHARE_PLUS ? ABOVE : BELOW,
-               share == SHARE_PLUS ? unit(s) : -unit(s), 0);
+      pose_one(p, y, HELD, of_g == PLUS ? ABOVE : BELOW,
+               with_sign(of_g, unit(s)), 0);
   }
 }
 
-// Out of line: its room is free again behind it.
-TF_RARE void invert_slopes(unsigned count, outlook_t *at) {
+// The inverse of the slopes by the equations that are forms; the others give
+// their multiplier at once. Out of line: its room is free again behind it.
+TF_RARE void invert_slopes(const mechanism_t *k, const problem_t *p,
+                           outlook_t *at) {
   tf_real_t w[ROWS][ROWS + 1];
-  for (unsigned e = 0; e < count; e++)
-    for (unsigned a = 0; a < count; a++) {
-      w[e][a] = at->slope[e][a] - (e == a ? at->softness[e] : 0);
-      w[e][count + a] = e == a ? 1 : 0;
+  unsigned row[MULTIPLIERS], rows = 0;
+  for (unsigned e = 0; e < k->count; e++)
+    if (p->equation[e] == FORM) row[rows++] = e;
+  for (unsigned r = 0; r < rows; r++) {
+    const unsigned e = row[r];
+    for (unsigned a = 0, c = 0; a < k->count; a++) {
+      const tf_real_t by = at->slope[e][a] - (e == a ? at->softness[e] : 0);
+      w[r][rows + a] = p->equation[a] != FORM ? -by : e == a ? 1 : 0;
+      if (p->equation[a] == FORM) w[r][c++] = by;
+      if (p->equation[a] >= RAY_PLUS) w[r][c - 1] -= at->slope[a][a - 1] * by;
     }
-  eliminate(count, 2 * count, w);
-  for (unsigned e = 0; e < count; e++)
-    for (unsigned a = 0; a < count; a++) at->inverse[e][a] = w[e][count + a];
+  }
+  eliminate(rows, rows + k->count, w);
+  for (unsigned a = 0; a < k->count; a++)
+    for (unsigned e = 0; e < k->count; e++)
+      at->inverse[a][e] = (a == e ? TF_R(1.0) : TF_R(0.0));
+  for (unsigned r = 0; r < rows; r++)
+    for (unsigned e = 0; e < k->count; e++)
+      at->inverse[row[r]][e] = w[r][rows + e];
+  for (unsigned a = 0; a < k->count; a++)
+    for (unsigned e = 0; e < k->count && p->equation[a] >= RAY_PLUS; e++)
+      at->inverse[a][e] -= at->slope[a][a - 1] * at->inverse[a - 1][e];
 }
 
 static tf_real_t newton_step(const outlook_t *at, unsigned count, unsigned a) {
@@ -81,12 +103,16 @@ static bool comes_to_zero(const mechanism_t *k, const problem_t *p,
   bool is_zero = false;
   for (unsigned a = 0; a < k->count; a++) point->half[a] = 0;
   for (unsigned n = 0; n < MOST_NEWTON_STEPS && !is_zero; n++) {
-    for (unsigned a = 0; a < k->count; a++)
-      point->middle[a] = clip(point->middle[a] + newton_step(at, k->count, a),
-                              p->box.middle[a] - p->box.half[a],
-                              p->box.middle[a] + p->box.half[a]);
-    (void)look(k, p, point, false, at);
-    if (!is_affine) invert_slopes(k->count, at);
+    tf_real_t most = 0;
+    for (unsigned a = 0; a < k->count; a++) {
+      const tf_real_t step = newton_step(at, k->count, a);
+      if (magnitude(step) > most) most = magnitude(step);
+      point->middle[a] =
+          clip(point->middle[a] + step, p->box.middle[a] - p->box.half[a],
+               p->box.middle[a] + p->box.half[a]);
+    }
+    look(k, p, point, at);
+    if (!is_affine && most > SMALL_STEP) invert_slopes(k, p, at);
     is_zero = is_affine || n > 0;
     for (unsigned f = 0; f < k->count; f++)
       is_zero = is_zero && within(at->missed[f], at->rounding[f]);
@@ -98,6 +124,7 @@ static bool comes_to_zero(const mechanism_t *k, const problem_t *p,
         is_zero && (mode[i] != TF_PINNED ||
                     rests_under(k->contacts[i].rest, point->middle[X_OF(i)],
                                 point->middle[Y_OF(i)]));
+  if (is_zero && !is_affine) invert_slopes(k, p, at);
   return is_zero;
 }
 
@@ -148,8 +175,7 @@ static unsigned sides_at(const mechanism_t *k, const problem_t *p,
     if (p->sought[a] == ANY) continue;
     side_t *side = &sides[count++];
     tf_real_t size = 0;
-    (void)form_at(numbers_of_form(k, a), k->count, point, &side->value,
-                  side->slope);
+    (void)form_at(k, a, point, &side->value, side->slope);
     for (unsigned b = 0; b < k->count; b++) size += magnitude(side->slope[b]);
     size = (p->sought[a] == ABOVE || p->sought[a] == FROM_0 ? TF_R(1.0)
                                                             : TF_R(-1.0)) *
@@ -201,7 +227,7 @@ TF_RARE bool comes_to_middle(const mechanism_t *k, const problem_t *p,
     side_t sides[MOST_SIDES];
     tf_real_t w[ROWS][ROWS + 1], least = TF_REAL_MAX, missed = 0, most = 0;
     bool is_zero = true;
-    (void)look(k, p, point, false, at);
+    look(k, p, point, at);
     const unsigned count = sides_at(k, p, mode, halves, point, sides);
     for (unsigned s = 0; s < count; s++)
       if (sides[s].value < least) least = sides[s].value;
@@ -210,7 +236,7 @@ TF_RARE bool comes_to_middle(const mechanism_t *k, const problem_t *p,
       is_zero = is_zero && within(at->missed[e], at->rounding[e]);
     }
     if (is_zero && least > 0) {
-      invert_slopes(n, at);
+      invert_slopes(k, p, at);
       return true;
     }
     if (turn == 0) {
@@ -286,15 +312,16 @@ static bool add_zeros(const mechanism_t *k, const unsigned mode[],
                       const problem_t *p, tf_joint_mode_t *joint) {
   tf_real_t least = joint->points > 0 ? 0 : TF_REAL_MAX;
   joint_box_t stack[MOST_HALVES];
-  unsigned depth = 1, looked = 0;
+  unsigned depth = 1, looked = 0, softs = 0;
   stack[0] = p->box;
   for (; depth > 0 && looked < MOST_PARTS && depth + 2 <= MOST_HALVES;
        looked++) {
     const joint_box_t box = stack[--depth];
     joint_box_t point = box;
     outlook_t at;
-    if (!look(k, p, &box, true, &at)) continue;
-    invert_slopes(k->count, &at);
+    look(k, p, &box, &at);
+    invert_slopes(k, p, &at);
+    problem_t near = *p; // what Newton's step leaves of the box
     bool misses = false, alone = true, soft = false, inside = true;
     bool is_affine = true;
     unsigned widest = 0;
@@ -306,14 +333,21 @@ static bool add_zeros(const mechanism_t *k, const unsigned mode[],
         softened += by * at.softness[f] * box.half[f];
         rounded += by * at.rounding[f];
       }
-      misses = misses || magnitude(newton_step(&at, k->count, a)) >
-                             box.half[a] + bent + softened + rounded;
+      const tf_real_t step = newton_step(&at, k->count, a);
+      const tf_real_t off = bent + softened + 2 * rounded;
+      const tf_real_t low =
+          step - off > -box.half[a] ? step - off : -box.half[a];
+      const tf_real_t high =
+          step + off < box.half[a] ? step + off : box.half[a];
+      misses = misses || magnitude(step) > box.half[a] + off;
+      near.box.middle[a] = box.middle[a] + (low + high) / 2;
+      near.box.half[a] = (high - low) / 2;
       is_affine = is_affine && at.bend[a] == 0;
       alone = alone && 4 * bent <= box.half[a] + JOINT_ROUNDING;
       soft = soft || !(4 * softened <= box.half[a] + JOINT_ROUNDING);
-      if (box.half[a] > box.half[widest]) widest = a;
+      if (near.box.half[a] > near.box.half[widest]) widest = a;
     }
-    if (misses) continue;
+    if (misses || !may_hold(k, &near)) continue;
     bool holds = comes_to_zero(k, p, mode, is_affine, &point, &at);
     if (soft && !holds) holds = comes_to_a_middle(k, p, mode, &point, &at);
     for (unsigned a = 0; a < k->count; a++)
@@ -325,8 +359,9 @@ static bool add_zeros(const mechanism_t *k, const unsigned mode[],
       if (is_last) joint->points++;
     }
     if (is_last) continue;
+    if (soft && ++softs == MOST_SOFT) return false;
     for (unsigned n = 0; n < 2; n++, depth++) {
-      stack[depth] = box;
+      stack[depth] = near.box;
       stack[depth].half[widest] /= 2;
       stack[depth].middle[widest] +=
           n == 0 ? stack[depth].half[widest] : -stack[depth].half[widest];
@@ -336,52 +371,74 @@ static bool add_zeros(const mechanism_t *k, const unsigned mode[],
   return depth == 0;
 }
 
-// Whether a contact that slips may do so with g of either sign.
-static bool has_shares(const mechanism_t *k, const unsigned mode[],
-                       unsigned i) {
-  return is_slip(mode[i]) && has_moment(k, i) && !slips_by_law(k, i);
+// How many shares a contact tries in a mode; 0: it cannot be in that mode.
+static unsigned shares_of(const mechanism_t *k, unsigned i, unsigned mode) {
+  if (slips_by_law(k, i)) return mode == slip_with(sign_of(k->law[i].x));
+  if (!has_moment(k, i)) return mode != TF_PINNED;
+  return is_slip(mode) ? SHARES : 1;
 }
 
-TF_API bool tf_solve_modes(const mechanism_t *k, const unsigned mode[],
-                           tf_joint_mode_t *joint) {
-  problem_t p = {.box = {{0}, {0}}};
-  outlook_t at;
-  unsigned shares = 1, unsure = 0;
-  for (unsigned i = 0; i < k->count / 2; i++) {
-    const bool by_law = slips_by_law(k, i);
-    if (by_law ? mode[i] != (k->law[i].x > 0 ? TF_SLIP_PLUS : TF_SLIP_MINUS)
-               : !has_moment(k, i) && mode[i] == TF_PINNED)
-      return true;
-    pose(k, i, mode[i], OPEN, &p);
-    if (has_shares(k, mode, i)) shares *= SHARES;
-  }
-  if (!look(k, &p, &p.box, true, &at)) return true;
-  for (unsigned n = 0; n < shares; n++) {
-    for (unsigned i = 0, rest = n; i < k->count / 2; i++) {
-      unsigned share = SHARE_PLUS;
-      if (has_shares(k, mode, i)) {
-        share = rest % SHARES;
-        rest /= SHARES;
-        if (share != SHARE_ZERO && !((k->near_plus >> i) & 1u))
-          share = share == SHARE_PLUS ? SHARE_MINUS : SHARE_PLUS;
+// A tree: a mode for each contact from the last to the first, levels 2 n - 1 to
+// n, then a share for each, levels n - 1 to 0. A branch is left where the
+// contacts that have a mode cannot have it, whatever the others do.
+TF_API bool tf_joint_modes(const mechanism_t *k, tf_joint_mode_t found[],
+                           unsigned room, unsigned *count) {
+  const unsigned n = k->count / 2;
+  unsigned mode[TF_CONTACTS] = {0}, tried[2 * TF_CONTACTS + 1] = {0};
+  tf_joint_mode_t joint = {.points = 0};
+  problem_t p;
+  bool is_sure = true;
+  for (unsigned i = 0; i < n; i++) pose(k, i, TF_NO_MODE, OPEN, &p);
+  *count = 0;
+  for (unsigned level = 2 * n - 1; level < 2 * n;) {
+    const bool of_mode = level >= n;
+    const unsigned i = of_mode ? level - n : level, next = tried[level];
+    if (next == (of_mode ? TF_MODES : shares_of(k, i, mode[i]))) {
+      pose(k, i, of_mode ? TF_NO_MODE : mode[i], OPEN, &p);
+      if (level == n - 1) {
+        if (joint.points > 0 && (*count)++ < room) found[*count - 1] = joint;
+        joint.points = 0;
       }
-      pose(k, i, mode[i], (share_t)share, &p);
+      tried[++level]++;
+      continue;
     }
-    unsure += add_zeros(k, mode, &p, joint) ? 0 : 1;
+    if (of_mode) mode[i] = next;
+    const unsigned shares = shares_of(k, i, mode[i]);
+    bool may = shares > 0;
+    if (of_mode ? may : shares > 1) {
+      pose(k, i, mode[i], of_mode ? OPEN : (share_t)next, &p);
+      may = may_hold(k, &p);
+    }
+    if (may && level > 0) {
+      tried[--level] = 0;
+    } else {
+      is_sure = (!may || add_zeros(k, mode, &p, &joint)) && is_sure;
+      tried[level]++;
+    }
   }
-  return unsure == 0;
+  return is_sure;
+}
+
+TF_API void tf_bound_products(mechanism_t *k) {
+  joint_box_t most = {{0}, {0}};
+  tf_real_t slope[MULTIPLIERS], value, products = 0;
+  for (unsigned a = 0; a < k->count; a++) most.half[a] = most_of(a);
+  for (unsigned f = 0; f < k->count; f++) {
+    tf_real_t size = magnitude(numbers_of_form(k, f)[0]);
+    k->bend[f] = form_at(k, f, &most, &value, slope);
+    products += k->bend[f];
+    for (unsigned a = 0; a < k->count; a++) size += magnitude(slope[a]);
+    k->bend[f] += JOINT_ROUNDING * (size + k->bend[f]);
+  }
+  k->is_affine = products == 0;
 }
 
 TF_API bool tf_comes_to_h_0(const mechanism_t *k, unsigned i, tf_real_t now) {
-  joint_box_t most = {{0}, {0}};
-  tf_real_t value, slope[MULTIPLIERS];
+  const tf_real_t *form = numbers_of_form(k, 2 * i);
+  tf_real_t reach = k->bend[2 * i];
   for (unsigned a = 0; a < k->count; a++)
-    most.half[a] = a % 2 == 0 ? MAX_SLIP_FORCE(TF_R(1.0)) : 1;
-  tf_real_t reach =
-      form_at(numbers_of_form(k, 2 * i), k->count, &most, &value, slope);
-  for (unsigned a = 0; a < k->count; a++)
-    reach += magnitude(slope[a]) * most.half[a];
-  return within(now, magnitude(value - now) + reach);
+    reach += magnitude(form[1 + a]) * most_of(a);
+  return within(now, magnitude(form[0] - now) + reach);
 }
 
 TF_API bool tf_balance_contacts(const mechanism_t *k, const unsigned mode[],
@@ -395,8 +452,8 @@ TF_API bool tf_balance_contacts(const mechanism_t *k, const unsigned mode[],
     for (unsigned a = 2 * i; a < 2 * i + 2; a++)
       point.middle[a] = slips_by_law(k, i) ? p.box.middle[a] : m[a];
   }
-  (void)look(k, &p, &point, false, &at);
-  invert_slopes(k->count, &at);
+  look(k, &p, &point, &at);
+  invert_slopes(k, &p, &at);
   if (!comes_to_zero(k, &p, mode, false, &point, &at)) return false;
   for (unsigned a = 0; a < k->count; a++) m[a] = point.middle[a];
   for (unsigned i = 0; i < k->count / 2; i++) h[i] = at.value[X_OF(i)];

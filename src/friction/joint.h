@@ -20,15 +20,19 @@ TF_INLINE void slip_with_law(mechanism_t *k, unsigned i, sign_t side,
   k->law[i] = slip_multipliers(&k->contacts[i].tyre, side, at, true);
 }
 
+// Fills what the products of each form add.
+#define tf_bound_products TF_LINK(tf_bound_products)
+TF_API void tf_bound_products(mechanism_t *k);
+
 // Whether h_i can come to 0: by how much it moves, free and under all forces.
 #define tf_comes_to_h_0 TF_LINK(tf_comes_to_h_0)
 TF_API bool tf_comes_to_h_0(const mechanism_t *k, unsigned i, tf_real_t now);
 
-// All solutions of one set of modes. joint: out, points 0 before. Returns false
-// where it ran out of boxes.
-#define tf_solve_modes TF_LINK(tf_solve_modes)
-TF_API bool tf_solve_modes(const mechanism_t *k, const unsigned mode[],
-                           tf_joint_mode_t *joint);
+// All joint modes. found: out, [room]. count: out. Returns false where one may
+// be missing.
+#define tf_joint_modes TF_LINK(tf_joint_modes)
+TF_API bool tf_joint_modes(const mechanism_t *k, tf_joint_mode_t found[],
+                           unsigned room, unsigned *count);
 
 // Balances the contacts that do not slip by law beside those that do. m: in, a
 // guess; out, multipliers. h: out, of each contact. Returns whether it holds.

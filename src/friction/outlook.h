@@ -16,6 +16,8 @@ typedef struct {
   const tf_real_t *forms;
   unsigned slips;                 // bit i: contact i slips by `law`
   unsigned near_plus;             // bit i: g_i > 0 is the present side
+  bool is_affine;                 // no form has products
+  tf_real_t bend[MULTIPLIERS];    // what products and rounding add to a form
   multipliers_t law[TF_CONTACTS]; // of those that slip
 } mechanism_t;
 
@@ -63,16 +65,17 @@ typedef struct {
 
 // A form about the middle of a box, in the order of form_value: value and
 // slopes. Returns what its products add in the box.
-TF_INLINE tf_real_t form_at(const tf_real_t form[], unsigned count,
+TF_INLINE tf_real_t form_at(const mechanism_t *k, unsigned f,
                             const joint_box_t *box, tf_real_t *value,
                             tf_real_t slope[]) {
-  const tf_real_t *m = box->middle, *product = form + 1 + count;
+  const tf_real_t *form = numbers_of_form(k, f), *m = box->middle;
+  const tf_real_t *product = form + 1 + k->count;
   tf_real_t bend = 0;
   *value = form[0];
-  for (unsigned j = 0; j < count; j++) {
+  for (unsigned j = 0; j < k->count; j++) {
     tf_real_t column = form[1 + j];
     slope[j] = column;
-    for (unsigned i = 0; i <= j; i++, product++) {
+    for (unsigned i = 0; i <= j && !k->is_affine; i++, product++) {
       column += m[i] * *product;
       slope[i] += *product * m[j];
       slope[j] += *product * m[i];
@@ -89,28 +92,43 @@ TF_INLINE bool may_end(sought_t sought, tf_real_t value, tf_real_t reach) {
   return sought == ANY || most > 0 || (most == 0 && sought >= FROM_0);
 }
 
-// Looks at forms and equations about the middle of a box. Returns whether each
-// may hold in it. unless_one_misses: stops where one does not, with no outlook.
-TF_INLINE bool look(const mechanism_t *k, const problem_t *p,
-                    const joint_box_t *box, bool unless_one_misses,
-                    outlook_t *out) {
-  bool may = true;
-  for (unsigned f = 0; f < k->count && (may || !unless_one_misses); f++) {
-    const tf_real_t *form = numbers_of_form(k, f);
+// The law lets no multipliers out of this box.
+TF_INLINE tf_real_t most_of(unsigned a) {
+  return a % 2 == 0 ? MAX_SLIP_FORCE(TF_R(1.0)) : TF_R(1.0);
+}
+
+// Whether all forms may hold in the box of a problem, whatever products add.
+TF_INLINE bool may_hold(const mechanism_t *k, const problem_t *p) {
+  for (unsigned f = 0; f < k->count; f++) {
+    const tf_real_t *by = numbers_of_form(k, f) + 1;
+    tf_real_t value = by[-1], reach = k->bend[f];
+    if (p->sought[f] == ANY && p->equation[f] != FORM) continue;
+    for (unsigned a = 0; a < k->count; a++) {
+      value += by[a] * p->box.middle[a];
+      reach += magnitude(by[a]) * p->box.half[a];
+    }
+    if (!may_end(p->sought[f], value, reach) ||
+        (p->equation[f] == FORM && !within(value, reach)))
+      return false;
+  }
+  return true;
+}
+
+// Looks at forms and equations about the middle of a box.
+TF_INLINE void look(const mechanism_t *k, const problem_t *p,
+                    const joint_box_t *box, outlook_t *out) {
+  for (unsigned f = 0; f < k->count; f++) {
     const tf_real_t ray = p->equation[f] == RAY_PLUS ? -1 : 1;
-    tf_real_t *slope = out->slope[f], reach = 0, size = 0, sum = 0;
-    out->bend[f] = form_at(form, k->count, box, &out->value[f], slope);
+    tf_real_t *slope = out->slope[f], size = 0, sum = 0;
+    out->bend[f] = form_at(k, f, box, &out->value[f], slope);
+    out->missed[f] = out->value[f];
     for (unsigned a = 0; a < k->count; a++) {
       const tf_real_t by = magnitude(slope[a]);
-      reach += by * box->half[a];
       sum += by;
       if (by > size) size = by;
     }
-    out->rounding[f] = JOINT_ROUNDING * (magnitude(form[0]) + sum);
-    reach += out->bend[f] + out->rounding[f];
-    may = may && may_end(p->sought[f], out->value[f], reach) &&
-          (p->equation[f] != FORM || within(out->value[f], reach));
-    out->missed[f] = out->value[f];
+    out->rounding[f] =
+        JOINT_ROUNDING * (magnitude(numbers_of_form(k, f)[0]) + sum);
     out->softness[f] = SOFTNESS * size;
     if (p->equation[f] == FORM) continue;
     for (unsigned a = 0; a < k->count; a++) slope[a] = a == f ? 1 : 0;
@@ -120,7 +138,6 @@ TF_INLINE bool look(const mechanism_t *k, const problem_t *p,
     slope[f - 1] = ray;
     out->missed[f] = box->middle[f] + ray * box->middle[f - 1];
   }
-  return may;
 }
 
 // Room for the conditions of a middle: multipliers, distance, equations.

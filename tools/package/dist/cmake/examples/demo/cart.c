@@ -37,7 +37,7 @@ int main(int argc, char **argv) {
     tf_real_t forms[2][2][TF_TERMS(2)] = {{{0}}};
     tf_slip_t now[2];
     tf_force_t by[2];
-    tf_joint_mode_t found[25];
+    tf_joint_mode_t found[TF_JOINT_ROOM(2)];
     for (unsigned i = 0; i < 2; i++)
       now[i] = slip_of(v + place[i] * va, psi[i], w[i]);
     /* The end of the step without friction, and what multipliers add. */
@@ -60,7 +60,8 @@ int main(int argc, char **argv) {
       h[2 + 2 * i] = (tf_real_t)(hw * dt_J * kappa * mu);
       g[2 + 2 * i] = (tf_real_t)(gw * dt_J * kappa * mu);
     }
-    if (tf_contacts_modes(2, contact, forms[0][0], now, found, 25, &count) < 0)
+    if (tf_contacts_modes(2, contact, forms[0][0], now, found, TF_JOINT_ROOM(2),
+                          &count) < 0)
       return 2;
     unsigned next =
         tf_contacts_choose(2, contact, found, count, modes, step, 1);
