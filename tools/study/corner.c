@@ -104,6 +104,7 @@ int main(int argc, char **argv) {
   double variance;
   const double P0 = (double)first / n, error = sqrt(P0 * (1 - P0) / n);
   const double q = splits(&c, n, &variance), e = gone_of(&c);
+  if (!(q > 0)) variance = 0; // none came so far
   const double R = q > 0 ? q * (1 - e) / (q + e - q * e) : 0;
   printf("%.6g,%.3g,%.6g,%.3g,%.6g,%.6g,%.3g,%.6g\n", P0, error, q,
          q * sqrt(variance), e, P0 + (1 - P0) * R,
