@@ -27,7 +27,8 @@
 // second order in dt, and friction takes it out again.
 #define TF_FRICTION_SHARE TF_R(0x1p-4)
 
-// What an impulse changes, squared, as a share of the sum of both ends.
+// What an impulse changes, squared, as a share of the sum of both ends: more
+// than a third of the velocities.
 #define TF_IMPULSE_SHARE TF_R(0x1p-4)
 
 // What a slip that ends within a step that is not split may change, squared,
@@ -142,29 +143,6 @@ TF_INLINE bool ends_slip(unsigned from, unsigned mode) {
 // Whether a slip loses its mode within a step. One that is consistent goes on.
 TF_INLINE bool loses_slip(unsigned from, unsigned mode) {
   return is_slip(from) && mode != from;
-}
-
-// Whether a change of the velocities P and w is large in the norm of the
-// kinetic energy: its square is more than a share of the sum of those at both
-// ends.
-TF_INLINE bool changes_much(const tf_machine_t *k, end_state_t from,
-                            end_state_t to, tf_real_t dP, tf_real_t dw,
-                            tf_real_t share) {
-  const tf_real_t P0 = ground_speed(k, from.v, from.w);
-  const tf_real_t P1 = ground_speed(k, to.v, to.w);
-  const tf_real_t R2 = gyration2_at(k, to.r);
-  const tf_real_t of_both =
-      P0 * P0 + P1 * P1 + R2 * (from.w * from.w + to.w * to.w);
-  return !(dP * dP + R2 * (dw * dw) <= share * of_both);
-}
-
-// Whether a step changes the velocities as an impulse does: by more than a
-// third of what they are.
-TF_INLINE bool is_impulse(const tf_machine_t *k, end_state_t from,
-                          end_state_t to) {
-  const tf_real_t dw = to.w - from.w;
-  return changes_much(k, from, to, ground_speed(k, to.v - from.v, dw), dw,
-                      TF_IMPULSE_SHARE);
 }
 
 // Whether the motion turns by 1/sqrt(n) rad or more in a step: the disc, or the

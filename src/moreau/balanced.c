@@ -164,6 +164,24 @@ static void take_balanced_end(const balanced_end_t *end, step_end_t *to) {
   to->outcome.delassus = end->delassus;
 }
 
+TF_API bool tf_changes_much(const tf_machine_t *k, const tf_state_t *from,
+                            end_state_t to, tf_real_t dP, tf_real_t dw,
+                            tf_real_t share) {
+  const tf_real_t P0 = ground_speed(k, from->v, from->w);
+  const tf_real_t P1 = ground_speed(k, to.v, to.w);
+  const tf_real_t R2 = gyration2_at(k, to.r);
+  const tf_real_t of_both =
+      P0 * P0 + P1 * P1 + R2 * (from->w * from->w + to.w * to.w);
+  return !(dP * dP + R2 * (dw * dw) <= share * of_both);
+}
+
+TF_API bool tf_step_changes_much(const tf_machine_t *k, const tf_state_t *from,
+                                 end_state_t to, tf_real_t share) {
+  const tf_real_t dw = to.w - from->w;
+  return tf_changes_much(k, from, to, ground_speed(k, to.v - from->v, dw), dw,
+                         share);
+}
+
 TF_API void tf_checked_end(const tf_machine_t *k, const tf_state_t *state,
                            const tf_input_t *input, step_end_t *to) {
   const end_state_t from = {state->r, state->v, state->w};
@@ -176,7 +194,7 @@ TF_API void tf_checked_end(const tf_machine_t *k, const tf_state_t *state,
   if (is_balanced(&b) && !ends) return;
   const tf_real_t energy = mean_energy(k, input, from, at);
   const bool coarse = is_too_coarse(k, &b, energy, from, at) ||
-                      (ends && is_impulse(k, from, at));
+                      (ends && tf_step_changes_much(k, state, at, TF_IMPULSE_SHARE));
   const bool creates = creates_energy(&b, energy);
   const bool slips_on = force.F == 0 || (is_slip(mode) && mode == state->mode);
   if (creates || (!coarse && grows(k, &b, energy, slips_on))) {

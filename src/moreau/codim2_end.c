@@ -41,7 +41,7 @@ static bool signs_agree(const free_motion_t *c, unsigned mode,
   const tf_machine_t *k = TF_STEP_MACHINE(c);
   const end_state_t at = end->at;
   return has_signs_of_mode(
-      mode, end_slip(c, end),
+      mode, tf_slip_of_end(c, end),
       slip_rounding(k, at.r, at.v, at.w, c->linear.omega0));
 }
 
@@ -57,8 +57,8 @@ static bool rests_at_g_zero(const free_motion_t *c, const inclusion_t *in,
   if (!(s->attracting & TF_MODE_BIT(mode)) ||
       slip_plus_solves(&h) != slip_minus_solves(&h))
     return false;
-  const forced_end_t end = end_by(c, stick_multipliers(s->x[sign], sign));
-  const tf_real_t g = end_slip(c, &end).g;
+  const forced_end_t end = tf_end_by(c, stick_multipliers(s->x[sign], sign));
+  const tf_real_t g = tf_slip_of_end(c, &end).g;
   const tf_real_t change = g - in->g_now;
   const bool decays = within(g, magnitude(in->g_now));
   return within(g, rounding) && (decays || within(change, rounding / 4)) &&
@@ -141,7 +141,7 @@ static bool end_at(const free_motion_t *c, const inclusion_t *in, unsigned mode,
   if (!leads_to(&in->h, to.h, m) || !leads_to(&in->g, to.g, m) ||
       !rests_under(TF_REST_HULL, HULL_SHARE * m.x, HULL_SHARE * m.y))
     return false;
-  out->end = end_by(c, m);
+  out->end = tf_end_by(c, m);
   out->outcome.mode = mode;
   out->outcome.is_mean = true;
   return signs_agree(c, out->outcome.mode, &out->end);
@@ -164,7 +164,7 @@ static bool continue_from_codim2(const free_motion_t *c, const inclusion_t *in,
   if (mode == TF_NO_MODE) return false;
   out->outcome.set = modes->solutions.set;
   if (mode == TF_PINNED) {
-    out->end = pinned_end(c);
+    out->end = tf_mode_end(c, &modes->solutions, mode);
     // It also stops what is left of h and g, with a force of the hull.
     return rests_under(TF_REST_HULL, HULL_SHARE * in->pin_x,
                        HULL_SHARE * in->pin_y);
@@ -238,7 +238,7 @@ static bool follow_course(const free_motion_t *c, const inclusion_t *in,
   to.outcome.set = set | TF_MODE_BIT(course->mode);
   bool leads = end_at(c, in, course->mode, course->slip, course->sum, &to);
   if (!leads && is_slip(course->mode)) {
-    to.end = end_by(c, course->sum);
+    to.end = tf_end_by(c, course->sum);
     to.outcome.mode = course->mode;
     to.outcome.is_mean = true;
     leads = signs_agree(c, course->mode, &to.end);
@@ -305,7 +305,7 @@ static void end_slip_near_codim2(const free_motion_t *c, const inclusion_t *in,
   }
   pass_codim2(c, in, field, &modes, s, to);
   const unsigned mode = to->outcome.mode;
-  const tf_slip_t end = end_slip(c, &to->end);
+  const tf_slip_t end = tf_slip_of_end(c, &to->end);
   const bool follows =
       mode != TF_NO_MODE && agrees(&course, mode, end, TF_R(0.5));
   // On a limit direction that leads to h = g = 0 (9) makes a slip alternate
@@ -380,7 +380,7 @@ TF_API void tf_codim2_end(free_motion_t *c, inclusion_t *in, step_end_t *to) {
     return;
   }
   to->outcome.delassus =
-      step_delassus(TF_STEP_MACHINE(c), in, sign_of(end_slip(c, &to->end).g));
+      step_delassus(TF_STEP_MACHINE(c), in, sign_of(tf_slip_of_end(c, &to->end).g));
   const bool rests = c->state->mode == TF_PINNED;
   if (misses_end_of_rest(c, to->outcome.mode) ||
       (rests && to->outcome.mode != TF_PINNED &&

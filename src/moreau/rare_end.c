@@ -50,7 +50,7 @@ static void single_valued_end(const free_motion_t *c, step_end_t *to) {
   const change_t change =
       has_friction(k) ? response_to(k, &c->linear, force) : (change_t){0, 0};
   to->end = end_under(c, force, change);
-  const unsigned mode = slip_of_sign(end_slip(c, &to->end).h, c->state->mode);
+  const unsigned mode = slip_of_sign(tf_slip_of_end(c, &to->end).h, c->state->mode);
   to->outcome = (outcome_t){.mode = mode, .set = TF_MODE_BIT(mode)};
   if (!has_friction(k)) return;
   const tf_slip_t at = slip_at_theta_under(c, change);
@@ -76,8 +76,7 @@ static bool turns_much(const free_motion_t *c, const inclusion_t *in,
   const change_t first = change_by(c, m);
   const tf_real_t dp = to->end.friction.p - first.p;
   const tf_real_t dz = to->end.friction.z - first.z;
-  return changes_much(k, (end_state_t){x->r, x->v, x->w}, to->end.at, dp, dz,
-                      TF_TURN_SHARE);
+  return tf_changes_much(k, x, to->end.at, dp, dz, TF_TURN_SHARE);
 }
 
 // Every mode that solves the inclusion.
@@ -92,7 +91,6 @@ static void enumerate_anew(free_motion_t *c, inclusion_t *in,
 // A slip that is reversed ends in a stick where it can. It is not TF_OK where
 // an impulse reverses it and it is kept. Returns: whether that is so.
 static bool end_reversed(free_motion_t *c, inclusion_t *in, step_end_t *to) {
-  const tf_state_t *x = c->state;
   const unsigned slip = to->outcome.mode;
   tf_contact_modes_t s;
   const bool turns = turns_much(c, in, to);
@@ -100,20 +98,17 @@ static bool end_reversed(free_motion_t *c, inclusion_t *in, step_end_t *to) {
   to->outcome.mode = mode_after_reversal(&s, slip);
   to->end = tf_mode_end(c, &s, to->outcome.mode);
   return to->outcome.mode == slip &&
-         (turns || is_impulse(TF_STEP_MACHINE(c),
-                              (end_state_t){x->r, x->v, x->w}, to->end.at));
+         (turns || tf_step_changes_much(TF_STEP_MACHINE(c), c->state,
+                                        to->end.at, TF_IMPULSE_SHARE));
 }
 
 // Whether a slip ends within its step and that changes the velocities by so
 // much that the way there counts: its force turns up to h = 0.
 static bool ends_by_impulse(const tf_machine_t *k, const tf_state_t *from,
                             const step_end_t *to) {
-  const end_state_t at = to->end.at;
-  const tf_real_t dw = at.w - from->w;
   return k->contact.stick_kappa > 0 &&
          ends_slip(from->mode, to->outcome.mode) &&
-         changes_much(k, (end_state_t){from->r, from->v, from->w}, at,
-                      ground_speed(k, at.v - from->v, dw), dw, TF_ENDING_SHARE);
+         tf_step_changes_much(k, from, to->end.at, TF_ENDING_SHARE);
 }
 
 // A slip whose force turns within the step, or that ends in it. One that the

@@ -34,6 +34,18 @@ TF_API tf_status_t tf_rare_end(end_kind_t kind, const tf_machine_t *k,
 TF_API forced_end_t tf_mode_end(const free_motion_t *c,
                                 const tf_contact_modes_t *s, unsigned mode);
 
+// Whether a change of the velocities P and w, or that of the whole step, is
+// large in the norm of the kinetic energy: its square is more than a share of
+// the sum of those at both ends.
+#define tf_changes_much TF_LINK(tf_changes_much)
+TF_API bool tf_changes_much(const tf_machine_t *k, const tf_state_t *from,
+                            end_state_t to, tf_real_t dP, tf_real_t dw,
+                            tf_real_t share);
+
+#define tf_step_changes_much TF_LINK(tf_step_changes_much)
+TF_API bool tf_step_changes_much(const tf_machine_t *k, const tf_state_t *from,
+                                 end_state_t to, tf_real_t share);
+
 // At h = g = 0, or near it with the mode lost; see codim2_end.c.
 #define tf_codim2_end TF_LINK(tf_codim2_end)
 TF_API void tf_codim2_end(free_motion_t *c, inclusion_t *in, step_end_t *to);

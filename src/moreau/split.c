@@ -69,10 +69,10 @@ static bool end_of_parts(const free_motion_t *c, const tf_form_t *h,
   multipliers_t then = limit;
   if (!slips) then = stick_multipliers(stick_behind(h, part, sign_g), sign_g);
   for (int i = 0; i < 2 && (i == 0 || slips); i++) {
-    if (i > 0) then = mean_of(limit, slip_at(c, side, end_slip(c, end)));
-    *end = end_by(c, of_step(part, then));
+    if (i > 0) then = mean_of(limit, slip_at(c, side, tf_slip_of_end(c, end)));
+    *end = tf_end_by(c, of_step(part, then));
   }
-  return slips ? with_sign(side, end_slip(c, end).h) > 0 : within(then.x, 1);
+  return slips ? with_sign(side, tf_slip_of_end(c, end).h) > 0 : within(then.x, 1);
 }
 
 // Whether the force turns up to h = 0 by so much that its mean is no longer
@@ -80,14 +80,12 @@ static bool end_of_parts(const free_motion_t *c, const tf_form_t *h,
 static bool part_turns(const free_motion_t *c, const part_t *part,
                        multipliers_t begin, end_state_t end) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
-  const tf_state_t *x = c->state;
   const tf_real_t twice = 2 * part->share;
   const change_t by =
       change_by(c, (multipliers_t){twice * (part->mean.x - begin.x),
                                    twice * (part->mean.y - begin.y)});
   return k->contact.stick_kappa > 0 &&
-         changes_much(k, (end_state_t){x->r, x->v, x->w}, end, by.p, by.z,
-                      TF_TURN_SHARE);
+         tf_changes_much(k, c->state, end, by.p, by.z, TF_TURN_SHARE);
 }
 
 TF_API bool tf_split_end(const free_motion_t *c, const inclusion_t *in,

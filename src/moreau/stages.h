@@ -142,6 +142,14 @@ TF_INLINE forced_end_t end_by(const free_motion_t *c, multipliers_t m) {
   return end_under(c, force_under(&k->contact, m), change_by(c, m));
 }
 
+// Both as functions of rare ends, which are many: this saves code size.
+#define tf_end_by TF_LINK(tf_end_by)
+TF_API forced_end_t tf_end_by(const free_motion_t *c, multipliers_t m);
+
+#define tf_slip_of_end TF_LINK(tf_slip_of_end)
+TF_API tf_slip_t tf_slip_of_end(const free_motion_t *c,
+                                const forced_end_t *end);
+
 // Inclusion, (8).
 TF_INLINE inclusion_t inclusion(const free_motion_t *c) {
   inclusion_t in = {.has_moment = TF_STEP_MACHINE(c)->contact.stick_kappa > 0,
@@ -227,11 +235,11 @@ TF_INLINE forced_end_t slip_end(const free_motion_t *c, sign_t side,
                     change_by(c, first));
   const multipliers_t theta =
       slip_multipliers(&k->contact.tyre, side, at, rare);
-  forced_end_t end = end_by(c, theta);
+  forced_end_t end = rare ? tf_end_by(c, theta) : end_by(c, theta);
   end.turns = force_turns(first, theta);
   if (unit(side) * end_slip(c, &end).h > 0) return end;
   const multipliers_t limit = limit_multipliers(side, tau);
-  end = end_by(c, limit);
+  end = rare ? tf_end_by(c, limit) : end_by(c, limit);
   end.turns = force_turns(first, theta) || force_turns(first, limit);
   end.reverses = k->contact.kappa_mu * tau * now.g < 0;
   end.held = true;
@@ -266,8 +274,9 @@ TF_INLINE forced_end_t mode_end(const free_motion_t *c,
                     rare);
   }
   const bool up = mode == TF_STICK_PLUS;
-  return end_by(
-      c, stick_multipliers(up ? s->x[PLUS] : s->x[MINUS], up ? PLUS : MINUS));
+  const multipliers_t m =
+      stick_multipliers(up ? s->x[PLUS] : s->x[MINUS], up ? PLUS : MINUS);
+  return rare ? tf_end_by(c, m) : end_by(c, m);
 }
 
 // The Delassus scalar of stick at the end of the step, by the sign of g.
