@@ -86,13 +86,11 @@ TF_API tf_status_t tf_contact_prepare(tf_contact_t *contact, tf_tyre_law_t law,
 
 TF_API void tf_enumerate(const inclusion_t *in, unsigned signs,
                          tf_contact_modes_t *out) {
-  if (signs == BOTH_SIGNS) {
-    enumerate(in, BOTH_SIGNS, out);
-    return;
-  }
-  const sign_t s = signs == MINUS_SIGN ? MINUS : PLUS;
-  out->near_stick = (uint8_t)stick_with(s);
-  enumerate_one_sign(in, s, out);
+  out->near_stick = nearer_stick(in, signs);
+  if (signs == BOTH_SIGNS)
+    enumerate_both_signs(in, out);
+  else
+    enumerate_one_sign(in, sign_in(out->near_stick), out);
 }
 
 // One step of Newton's method on (8).
@@ -169,7 +167,7 @@ TF_API tf_status_t tf_contact_modes(const tf_contact_t *contact,
     in.pin_y = pin.y;
   }
   *modes = (tf_contact_modes_t){.set = 0};
-  tf_enumerate(&in, signs, modes);
+  enumerate(&in, signs, modes);
   if (reaches_codim2 != NULL)
     *reaches_codim2 =
         in.has_moment &&
@@ -264,7 +262,7 @@ TF_API unsigned tf_contact_leave(const tf_contact_t *contact,
     const codim2_field_t field = field_by(h, g);
     mode = futures_of(contact, &field, from, arrives, tick, seed, modes, &m);
   } else { // g = 0 is no border: all that may follow h = 0
-    tf_enumerate(&in, BOTH_SIGNS, modes);
+    enumerate(&in, BOTH_SIGNS, modes);
     mode = tf_contact_choose(contact, modes, arrives ? TF_NO_MODE : from, tick,
                              seed);
     m = multipliers_of(modes, mode);

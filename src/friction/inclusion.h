@@ -174,6 +174,13 @@ TF_INLINE bool is_nearer_plus(tf_real_t g_now, tf_real_t g_free) {
   return (g_now > 0) | ((g_now == 0) & (g_free >= 0));
 }
 
+// The stick on the present side of g, where g+ can have these signs.
+TF_INLINE uint8_t nearer_stick(const inclusion_t *in, unsigned signs) {
+  const bool at_plus = signs == BOTH_SIGNS ? is_nearer_plus(in->g_now, in->g.c0)
+                                           : signs == PLUS_SIGN;
+  return at_plus ? TF_STICK_PLUS : TF_STICK_MINUS;
+}
+
 // Whether a stick under y = s x ends with the sign of g that s stands for.
 // Without a moment both s are one law: then the sign of g decides which stick
 // it is called, and g = 0 counts as the present side.
@@ -181,23 +188,29 @@ TF_INLINE bool has_sign_of_g(tf_real_t g_end, sign_t s, bool counts_zero) {
   return (s == MINUS ? g_end < 0 : g_end > 0) || (g_end == 0 && counts_zero);
 }
 
-// The stick of one s, if there is one.
-TF_INLINE void solve_stick(const quadratic_t *h, const quadratic_t *g, sign_t s,
-                           bool has_moment, tf_contact_modes_t *out) {
-  const bool above = slip_plus_solves(h), one = above != slip_minus_solves(h);
-  const bool two = one && has_two_roots(h, above);
-  if (stick_attracts(h)) out->attracting |= (uint8_t)TF_MODE_BIT(stick_with(s));
-  if (one && !two) return; // one slip, no stick
-  tf_real_t x = root_within(h->c0, h->c1, h->c2);
+// The stick of one s at a root of h, of two at that with this sign of g, if
+// there is one.
+TF_INLINE void place_stick(const quadratic_t *h, const quadratic_t *g, sign_t s,
+                           tf_real_t x, bool two, bool counts_zero,
+                           tf_contact_modes_t *out) {
   tf_real_t g_end = quadratic_at(g, x);
   if (two && with_sign(s, g_end) < 0) { // g = 0 belongs to the pinned wheel
     x = -h->c1 / h->c2 - x;
     g_end = quadratic_at(g, x);
   }
   out->x[s] = x;
-  const bool counts_zero = !has_moment && out->near_stick == stick_with(s);
   if (has_sign_of_g(g_end, s, counts_zero))
     out->set |= (uint8_t)TF_MODE_BIT(stick_with(s));
+}
+
+// The stick of one s, if there is one.
+TF_INLINE void solve_stick(const quadratic_t *h, const quadratic_t *g, sign_t s,
+                           tf_contact_modes_t *out) {
+  const bool above = slip_plus_solves(h), one = above != slip_minus_solves(h);
+  const bool two = one && has_two_roots(h, above);
+  if (stick_attracts(h)) out->attracting |= (uint8_t)TF_MODE_BIT(stick_with(s));
+  if (one && !two) return; // one slip, no stick
+  place_stick(h, g, s, root_within(h->c0, h->c1, h->c2), two, false, out);
 }
 
 // g(s) in a slip at h -> 0: the quadratic through g_plus at 1 and g_minus at -1
@@ -266,12 +279,6 @@ TF_INLINE void solve_slip(const inclusion_t *in, sign_t side, slip_ends_t at,
                           tf_contact_modes_t *out) {
   const uint8_t bit = (uint8_t)TF_MODE_BIT(slip_with(side));
   const bool with_plus = with_sign(side, at.h_plus) > 0;
-  if (!in->has_moment) { // both s are one law
-    out->tau[side] = 1;
-    out->departure[side] = at.h_plus;
-    if (with_plus) out->set |= bit;
-    return;
-  }
   const tf_real_t h_bend = in->h.cyy, g_bend = in->g.cyy;
   tf_real_t tau = moment_share(at.g_plus, at.g_minus, g_bend, with_plus,
                                with_sign(side, at.h_minus) > 0,
@@ -310,23 +317,41 @@ TF_INLINE void enumerate_both_signs(const inclusion_t *in,
   const quadratic_t g0 = along(&in->g, PLUS), g1 = along(&in->g, MINUS);
   out->set = 0;
   out->attracting = 0;
-  solve_stick(&h0, &g0, PLUS, in->has_moment, out);
-  solve_stick(&h1, &g1, MINUS, in->has_moment, out);
+  solve_stick(&h0, &g0, PLUS, out);
+  solve_stick(&h1, &g1, MINUS, out);
   const slip_ends_t up = {h0.at_upper, h1.at_upper, g0.at_upper, g1.at_upper};
   const slip_ends_t down = {h0.at_lower, h1.at_lower, g0.at_lower, g1.at_lower};
   solve_slip(in, PLUS, up, out);
   solve_slip(in, MINUS, down, out);
-  // Without a moment a pinned wheel is a stick with g+ = 0: not a sixth mode.
-  if (in->has_moment && rests_under(in->rest, in->pin_x, in->pin_y))
+  if (rests_under(in->rest, in->pin_x, in->pin_y))
     out->set |= (uint8_t)TF_MODE_BIT(TF_PINNED);
+}
+
+// Without a moment both s are one law, and the sign of g only names its stick.
+// A pinned wheel is a stick with g+ = 0: not a sixth mode.
+TF_INLINE void enumerate_without_moment(const inclusion_t *in, unsigned signs,
+                                        tf_contact_modes_t *out) {
+  const quadratic_t h = along(&in->h, PLUS), g = along(&in->g, PLUS);
+  const bool plus = slip_plus_solves(&h), minus = slip_minus_solves(&h);
+  const bool two = plus != minus && has_two_roots(&h, plus);
+  out->set = (uint8_t)(plus << TF_SLIP_PLUS | minus << TF_SLIP_MINUS);
+  out->attracting = (uint8_t)(stick_attracts(&h) ? signs << TF_STICK_PLUS : 0);
+  out->tau[0] = out->tau[1] = unit(signs == MINUS_SIGN ? MINUS : PLUS);
+  out->departure[0] = h.at_upper;
+  out->departure[1] = h.at_lower;
+  if (plus != minus && !two) return;
+  const tf_real_t x = root_within(h.c0, h.c1, h.c2);
+  const bool at_plus = out->near_stick == TF_STICK_PLUS;
+  if (signs != MINUS_SIGN) place_stick(&h, &g, PLUS, x, two, at_plus, out);
+  if (signs != PLUS_SIGN) place_stick(&h, &g, MINUS, x, two, !at_plus, out);
 }
 
 TF_INLINE void enumerate(const inclusion_t *in, unsigned signs,
                          tf_contact_modes_t *out) {
-  const bool at_plus = signs == BOTH_SIGNS ? is_nearer_plus(in->g_now, in->g.c0)
-                                           : signs == PLUS_SIGN;
-  out->near_stick = at_plus ? TF_STICK_PLUS : TF_STICK_MINUS;
-  if (signs == BOTH_SIGNS)
+  out->near_stick = nearer_stick(in, signs);
+  if (!in->has_moment)
+    enumerate_without_moment(in, signs, out);
+  else if (signs == BOTH_SIGNS)
     enumerate_both_signs(in, out);
   else if (signs == PLUS_SIGN)
     enumerate_one_sign(in, PLUS, out);
@@ -334,7 +359,7 @@ TF_INLINE void enumerate(const inclusion_t *in, unsigned signs,
     enumerate_one_sign(in, MINUS, out);
 }
 
-// The same as a function, to save code size.
+// The same as a function, to save code size, of a contact with a moment.
 #define tf_enumerate TF_LINK(tf_enumerate)
 TF_API void tf_enumerate(const inclusion_t *in, unsigned signs,
                          tf_contact_modes_t *out);

@@ -193,8 +193,9 @@ TF_API void tf_checked_end(const tf_machine_t *k, const tf_state_t *state,
                     ends_slip(state->mode, mode);
   if (is_balanced(&b) && !ends) return;
   const tf_real_t energy = mean_energy(k, input, from, at);
-  const bool coarse = is_too_coarse(k, &b, energy, from, at) ||
-                      (ends && tf_step_changes_much(k, state, at, TF_IMPULSE_SHARE));
+  const bool coarse =
+      is_too_coarse(k, &b, energy, from, at) ||
+      (ends && tf_step_changes_much(k, state, at, TF_IMPULSE_SHARE));
   const bool creates = creates_energy(&b, energy);
   const bool slips_on = force.F == 0 || (is_slip(mode) && mode == state->mode);
   if (creates || (!coarse && grows(k, &b, energy, slips_on))) {

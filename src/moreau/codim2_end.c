@@ -379,8 +379,8 @@ TF_API void tf_codim2_end(free_motion_t *c, inclusion_t *in, step_end_t *to) {
     tf_least_violation(c, in, s.set, to);
     return;
   }
-  to->outcome.delassus =
-      step_delassus(TF_STEP_MACHINE(c), in, sign_of(tf_slip_of_end(c, &to->end).g));
+  to->outcome.delassus = step_delassus(TF_STEP_MACHINE(c), in,
+                                       sign_of(tf_slip_of_end(c, &to->end).g));
   const bool rests = c->state->mode == TF_PINNED;
   if (misses_end_of_rest(c, to->outcome.mode) ||
       (rests && to->outcome.mode != TF_PINNED &&

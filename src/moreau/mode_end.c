@@ -50,5 +50,6 @@ TF_API void tf_least_violation(free_motion_t *c, inclusion_t *in, unsigned set,
     to->outcome.mode = mode;
     to->end = end;
   }
-  to->outcome.delassus = step_delassus(k, in, sign_of(tf_slip_of_end(c, &to->end).g));
+  to->outcome.delassus =
+      step_delassus(k, in, sign_of(tf_slip_of_end(c, &to->end).g));
 }

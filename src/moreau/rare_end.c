@@ -50,7 +50,8 @@ static void single_valued_end(const free_motion_t *c, step_end_t *to) {
   const change_t change =
       has_friction(k) ? response_to(k, &c->linear, force) : (change_t){0, 0};
   to->end = end_under(c, force, change);
-  const unsigned mode = slip_of_sign(tf_slip_of_end(c, &to->end).h, c->state->mode);
+  const unsigned mode =
+      slip_of_sign(tf_slip_of_end(c, &to->end).h, c->state->mode);
   to->outcome = (outcome_t){.mode = mode, .set = TF_MODE_BIT(mode)};
   if (!has_friction(k)) return;
   const tf_slip_t at = slip_at_theta_under(c, change);

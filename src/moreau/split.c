@@ -72,7 +72,8 @@ static bool end_of_parts(const free_motion_t *c, const tf_form_t *h,
     if (i > 0) then = mean_of(limit, slip_at(c, side, tf_slip_of_end(c, end)));
     *end = tf_end_by(c, of_step(part, then));
   }
-  return slips ? with_sign(side, tf_slip_of_end(c, end).h) > 0 : within(then.x, 1);
+  return slips ? with_sign(side, tf_slip_of_end(c, end).h) > 0
+               : within(then.x, 1);
 }
 
 // Whether the force turns up to h = 0 by so much that its mean is no longer
