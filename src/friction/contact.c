@@ -152,6 +152,15 @@ static multipliers_t pin_of(const inclusion_t *in) {
   return pin;
 }
 
+static void enumerate_modes(const inclusion_t *in, unsigned signs,
+                            tf_contact_modes_t *out) {
+  *out = (tf_contact_modes_t){.near_stick = nearer_stick(in, signs)};
+  if (in->has_moment)
+    tf_enumerate(in, signs, out);
+  else
+    enumerate_without_moment(in, signs, out);
+}
+
 TF_API tf_status_t tf_contact_modes(const tf_contact_t *contact,
                                     const tf_form_t *h, const tf_form_t *g,
                                     tf_slip_t now, unsigned mode,
@@ -166,8 +175,7 @@ TF_API tf_status_t tf_contact_modes(const tf_contact_t *contact,
     in.pin_x = pin.x;
     in.pin_y = pin.y;
   }
-  *modes = (tf_contact_modes_t){.set = 0};
-  enumerate(&in, signs, modes);
+  enumerate_modes(&in, signs, modes);
   if (reaches_codim2 != NULL)
     *reaches_codim2 =
         in.has_moment &&
@@ -262,7 +270,7 @@ TF_API unsigned tf_contact_leave(const tf_contact_t *contact,
     const codim2_field_t field = field_by(h, g);
     mode = futures_of(contact, &field, from, arrives, tick, seed, modes, &m);
   } else { // g = 0 is no border: all that may follow h = 0
-    enumerate(&in, BOTH_SIGNS, modes);
+    enumerate_modes(&in, BOTH_SIGNS, modes);
     mode = tf_contact_choose(contact, modes, arrives ? TF_NO_MODE : from, tick,
                              seed);
     m = multipliers_of(modes, mode);
