@@ -69,17 +69,17 @@ static bool rests_at_g_zero(const free_motion_t *c, const inclusion_t *in,
 // mode, share, sum and from count. A stick comes there if it solves but with
 // the other sign of g. One whose g is already past 0, and not by rounding, has
 // left that point.
-static codim2_course_t arrival_of_stick(const inclusion_t *in, sign_t s,
-                                        tf_real_t rounding) {
+static codim2_course_t arrival_of_stick(const inclusion_t *in,
+                                        const tf_contact_modes_t *modes,
+                                        sign_t s, tf_real_t rounding) {
   const quadratic_t h = along(&in->h, s), g = along(&in->g, s);
-  const tf_real_t x = root_within(h.c0, h.c1, h.c2);
-  const tf_real_t end = quadratic_at(&g, x);
+  const bool solves = slip_plus_solves(&h) == slip_minus_solves(&h);
+  const tf_real_t x = modes->x[s], end = quadratic_at(&g, x);
   const bool comes =
       with_sign(s, in->g_now) > -rounding && with_sign(s, end) <= 0;
   const tf_real_t change = in->g_now - end;
   const tf_real_t share =
       comes && change != 0 ? clip(in->g_now / change, 0, 1) : 0;
-  const bool solves = slip_plus_solves(&h) == slip_minus_solves(&h);
   return (codim2_course_t){.mode = comes && solves ? TF_PINNED : TF_NO_MODE,
                            .share = share,
                            .sum = stick_multipliers(share * x, s),
@@ -336,7 +336,7 @@ static void end_at_codim2(const free_motion_t *c, inclusion_t *in,
       to->end = tf_mode_end(c, s, mode);
       return;
     }
-    arrival = arrival_of_stick(in, sign_in(mode), rounding);
+    arrival = arrival_of_stick(in, s, sign_in(mode), rounding);
   }
   consistent_modes_t modes = {.solutions = {.set = 0}};
   const bool comes = arrival.mode == TF_PINNED;
@@ -363,9 +363,9 @@ static bool misses_end_of_rest(const free_motion_t *c, unsigned mode) {
   return tf_rest_is_interrupted(&rest, k->dt);
 }
 
-TF_API void tf_codim2_end(free_motion_t *c, inclusion_t *in, step_end_t *to) {
+TF_API void tf_codim2_end(const free_motion_t *c, inclusion_t *in,
+                          step_end_t *to) {
   tf_contact_modes_t s = {0};
-  add_pinned_point(c, in);
   // The hull reaches beyond the forces by which signs_of() judges.
   if (c->state->mode != TF_PINNED) tf_enumerate(in, BOTH_SIGNS, &s);
   const codim2_field_t field = field_of_step(c, in);

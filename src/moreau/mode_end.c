@@ -24,10 +24,9 @@ static tf_real_t violation_of(const tf_machine_t *k, unsigned mode,
   return clip(with_sign(sign_in(mode), -slip.h), 0, TF_REAL_MAX);
 }
 
-TF_API void tf_least_violation(free_motion_t *c, inclusion_t *in, unsigned set,
-                               step_end_t *to) {
+TF_API void tf_least_violation(const free_motion_t *c, inclusion_t *in,
+                               unsigned set, step_end_t *to) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
-  add_pinned_point(c, in);
   to->outcome =
       (outcome_t){.mode = TF_PINNED, .set = set, .status = TF_DEGRADED};
   tf_real_t least = TF_REAL_MAX;

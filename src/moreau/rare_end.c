@@ -80,22 +80,14 @@ static bool turns_much(const free_motion_t *c, const inclusion_t *in,
   return tf_changes_much(k, x, to->end.at, dp, dz, TF_TURN_SHARE);
 }
 
-// Every mode that solves the inclusion.
-static void enumerate_anew(free_motion_t *c, inclusion_t *in,
-                           tf_contact_modes_t *s) {
-  const unsigned signs = signs_of(&in->g);
-  if (signs == BOTH_SIGNS) add_pinned_point(c, in);
-  *s = (tf_contact_modes_t){0};
-  tf_enumerate(in, signs, s);
-}
-
 // A slip that is reversed ends in a stick where it can. It is not TF_OK where
 // an impulse reverses it and it is kept. Returns: whether that is so.
-static bool end_reversed(free_motion_t *c, inclusion_t *in, step_end_t *to) {
+static bool end_reversed(const free_motion_t *c, const inclusion_t *in,
+                         step_end_t *to) {
   const unsigned slip = to->outcome.mode;
-  tf_contact_modes_t s;
+  tf_contact_modes_t s = {0};
   const bool turns = turns_much(c, in, to);
-  enumerate_anew(c, in, &s);
+  tf_enumerate(in, signs_of(&in->g), &s);
   to->outcome.mode = mode_after_reversal(&s, slip);
   to->end = tf_mode_end(c, &s, to->outcome.mode);
   return to->outcome.mode == slip &&
@@ -116,8 +108,8 @@ static bool ends_by_impulse(const tf_machine_t *k, const tf_state_t *from,
 // limit at h -> 0 holds on its side, where the force of its angle does not,
 // ends where its course does, if that is in its mode. It is not TF_OK where it
 // ends in stick or rest and by that changes much, and where its turn counts.
-static void end_of_slip(end_kind_t kind, free_motion_t *c, inclusion_t *in,
-                        step_end_t *to) {
+static void end_of_slip(end_kind_t kind, const free_motion_t *c,
+                        const inclusion_t *in, step_end_t *to) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
   const bool has_moment = k->contact.stick_kappa > 0;
   bool coarse = has_moment && (kind == END_REVERSED ? end_reversed(c, in, to)
@@ -134,6 +126,7 @@ static void set_valued_end(end_kind_t kind, free_motion_t *c, step_end_t *to) {
   if (kind > END_NO_MODE && loses_slip(c->state->mode, to->outcome.mode) &&
       tf_split_end(c, &in, to))
     return;
+  add_pinned_point(c, &in);
   if (TF_STEP_MACHINE(c)->contact.stick_kappa > 0 && kind == END_CODIM2) {
     tf_codim2_end(c, &in, to);
   } else if (kind == END_NO_MODE) {

@@ -46,9 +46,11 @@ TF_API bool tf_changes_much(const tf_machine_t *k, const tf_state_t *from,
 TF_API bool tf_step_changes_much(const tf_machine_t *k, const tf_state_t *from,
                                  end_state_t to, tf_real_t share);
 
-// At h = g = 0, or near it with the mode lost; see codim2_end.c.
+// At h = g = 0, or near it with the mode lost; see codim2_end.c. in: with the
+// pinned point, here and in tf_least_violation.
 #define tf_codim2_end TF_LINK(tf_codim2_end)
-TF_API void tf_codim2_end(free_motion_t *c, inclusion_t *in, step_end_t *to);
+TF_API void tf_codim2_end(const free_motion_t *c, inclusion_t *in,
+                          step_end_t *to);
 
 // A slip ends where its course does, if that is in one of these modes and a
 // force of the law leads there. Returns: whether that is so; if not, `to` is as
@@ -60,8 +62,8 @@ TF_API bool tf_end_along_course(const free_motion_t *c, const inclusion_t *in,
 // Where no mode is consistent, or none that a slip may enter: of all ends that
 // the step may take, the one that violates the law least.
 #define tf_least_violation TF_LINK(tf_least_violation)
-TF_API void tf_least_violation(free_motion_t *c, inclusion_t *in, unsigned set,
-                               step_end_t *to);
+TF_API void tf_least_violation(const free_motion_t *c, inclusion_t *in,
+                               unsigned set, step_end_t *to);
 
 // The end of a step that loses its slip, in two parts. c, in: of the whole
 // step. Returns: whether both parts have a common end; if not, `to` is as it

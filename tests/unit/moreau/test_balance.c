@@ -165,6 +165,7 @@ static int end_near_codim2(const tf_machine_t *k, const tf_state_t *x,
   if (!c.linear.definite) return 0;
   const unsigned signs = solve_inclusion(&c, &in, s);
   if (!is_near_codim2(&c, &in, signs, s->set)) return 0;
+  add_pinned_point(&c, &in);
   tf_codim2_end(&c, &in, to);
   *now = c.start.slip;
   const codim2_field_t field = {{in.h.c0 - now->h, in.h.cx, in.h.cy},
