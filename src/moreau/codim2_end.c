@@ -351,13 +351,27 @@ static void end_at_codim2(const free_motion_t *c, inclusion_t *in,
   pass_codim2(c, in, field, &modes, s, to);
 }
 
-// Whether a rest that goes on by the mean of the forces ends within the step,
-// on a turntable that changes its speed.
+// Whether the stick with one sign of g attracts the wheel from a rest.
+static bool takes_over(const free_motion_t *c, const rates_t *rates, sign_t s) {
+  const tf_machine_t *k = TF_STEP_MACHINE(c);
+  if (!is_sliding(slip_limits(k, rates, s))) return false;
+  const tf_real_t lambda = stick_lambda(k, rates, s);
+  return k->dt * with_sign(s, g_rate_in_stick(k, rates, s, lambda)) >
+         rounding_of_g(c);
+}
+
+// Whether a rest that goes on by the mean of the forces has ended at the start,
+// or ends within the step, on a turntable that changes its speed.
 static bool misses_end_of_rest(const free_motion_t *c, unsigned mode) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
   const tf_real_t turn = turn_of_step(k, c->input);
-  if (c->state->mode != TF_PINNED || mode != TF_PINNED || turn == 0)
-    return false;
+  if (c->state->mode != TF_PINNED || mode != TF_PINNED) return false;
+  const rates_t rates =
+      rates_at(k, c->input, c->state->r, 0, 0, c->linear.omega0 - turn);
+  if (k->contact.rule != TF_RULE_RANDOM &&
+      (takes_over(c, &rates, PLUS) || takes_over(c, &rates, MINUS)))
+    return true;
+  if (turn == 0) return false;
   const rest_motion_t rest =
       tf_rest_motion(k, c->input, c->state->r, c->linear.omega0 - turn);
   return tf_rest_is_interrupted(&rest, k->dt);
