@@ -1,12 +1,12 @@
 /// @file
-/// The number type of a build, and what the build must promise about it: equal
-/// bits on every target need each operation to be rounded once to tf_real_t,
-/// none contracted into a fused multiply-add, reordered or left out. What a
-/// macro shows to break that is refused here; contraction the core forbids to
-/// itself (src/num/rounding.h), and a program whose inputs of a step shall keep
-/// their bits too is compiled with -ffp-contract=off. No macro shows explicit
-/// -ffp-contract=fast, -freciprocal-math or -fno-signed-zeros of clang, nor
-/// another rounding mode: tf_arithmetic (status.h) does.
+/// The number type of a build. Every target computes the same bits if each
+/// operation is rounded once to tf_real_t: none is fused, reordered or omitted.
+/// - This header refuses options that break that and define a macro.
+/// - The core forbids fused operations in its own files (src/num/rounding.h).
+///   Compile your program with -ffp-contract=off if its inputs must have the
+///   same bits, too.
+/// - tf_arithmetic (status.h) finds what no macro shows: -ffp-contract=fast,
+///   -freciprocal-math and -fno-signed-zeros of clang, and rounding modes.
 #ifndef TWOFOLD_REAL_H
 #define TWOFOLD_REAL_H
 
@@ -15,8 +15,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-// 16: half precision has its own operations, float and double are as with 0. 1:
-// float is computed as double, which is as with 0 where nothing is float.
+// 16: as 0 for float and double; only half precision differs.
+// 1: float is computed as double. A build that uses no float is as with 0.
 #if defined(__FLT_EVAL_METHOD__)
 #define TF_EVALUATION __FLT_EVAL_METHOD__
 #elif defined(FLT_EVAL_METHOD)
@@ -38,7 +38,7 @@
     defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
 #error "twofold must not be compiled with a part of -ffast-math"
 #endif
-// Defined by every <float.h>; a checker that reads none has nothing to refuse.
+// Every <float.h> defines it. A checker that reads none skips this.
 #ifdef FLT_RADIX
 #if FLT_RADIX != 2 || FLT_MANT_DIG != 24
 #error "twofold needs the float of IEEE 754"
@@ -47,7 +47,7 @@
 #error "the double of this target is no IEEE double: define TF_REAL_FLOAT"
 #endif
 #endif
-/// -fsingle-precision-constant would make each constant a float.
+/// Refuses -fsingle-precision-constant, which makes each constant a float.
 typedef char
     tf_constants_keep_their_type[sizeof(1.0) == sizeof(double) ? 1 : -1];
 
@@ -70,7 +70,7 @@ typedef double tf_real_t;
 /// A constant of that type: TF_R(1e-3), TF_R(-1).
 #define TF_R(number) ((tf_real_t)(number))
 
-/// What is declared between the two has C linkage in C++ as well.
+/// Declarations between the two have C linkage in C++.
 #ifdef __cplusplus
 #define TF_BEGIN_C extern "C" {
 #define TF_END_C }
@@ -79,10 +79,10 @@ typedef double tf_real_t;
 #define TF_END_C
 #endif
 
-/// Linkage of the core. A build for one scene is one translation unit with
-/// TF_API_STATIC defined: all functions are local, so that the compiler
-/// propagates the scene's constants through them. TF_API_DATA declares a table;
-/// C++ has no declaration of a local one.
+/// Linkage of the core. A build for one scene is one translation unit that
+/// defines TF_API_STATIC: all functions are local, and the compiler propagates
+/// the constants of the scene through them. TF_API_DATA declares a table, which
+/// C++ cannot declare as local.
 #ifdef TF_API_STATIC
 #define TF_API static __attribute__((unused))
 #else

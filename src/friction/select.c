@@ -71,7 +71,8 @@ static unsigned rule_exit(tf_rule_t rule, uint64_t exit_threshold, unsigned set,
 }
 
 // The faster slip of a non-empty set; of equal ones, where rounding hides
-// which it is, the one with more of the moment: its mirror image the other.
+// which it is, the one with more of the moment: its mirror image the other. At
+// gamma = 0 beside r = 0 both are equal in that, too (2 of 4e7 pairs in float).
 static unsigned fastest_of(unsigned slips,
                            const tf_contact_modes_t *solutions) {
   const tf_real_t plus = magnitude(solutions->departure[0]),
