@@ -137,7 +137,7 @@ static void modes_all(const tf_state_block_t *restrict b,
   for (int i = 0; i < TF_LANES; i++) work->bit[i] = bit[i];
 }
 
-// enumerate_one_sign(). Lanes whose g+ can have both signs are done as those
+// enumerate_one_law(). Lanes whose g+ can have both signs are done as those
 // with g+ > 0, of which sticks_of() keeps stick+.
 static void enumerate_all(work_t *restrict work) {
   for (int i = 0; i < TF_LANES; i++) {

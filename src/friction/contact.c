@@ -87,10 +87,10 @@ TF_API tf_status_t tf_contact_prepare(tf_contact_t *contact, tf_tyre_law_t law,
 TF_API void tf_enumerate(const inclusion_t *in, unsigned signs,
                          tf_contact_modes_t *out) {
   out->near_stick = nearer_stick(in, signs);
-  if (signs == BOTH_SIGNS)
+  if (signs == BOTH_SIGNS && in->has_moment)
     enumerate_both_signs(in, out);
   else
-    enumerate_one_sign(in, sign_in(out->near_stick), out);
+    enumerate_one_law(in, signs == MINUS_SIGN ? MINUS : PLUS, signs, out);
 }
 
 // One step of Newton's method on (8).
@@ -152,15 +152,6 @@ static multipliers_t pin_of(const inclusion_t *in) {
   return pin;
 }
 
-static void enumerate_modes(const inclusion_t *in, unsigned signs,
-                            tf_contact_modes_t *out) {
-  *out = (tf_contact_modes_t){.near_stick = nearer_stick(in, signs)};
-  if (in->has_moment)
-    tf_enumerate(in, signs, out);
-  else
-    enumerate_without_moment(in, signs, out);
-}
-
 TF_API tf_status_t tf_contact_modes(const tf_contact_t *contact,
                                     const tf_form_t *h, const tf_form_t *g,
                                     tf_slip_t now, unsigned mode,
@@ -175,7 +166,8 @@ TF_API tf_status_t tf_contact_modes(const tf_contact_t *contact,
     in.pin_x = pin.x;
     in.pin_y = pin.y;
   }
-  enumerate_modes(&in, signs, modes);
+  *modes = (tf_contact_modes_t){.set = 0};
+  tf_enumerate(&in, signs, modes);
   if (reaches_codim2 != NULL)
     *reaches_codim2 =
         in.has_moment &&
@@ -270,7 +262,7 @@ TF_API unsigned tf_contact_leave(const tf_contact_t *contact,
     const codim2_field_t field = field_by(h, g);
     mode = futures_of(contact, &field, from, arrives, tick, seed, modes, &m);
   } else { // g = 0 is no border: all that may follow h = 0
-    enumerate_modes(&in, BOTH_SIGNS, modes);
+    tf_enumerate(&in, BOTH_SIGNS, modes);
     mode = tf_contact_choose(contact, modes, arrives ? TF_NO_MODE : from, tick,
                              seed);
     m = multipliers_of(modes, mode);

@@ -277,12 +277,10 @@ TF_RARE tf_real_t share_at_g_zero(sign_t side, slip_ends_t at, tf_real_t h_bend,
 // The slip at h -> 0 on one side, whatever its share of the moment.
 TF_INLINE void solve_slip(const inclusion_t *in, sign_t side, slip_ends_t at,
                           tf_contact_modes_t *out) {
-  const uint8_t bit = (uint8_t)TF_MODE_BIT(slip_with(side));
-  const bool with_plus = with_sign(side, at.h_plus) > 0;
   const tf_real_t h_bend = in->h.cyy, g_bend = in->g.cyy;
-  tf_real_t tau = moment_share(at.g_plus, at.g_minus, g_bend, with_plus,
-                               with_sign(side, at.h_minus) > 0,
-                               is_nearer_plus(in->g_now, in->g.c0));
+  tf_real_t tau = moment_share(
+      at.g_plus, at.g_minus, g_bend, with_sign(side, at.h_plus) > 0,
+      with_sign(side, at.h_minus) > 0, is_nearer_plus(in->g_now, in->g.c0));
   tf_real_t h_end = slip_end_at(tau, at.h_plus, at.h_minus, h_bend);
   if (!(with_sign(side, h_end) > 0) && (bends(at.g_plus, at.g_minus, g_bend) ||
                                         bends(at.h_plus, at.h_minus, h_bend))) {
@@ -291,26 +289,37 @@ TF_INLINE void solve_slip(const inclusion_t *in, sign_t side, slip_ends_t at,
   }
   out->tau[side] = tau;
   out->departure[side] = h_end;
-  if (with_sign(side, h_end) > 0) out->set |= bit;
+  if (with_sign(side, h_end) > 0)
+    out->set |= (uint8_t)TF_MODE_BIT(slip_with(side));
 }
 
-// Every g+ has the sign of one s.
-TF_INLINE void enumerate_one_sign(const inclusion_t *in, sign_t s,
-                                  tf_contact_modes_t *out) {
+// Where one s holds: every g+ has its sign; or there is no moment, and the sign
+// of g only names the stick.
+TF_INLINE void enumerate_one_law(const inclusion_t *in, sign_t s,
+                                 unsigned signs, tf_contact_modes_t *out) {
   const quadratic_t h = along(&in->h, s);
   const bool plus = slip_plus_solves(&h), minus = slip_minus_solves(&h);
+  const bool two = plus != minus && has_two_roots(&h, plus);
   out->set = (uint8_t)(plus << TF_SLIP_PLUS | minus << TF_SLIP_MINUS);
-  out->attracting =
-      (uint8_t)(stick_attracts(&h) ? TF_MODE_BIT(stick_with(s)) : 0);
-  out->tau[0] = out->tau[1] = unit(s);
+  out->attracting = (uint8_t)(stick_attracts(&h) ? signs << TF_STICK_PLUS : 0);
+  out->tau[0] = out->tau[1] = unit(signs == MINUS_SIGN ? MINUS : PLUS);
   out->departure[0] = h.at_upper;
   out->departure[1] = h.at_lower;
-  if (plus != minus && !has_two_roots(&h, plus)) return;
-  out->x[s] = root_within(h.c0, h.c1, h.c2);
-  out->set |= (uint8_t)TF_MODE_BIT(stick_with(s));
+  if (plus != minus && !two) return;
+  const tf_real_t x = root_within(h.c0, h.c1, h.c2);
+  if (!in->has_moment) {
+    const quadratic_t g = along(&in->g, s);
+    const bool at_plus = out->near_stick == TF_STICK_PLUS;
+    place_stick(&h, &g, PLUS, x, two, at_plus, out);
+    place_stick(&h, &g, MINUS, x, two, !at_plus, out);
+  } else {
+    out->x[s] = x;
+    out->set |= (uint8_t)TF_MODE_BIT(stick_with(s));
+  }
 }
 
-// g+ may have either sign: codimension two is within reach of this step.
+// g+ may have either sign under a law with a moment: codimension two is within
+// reach of this step.
 TF_INLINE void enumerate_both_signs(const inclusion_t *in,
                                     tf_contact_modes_t *out) {
   const quadratic_t h0 = along(&in->h, PLUS), h1 = along(&in->h, MINUS);
@@ -327,39 +336,18 @@ TF_INLINE void enumerate_both_signs(const inclusion_t *in,
     out->set |= (uint8_t)TF_MODE_BIT(TF_PINNED);
 }
 
-// Without a moment both s are one law, and the sign of g only names its stick.
-// A pinned wheel is a stick with g+ = 0: not a sixth mode.
-TF_INLINE void enumerate_without_moment(const inclusion_t *in, unsigned signs,
-                                        tf_contact_modes_t *out) {
-  const quadratic_t h = along(&in->h, PLUS), g = along(&in->g, PLUS);
-  const bool plus = slip_plus_solves(&h), minus = slip_minus_solves(&h);
-  const bool two = plus != minus && has_two_roots(&h, plus);
-  out->set = (uint8_t)(plus << TF_SLIP_PLUS | minus << TF_SLIP_MINUS);
-  out->attracting = (uint8_t)(stick_attracts(&h) ? signs << TF_STICK_PLUS : 0);
-  out->tau[0] = out->tau[1] = unit(signs == MINUS_SIGN ? MINUS : PLUS);
-  out->departure[0] = h.at_upper;
-  out->departure[1] = h.at_lower;
-  if (plus != minus && !two) return;
-  const tf_real_t x = root_within(h.c0, h.c1, h.c2);
-  const bool at_plus = out->near_stick == TF_STICK_PLUS;
-  if (signs != MINUS_SIGN) place_stick(&h, &g, PLUS, x, two, at_plus, out);
-  if (signs != PLUS_SIGN) place_stick(&h, &g, MINUS, x, two, !at_plus, out);
-}
-
 TF_INLINE void enumerate(const inclusion_t *in, unsigned signs,
                          tf_contact_modes_t *out) {
   out->near_stick = nearer_stick(in, signs);
-  if (!in->has_moment)
-    enumerate_without_moment(in, signs, out);
-  else if (signs == BOTH_SIGNS)
+  if (signs == BOTH_SIGNS && in->has_moment)
     enumerate_both_signs(in, out);
-  else if (signs == PLUS_SIGN)
-    enumerate_one_sign(in, PLUS, out);
+  else if (signs == MINUS_SIGN && in->has_moment)
+    enumerate_one_law(in, MINUS, signs, out);
   else
-    enumerate_one_sign(in, MINUS, out);
+    enumerate_one_law(in, PLUS, signs, out);
 }
 
-// The same as a function, to save code size, of a contact with a moment.
+// The same as a function, to save code size.
 #define tf_enumerate TF_LINK(tf_enumerate)
 TF_API void tf_enumerate(const inclusion_t *in, unsigned signs,
                          tf_contact_modes_t *out);
