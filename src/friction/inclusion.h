@@ -299,19 +299,19 @@ TF_INLINE void enumerate_one_law(const inclusion_t *in, sign_t s,
                                  unsigned signs, tf_contact_modes_t *out) {
   const quadratic_t h = along(&in->h, s);
   const bool plus = slip_plus_solves(&h), minus = slip_minus_solves(&h);
-  const bool two = plus != minus && has_two_roots(&h, plus);
+  const bool one = plus != minus;
   out->set = (uint8_t)(plus << TF_SLIP_PLUS | minus << TF_SLIP_MINUS);
   out->attracting = (uint8_t)(stick_attracts(&h) ? signs << TF_STICK_PLUS : 0);
   out->tau[0] = out->tau[1] = unit(signs == MINUS_SIGN ? MINUS : PLUS);
   out->departure[0] = h.at_upper;
   out->departure[1] = h.at_lower;
-  if (plus != minus && !two) return;
+  if (one && !has_two_roots(&h, plus)) return;
   const tf_real_t x = root_within(h.c0, h.c1, h.c2);
   if (!in->has_moment) {
     const quadratic_t g = along(&in->g, s);
     const bool at_plus = out->near_stick == TF_STICK_PLUS;
-    place_stick(&h, &g, PLUS, x, two, at_plus, out);
-    place_stick(&h, &g, MINUS, x, two, !at_plus, out);
+    place_stick(&h, &g, PLUS, x, one, at_plus, out);
+    place_stick(&h, &g, MINUS, x, one, !at_plus, out);
   } else {
     out->x[s] = x;
     out->set |= (uint8_t)TF_MODE_BIT(stick_with(s));
