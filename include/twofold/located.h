@@ -21,13 +21,11 @@ TF_BEGIN_C
 /// machine: in, of law JUMP, COULOMB or NONE. state: in/out, from tf_begin,
 ///   tf_step or tf_step_located. input: in.
 /// report: out; force and residual at the end of the step.
-///   set: the largest set of consistent modes met in the step, and the mode
-///   taken; choices likewise.
+///   set, choices: the largest set met in the step, and the mode taken.
 ///   residual: distance of force from the law [N]; it falls with the tolerance.
-///   In stick and pinned as of tf_step. In slip |F - law| + |M - law| by
-///   tf_tyre_force at report->slip, and |h| where its sign is not that of the
-///   mode; near h = g = 0 epsilon over the slip, because the angle is known no
-///   better.
+///   In stick and pinned as of tf_step. In slip |F - law| + |M - law| at
+///   report->slip, and |h| where its sign is wrong; near h = g = 0 epsilon over
+///   the slip.
 /// Returns:
 ///   TF_OK             taken
 ///   TF_COARSE         taken, but
@@ -38,11 +36,10 @@ TF_BEGIN_C
 ///   TF_FELL_BACK      tf_step took the whole step: no series converged at the
 ///                     start, or the only segment of the budget met an event
 ///   TF_STALLED        rounding loses the motion, as in tf_step
-///   TF_DEGRADED       returned by tf_step for the whole step or its rest, as
-///                     TF_COARSE and TF_STALLED may be
+///   TF_DEGRADED       as tf_step returned, also TF_COARSE and TF_STALLED
 ///   TF_BAD_PARAMETER  refused: another law
-///   TF_BAD_STATE, TF_DIVERGED, TF_STEP_TOO_LONG  refused, as in tf_step
-///   Where it refuses, the state is untouched; the report holds the status.
+///   TF_BAD_STATE, TF_DIVERGED, TF_STEP_TOO_LONG  refused, as in tf_step: the
+///                     state is untouched, the report holds the status
 /// Trust: TF_OK promises what it does of tf_step, with an error that follows
 ///   the tolerance. docs/VERIFICATION.md lists where it was found not to.
 #define tf_step_located TF_LINK(tf_step_located)

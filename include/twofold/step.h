@@ -11,8 +11,7 @@ TF_BEGIN_C
 /// What happened in one step. `set` has every mode that is consistent in the
 /// step, with three exceptions:
 /// - The step comes to h = g = 0: set has the modes of that point.
-/// - A slip passes within reach of h = g = 0: set also has the mode in which
-///   its course ends.
+/// - A slip passes by h = g = 0: set also has the mode of its course's end.
 /// - A slip is lost at h = 0: set has the mode that follows there.
 typedef struct {
   uint8_t mode;       ///< tf_mode_t, taken
@@ -50,9 +49,8 @@ typedef struct {
 TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
                             const tf_input_t *input, tf_report_t *report);
 
-/// As tf_begin, for a start that is given by its lateral slip speed: v by
-/// tf_speed_for_slip; the mode preferred is slip on the side that the sign of h
-/// names, none where h is 0.
+/// As tf_begin, for a start that is given by its lateral slip speed h: v by
+/// tf_speed_for_slip; it prefers slip on the side of h, no mode where h is 0.
 /// state: in/out, as there, but v and mode are found. h: in [m/s].
 /// Returns: TF_OK; TF_BAD_STATE (nothing touched), also where h does not
 ///   depend on v, as tf_speed_for_slip reports.
@@ -74,14 +72,12 @@ TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
 ///       where it violates the law least
 ///     - or h and g at its end do not have the signs of the mode
 ///   TF_COARSE         taken, but dt is too long for the motion, see below
-///   TF_STALLED        taken, but rounding loses the motion: use
-///                     tf_step_compensated or a longer dt
-///     - the step does not change r, nor would 32 more
-///     - or it does not change r, nor w in a stick whose disc should turn
-///   TF_BAD_STATE      refused: state or input not finite or out of its range
+///   TF_STALLED        taken, but rounding loses the change of r, and will for
+///                     32 steps, or of r and w in stick: tf_step_compensated
+///   TF_BAD_STATE      refused: state or input not finite or out of its range;
+///                     the state is untouched, here and below
 ///   TF_DIVERGED       refused: the end would be out of the range of states
 ///   TF_STEP_TOO_LONG  refused: the effective mass would be <= 0
-///   Where it refuses, the state is untouched.
 /// TF_COARSE, which a smaller dt avoids, has these causes:
 ///   - Energy: the step would create more than 2^-12 of it, or friction put in
 ///     more than 2^-4. The step then balances energy by (18).
@@ -109,8 +105,7 @@ TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
 TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
                            const tf_input_t *input, tf_report_t *report);
 
-/// tf_step, to the bit, and an estimate of its error by two steps of dt/2 from
-/// the same state. It costs three steps.
+/// tf_step, to the bit, and an estimate of its error by two steps of dt/2.
 /// machine, input: in. state: in/out, from tf_begin. report: out.
 /// accuracy: in, the largest error that is OK, dimensionless.
 /// error: out; the difference of the two ends in p = v - d z, R z and r/dt, as
