@@ -52,8 +52,7 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
 /// As tf_begin, for a start that is given by its lateral slip speed h: v by
 /// tf_speed_for_slip; it prefers slip on the side of h, no mode where h is 0.
 /// state: in/out, as there, but v and mode are found. h: in [m/s].
-/// Returns: TF_OK; TF_BAD_STATE (nothing touched), also where h does not
-///   depend on v, as tf_speed_for_slip reports.
+/// Returns: TF_OK; TF_BAD_STATE (nothing touched), also as tf_speed_for_slip.
 #define tf_begin_with_slip TF_LINK(tf_begin_with_slip)
 TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
                                       tf_state_t *state,
