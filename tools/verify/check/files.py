@@ -20,7 +20,7 @@ LARGE = {"docs/page/index.html"}
 SIZES = {name: (*map(int, numbers), 10**6)[:3] for name, *numbers in map(
     str.split, """
 room              most   goal  files
-src               11780   9700     61
+src               11830   9700     61
 include            1990   1650     17
 tools/cli         12394  10000
 tools/board        1620   1200
@@ -51,7 +51,7 @@ docs/PACKAGES.md         10
 docs/FMU.md              10
 docs/PAGE.md             10
 """.strip().splitlines())}
-MOST_WORDS = 36000
+MOST_WORDS = 36500
 NOT_LINES = {".svg", ".png", ".hex", ".bin"}
 NARROW = {".c", ".h", ".sh", ".py", ".mk"}
 SCRIPT = re.compile(r"#!.*\b(?:python3?|(?:ba|da)?sh)\b")
