@@ -28,8 +28,9 @@
 #   CLOCK=           [Hz] of the processor: says how much of a tick the worst
 #                    known step takes, and refuses more than all of it
 #   ONLY='host uno'  the boards for `make test-boards`
-#   PROGRAM=firmware or trajectory, window, stack, deadman, fault, kit
-#                    (tests/target), calls (tools/verify/cost); wasm32: module
+#   PROGRAM=firmware or trajectory, window, stack, deadman, fault, kit,
+#                    contacts (tests/target), calls (tools/verify/cost);
+#                    wasm32: module
 #   OTHERS=          of a generic trajectory: a bit for each further scene
 
 BOARDS := $(filter-out template,$(patsubst port/%/board.mk,%,\
@@ -79,7 +80,7 @@ $(call switch,BOARD_SHARED)
 $(call must_be_one,REAL,$(or $(BOARD_REALS),$(REALS)))
 $(call must_be_one,FORMAT,plotter csv frames)
 $(call must_be_one,PROGRAM,firmware trajectory window stack deadman fault kit \
-  calls$(if $(SOURCE_module), module))
+  calls contacts$(if $(SOURCE_module), module))
 $(if $(OVERRUN),$(call must_be_one,OVERRUN,skip stop))
 $(if $(SCHEME),$(call must_be_one,SCHEME,moreau located compensated))
 # Whole, of at most 32 bits, to which the compiler would cut it, and without the
@@ -143,6 +144,7 @@ SOURCE_fault := tests/target/fault.c port/loop.c
 SOURCE_window := tests/target/window.c
 SOURCE_kit := tests/target/kit.c
 SOURCE_calls := tools/verify/cost/board.c
+SOURCE_contacts := tests/target/contacts.c
 FIRMWARE_SOURCES := $(SOURCE_$(PROGRAM)) port/hooks.c \
   $(wildcard port/$(BOARD)/*.c) $(BOARD_SOURCES)
 FIRMWARE_FLAGS := -std=c99 $(BOARD_OPT) -ffp-contract=off -fno-math-errno \

@@ -11,7 +11,7 @@
 #                           the target machine
 #   STEPS=1e9               soak: how many, in each of VARIANTS
 
-.PHONY: check bounds keep-bounds eva mutation fuzz fuzz-clang soak
+.PHONY: check bounds keep-bounds contacts-cost eva mutation fuzz fuzz-clang soak
 
 check: ## warnings, format, static analysis, sanitizers, promises
 	@BUILD='$(BUILD)/check' exec tools/run check $(CHECKS)
@@ -60,6 +60,9 @@ bounds: $(VARIANTS:%=$(BUILD)/%/cost)
 keep-bounds: ## copy them to docs/bench, and the calls
 	@cp $(BUILD)/bounds/worst.double $(BUILD)/bounds/worst.float tools/verify/cost/
 	@cp $(BUILD)/bounds/worst.csv docs/bench/
+
+contacts-cost: ## instructions of 1 to 4 contacts on a Cortex-M4F
+	@BUILD='$(BUILD)' tools/run contacts
 
 # tests/regress/test_corpus.c replays the corpus in every `make test`, without
 # clang.
