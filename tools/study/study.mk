@@ -14,6 +14,12 @@ $(TROLLEY): $(BUILD)/double/tools/study/trolley.o \
 	@mkdir -p $(@D)
 	$(link)
 
+SEVERAL := $(BUILD)/study/several-program
+$(SEVERAL): $(BUILD)/double/tools/study/several.o \
+    $(BUILD)/double/libtwofold.a
+	@mkdir -p $(@D)
+	$(link)
+
 CORNER := $(BUILD)/study/corner-program
 $(CORNER): $(BUILD)/double/tools/study/corner.o \
     $(BUILD)/double/tools/cli/diverge/corner.o $(BUILD)/double/libtwofold.a
@@ -42,7 +48,7 @@ $(FINER): $(BUILD)/study/finer-%: $(FINER_SOURCES) \
 	  -o $@
 
 STUDIES := statistics recurrence noise fold corner halfrange finer sides \
-  mechanisms trolley cart figures
+  mechanisms several trolley cart figures
 .PHONY: $(STUDIES) $(STUDIES:%=keep-%) recurrence-page keep-futures \
   test-shards
 statistics: ## exits and returns of chaos, counted (15 minutes)
@@ -54,10 +60,12 @@ halfrange: ## the same without samples, and how long a rest lasts (3 minutes)
 finer: ## what finer laws select behind the two-fold (10 minutes)
 sides: ## their first sides at 200 widths a decade (50 minutes)
 mechanisms: ## two-folds of 100000 random mechanisms (5 minutes)
+several: ## joint futures of random mechanisms with two wheels
 trolley: ## two-folds of a castor, and what follows them
 figures: ## the pictures of docs/figures (or FIGURES='tyre atlas')
 finer sides: $(FINER)
 cart: ## two castors against an event-driven solver, and joint futures
+several: $(SEVERAL)
 trolley: $(TROLLEY)
 cart: $(CART)
 corner: $(CORNER)

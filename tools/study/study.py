@@ -9,9 +9,10 @@ usage: tools/run study SECTION          follows what is to be followed, makes
                                         the commands for it
 
 SECTION is statistics, recurrence, noise, fold, corner, halfrange, finer,
-sides, mechanisms, trolley, cart or figures.
+sides, mechanisms, several, trolley, cart or figures.
 Environment: BUILD, TWOFOLD, JOBS; CYCLES=1000 of statistics and noise,
-MACHINES of statistics and recurrence, MECHANISMS=10000.
+MACHINES of statistics and recurrence, MECHANISMS=10000
+of mechanisms (2000 of several).
 """
 import importlib
 import os
@@ -26,8 +27,8 @@ SECTIONS = {"statistics": "exits", "recurrence": "recurrence",
             "noise": "noise", "fold": "fold", "corner": "corner",
             "halfrange": "halfrange",
             "finer": "finer", "sides": "sides",
-            "mechanisms": "mechanisms", "trolley": "trolley", "cart": "cart",
-            "figures": "figures"}
+            "mechanisms": "mechanisms", "several": "several",
+            "trolley": "trolley", "cart": "cart", "figures": "figures"}
 BUILD = Path(os.environ.get("BUILD") or "build")
 TWOFOLD = os.environ.get("TWOFOLD") or f"{BUILD}/double/twofold"
 
