@@ -3,8 +3,8 @@
 usage: tools/run study SECTION          follows what is to be followed, makes
                                         tables and pictures in BUILD/study
        tools/run study SECTION count    them again, of what was followed
-       tools/run study SECTION keep     puts tables into docs/STUDIES.md and
-                                        pictures into docs
+       tools/run study SECTION keep     puts tables into docs/STUDIES.md
+                                        or NOISE.md and pictures into docs
        tools/run study machine N        of recurrence: the row of a machine, and
                                         the commands for it
 

@@ -20,7 +20,7 @@ from statsmodels.stats.proportion import proportion_confint
 import driven
 
 LEVEL = 0.95
-DOCUMENTS = "docs/STUDIES.md", "docs/BENCH.md"
+DOCUMENTS = "docs/STUDIES.md", "docs/NOISE.md", "docs/BENCH.md"
 
 
 class TableError(Exception):

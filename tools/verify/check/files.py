@@ -45,13 +45,14 @@ docs/BENCH.md         1800
 docs/VERIFICATION.md  1800
 docs/PAPER.md         3500
 docs/FINDINGS.md      2500
-docs/STUDIES.md       4970
+docs/NOISE.md         2150
+docs/STUDIES.md       3300
 CHANGELOG.md          2500
 docs/PACKAGES.md         10
 docs/FMU.md              10
 docs/PAGE.md             10
 """.strip().splitlines())}
-MOST_WORDS = 36500
+MOST_WORDS = 36600
 NOT_LINES = {".svg", ".png", ".hex", ".bin"}
 NARROW = {".c", ".h", ".sh", ".py", ".mk"}
 SCRIPT = re.compile(r"#!.*\b(?:python3?|(?:ba|da)?sh)\b")
