@@ -372,7 +372,7 @@ static bool add_zeros(const mechanism_t *k, const unsigned mode[],
 }
 
 // How many shares a contact tries in a mode; 0: it cannot be in that mode.
-static unsigned shares_of(const mechanism_t *k, unsigned i, unsigned mode) {
+static unsigned share_count(const mechanism_t *k, unsigned i, unsigned mode) {
   if (slips_by_law(k, i)) return mode == slip_with(sign_of(k->law[i].x));
   if (!has_moment(k, i)) return mode != TF_PINNED;
   return is_slip(mode) ? SHARES : 1;
@@ -393,7 +393,7 @@ TF_API bool tf_joint_modes(const mechanism_t *k, tf_joint_mode_t found[],
   for (unsigned level = 2 * n - 1; level < 2 * n;) {
     const bool of_mode = level >= n;
     const unsigned i = of_mode ? level - n : level, next = tried[level];
-    if (next == (of_mode ? TF_MODES : shares_of(k, i, mode[i]))) {
+    if (next == (of_mode ? TF_MODES : share_count(k, i, mode[i]))) {
       pose(k, i, of_mode ? TF_NO_MODE : mode[i], OPEN, &p);
       if (level == n - 1) {
         if (joint.points > 0 && (*count)++ < room) found[*count - 1] = joint;
@@ -403,7 +403,7 @@ TF_API bool tf_joint_modes(const mechanism_t *k, tf_joint_mode_t found[],
       continue;
     }
     if (of_mode) mode[i] = next;
-    const unsigned shares = shares_of(k, i, mode[i]);
+    const unsigned shares = share_count(k, i, mode[i]);
     bool may = shares > 0;
     if (of_mode ? may : shares > 1) {
       pose(k, i, mode[i], of_mode ? OPEN : (share_t)next, &p);
@@ -435,7 +435,7 @@ TF_API void tf_bound_products(mechanism_t *k) {
 
 TF_API bool tf_comes_to_h_0(const mechanism_t *k, unsigned i, tf_real_t now) {
   const tf_real_t *form = numbers_of_form(k, 2 * i);
-  tf_real_t reach = k->bend[2 * i];
+  tf_real_t reach = k->bend[2 * (size_t)i];
   for (unsigned a = 0; a < k->count; a++)
     reach += magnitude(form[1 + a]) * most_of(a);
   return within(now, magnitude(form[0] - now) + reach);

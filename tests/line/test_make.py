@@ -61,7 +61,7 @@ def test_what_is_no_number_or_no_choice_is_named():
     for name, choice in (("OVERRUN", "skip stop"), ("REAL", "float double"),
                          ("FORMAT", "plotter csv frames"),
                          ("PROGRAM", "firmware trajectory window stack deadman "
-                          "fault kit calls"),
+                          "fault kit calls contacts"),
                          ("SCHEME", "moreau located compensated")):
         code, _, said = make("-n", f"{name}=other")
         same((code, f"{name} is one of: {choice}; not 'other'" in said),

@@ -4,6 +4,7 @@
 #include <ctype.h>
 
 #include "frame_in.h"
+#include "same_state.h"
 #include "tap.h"
 #include "twofold.h"
 
@@ -138,6 +139,10 @@ TEST(documented_frames_decode) {
   size = tf_send_state(wire, &sequence, &state_shown);
   judge("state", 0x03, 2, 1000, wire, own * size);
   judge("state-double", 0x03, 2, 1000, wire, (1 - own) * size);
+  const tf_frame_t sent = frame_of(wire, size);
+  tf_state_t state;
+  tf_read_state(sent.payload, sent.tick, &state);
+  CHECK(same_state(&state, &state_shown));
   size = tf_send_report(wire, &sequence, 1000, &report_shown, TF_INPUT_SET);
   judge("report", 0x04, 3, 1000, wire, own * size);
   const tf_heartbeat_t beat = heartbeat_shown();

@@ -331,30 +331,30 @@ static double square(double x) { return x * x; }
 // left is to be turned back by noise before it is there again.
 static bool is_at_corner(const cli_motion_t *motion, const cli_instant_t *at,
                          cli_corner_t *corner) {
-  const double unit = square(motion->size);
-  if (hypot(at->h, at->g) > CLI_CORNER_REACH * unit) return false;
+  const double scale = square(motion->size);
+  if (hypot(at->h, at->g) > CLI_CORNER_REACH * scale) return false;
   *corner = cli_motion_corner(motion);
   const bool sticks = at->g < 0 && fabs(at->h) < ON * fabs(at->g);
   const double there = (corner->b > 0 ? RETURN : 1) * cli_corner_away(corner);
-  return !(sticks && cli_corner_attracts(corner) && -at->g > there * unit);
+  return !(sticks && cli_corner_attracts(corner) && -at->g > there * scale);
 }
 
 // r stays as it is. What does not leave rests for longer than the patience.
 static bool advance_corner(cli_motion_t *motion, const cli_instant_t *at,
                            const cli_corner_t *corner) {
   const cli_wide_t *k = &motion->job->wide;
-  const double unit = square(motion->size), r = at->at.r;
-  cli_slip_t x = {.h = at->h / unit, .g = at->g / unit};
+  const double scale = square(motion->size), r = at->at.r;
+  cli_slip_t x = {.h = at->h / scale, .g = at->g / scale};
   const bool leaves =
       cli_corner_walk(corner, &motion->random, CLI_CORNER_REACH, &x);
-  const double h = x.h * unit, g = x.g * unit;
+  const double h = x.h * scale, g = x.g * scale;
   const cli_point_t to = {r, -h * k->sin_gamma - g * k->cos_gamma,
                           (g * k->sin_gamma - h * k->cos_gamma) / r};
   motion->state = cli_state_at(k, to);
   motion->state.mode = (uint8_t)(h > 0   ? TF_SLIP_PLUS
                                  : h < 0 ? TF_SLIP_MINUS
                                          : TF_STICK_MINUS);
-  motion->t += leaves ? x.t * unit : 2 * motion->job->args->patience;
+  motion->t += leaves ? x.t * scale : 2 * motion->job->args->patience;
   const cli_instant_t now = cli_instant(motion);
   return cli_track(motion, &now);
 }
