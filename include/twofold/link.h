@@ -19,8 +19,8 @@
 /// its tick or later, and of those that are due together the last takes effect.
 /// Only one that is refused is answered.
 ///   when the program starts:          tf_link_open(&link, scene, &params);
-///   and, where it has such a number:  tf_link_begin_session(&link, n, key);
-///   else with each byte before it has a session:
+///   with a number of this start:      tf_link_begin_session(&link, n, key);
+///   else, with each byte until it has a session:
 ///                                     tf_link_add_entropy(&link, clock);
 ///   for each byte received:           tf_link_receive(&link, byte);
 ///   at a tick, before the step:       tf_link_boundary(&link, &simulation);
@@ -32,7 +32,7 @@
 
 TF_BEGIN_C
 
-/// Bytes of the session before the data of a command, of the tag, and its key.
+/// Bytes of a command's session, of its tag, and of the key.
 #define TF_SESSION_BYTES 4u
 #define TF_TAG_BYTES 8u
 #define TF_KEY_BYTES 16u
@@ -84,8 +84,8 @@ static inline bool tf_is_vouched_for(uint8_t type) {
 }
 
 /// Appends the tag to a frame of the board: the SipHash-2-4 of its body and of
-/// the nonce of the host, 0 before the first. So it answers this host, and is
-/// no recording.
+/// the nonce of the host, 0 before the first. So the frame is meant for
+/// this host and is not a recording.
 /// wire: in/out, the frame, with room for TF_TAG_BYTES more. size: in, its
 /// bytes.
 /// key: in, TF_KEY_BYTES.
@@ -99,7 +99,7 @@ TF_API size_t tf_frame_vouch(uint8_t *wire, size_t size, const uint8_t *key,
 TF_API bool tf_frame_is_vouched(const tf_frame_t *frame, const uint8_t *key,
                                 uint64_t nonce);
 
-/// Commands that can wait, or whose answers can.
+/// Commands or answers that can wait.
 #define TF_LINK_QUEUE 4
 /// Setpoints that can wait for their ticks. A further one replaces the last.
 #define TF_LINK_SETPOINTS 8
@@ -149,7 +149,7 @@ typedef struct {
   uint32_t superseded, late; ///< as in a heartbeat
   uint64_t now;              ///< tick of the last boundary
   uint32_t every; ///< steps from record to record; 0: no command sets them
-  tf_line_t line; ///< what it may need; the program sets both
+  tf_line_t line; ///< what they may need; the program sets both
   tf_decoder_t decoder;
   tf_command_t queue[TF_LINK_QUEUE];
   tf_command_t aside; ///< done with on arrival; its answer is still to be sent
@@ -164,8 +164,8 @@ typedef struct {
 TF_API void tf_link_open(tf_link_t *link, const tf_scene_t *scene,
                          const tf_params_t *params);
 
-/// Adds to the CRC-32 that becomes the session at the first TF_UP_DESCRIBE: a
-/// reading of a fast clock when a byte came in, or a random number.
+/// Adds a fast-clock reading when a byte came in, or a random number, to the
+/// CRC-32 that becomes the session at the first TF_UP_DESCRIBE.
 /// link: in/out. noise: in.
 #define tf_link_add_entropy TF_LINK(tf_link_add_entropy)
 TF_API void tf_link_add_entropy(tf_link_t *link, uint32_t noise);
@@ -184,9 +184,9 @@ TF_API void tf_link_begin_session(tf_link_t *link, uint32_t number,
 #define tf_link_receive TF_LINK(tf_link_receive)
 TF_API void tf_link_receive(tf_link_t *link, uint8_t byte);
 
-/// The same, and only commands with the tag of a key are taken, the SipHash-2-4
-/// of the frame's body; the comparison looks at every bit. A program calls this
-/// one or the other; one that never calls this contains nothing of it.
+/// The same, but takes only commands with the tag of a key, the SipHash-2-4 of
+/// the frame's body; the comparison looks at every bit. A program calls this
+/// one or the other; without a call, none of it is linked.
 /// link: in/out. byte: in. key: in, TF_KEY_BYTES.
 #define tf_link_receive_tagged TF_LINK(tf_link_receive_tagged)
 TF_API void tf_link_receive_tagged(tf_link_t *link, uint8_t byte,

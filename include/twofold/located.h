@@ -1,6 +1,6 @@
 /// @file
 /// One step with its events located: a second scheme beside tf_step, of high
-/// order, with the same solution set, rule and report. It is event-driven, as
+/// order, with the same solution set, rule and report. It is event-driven, like
 /// the method of Piiroinen and Kuznetsov (An event-driven method to simulate
 /// Filippov systems with accurate computing of sliding motions, 2008).
 #ifndef TWOFOLD_LOCATED_H
@@ -23,25 +23,25 @@ TF_BEGIN_C
 /// report: out; force and residual at the end of the step.
 ///   set, choices: the largest set met in the step, and the mode taken.
 ///   residual: distance of force from the law [N]; it falls with the tolerance.
-///   In stick and pinned as of tf_step. In slip |F - law| + |M - law| at
-///   report->slip, and |h| where its sign is wrong; near h = g = 0 epsilon over
-///   the slip.
+///   In stick and pinned: as in tf_step. In slip |F - law| + |M - law| at
+///   report->slip, and |h| where its sign is wrong; near h = g = 0 the angle's
+///   rounding, epsilon over the slip.
 /// Returns:
 ///   TF_OK             taken
 ///   TF_COARSE         taken, but
 ///     - tf_step finished the step, because the budget ran out or a series did
-///       not reach the end: force is the mean over that rest, residual its own
-///     - or a slip comes to h = g = 0 within the error, and would rest there
-///       had it stuck before
+///       not reach the end: force is the mean over that part, residual its own
+///     - or a slip reaches h = g = 0 within the error, where a stick would
+///       come to rest
 ///   TF_FELL_BACK      tf_step took the whole step: no series converged at the
 ///                     start, or the only segment of the budget met an event
 ///   TF_STALLED        rounding loses the motion, as in tf_step
-///   TF_DEGRADED       as tf_step returned, also TF_COARSE and TF_STALLED
+///   TF_DEGRADED       as in tf_step; likewise TF_COARSE and TF_STALLED
 ///   TF_BAD_PARAMETER  refused: another law
 ///   TF_BAD_STATE, TF_DIVERGED, TF_STEP_TOO_LONG  refused, as in tf_step: the
 ///                     state is untouched, the report holds the status
-/// Trust: TF_OK promises what it does of tf_step, with an error that follows
-///   the tolerance. docs/VERIFICATION.md lists where it was found not to.
+/// Trust: TF_OK promises the same as in tf_step, and an error that follows the
+///   tolerance. docs/VERIFICATION.md lists the known exceptions.
 #define tf_step_located TF_LINK(tf_step_located)
 TF_API tf_status_t tf_step_located(const tf_machine_t *machine,
                                    tf_state_t *state, const tf_input_t *input,
@@ -58,7 +58,7 @@ typedef struct {
 } tf_located_change_t;
 
 /// tf_step_located, to the bit, which also lists the changes within the step in
-/// order. From where tf_step takes over, the list has none.
+/// order. It lists none after tf_step takes over.
 /// machine, input: in. state: in/out, likewise. report: out.
 /// list: out, [room]. count: out; the number of changes. The list has the first
 ///   room of them.

@@ -16,7 +16,7 @@ typedef enum {
   TF_DEGRADED = 1,  ///< no mode was consistent, or none that a slip may
                     ///< enter, and the smallest violation was taken; or h
                     ///< and g do not have the signs of the mode
-  TF_FELL_BACK = 2, ///< tf_step took the whole step for tf_step_located: TF_OK
+  TF_FELL_BACK = 2, ///< tf_step took a whole located step, with TF_OK
   TF_COARSE = 3,    ///< the step is too long for the motion (causes: step.h),
                     ///< or tf_step_located missed its tolerance (located.h)
   TF_STALLED = 4,   ///< rounding loses the motion in this step, and in the
@@ -36,10 +36,10 @@ TF_API const char *tf_status_name(tf_status_t status);
 /// options are listed in docs/PORTS.md.
 typedef enum {
   TF_ARITHMETIC_OK = 0,
-  TF_ARITHMETIC_ROUNDING,  ///< another rounding mode than to nearest is set
+  TF_ARITHMETIC_ROUNDING,  ///< the rounding mode is not to nearest
   TF_ARITHMETIC_SUBNORMAL, ///< subnormal numbers count as 0
   TF_ARITHMETIC_FUSED,     ///< a b - c is not rounded after the product
-  TF_ARITHMETIC_REORDERED, ///< (a + b) - b is taken for a
+  TF_ARITHMETIC_REORDERED, ///< (a + b) - b is simplified to a
   TF_ARITHMETIC_QUOTIENT,  ///< a/b is not rounded correctly: it is a (1/b)
   TF_ARITHMETIC_ROOT,      ///< sqrt is not rounded correctly
   TF_ARITHMETIC_ZERO,      ///< the sign of 0 is lost

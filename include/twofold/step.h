@@ -11,19 +11,19 @@ TF_BEGIN_C
 /// What happened in one step. `set` has every mode that is consistent in the
 /// step, with three exceptions:
 /// - The step comes to h = g = 0: set has the modes of that point.
-/// - A slip passes by h = g = 0: set also has the mode of its course's end.
-/// - A slip is lost at h = 0: set has the mode that follows there.
+/// - A slip passes near h = g = 0: set also has the mode in which it ends.
+/// - A slip ends at h = 0: set has the mode that follows there.
 typedef struct {
   uint8_t mode;       ///< tf_mode_t, taken
   uint8_t set;        ///< bits TF_MODE_BIT(mode), see above
   uint8_t choices;    ///< number of modes in set
-  tf_force_t force;   ///< F [N], M [N m], mean over the step; from
-                      ///< tf_step_located at its end
+  tf_force_t force;   ///< F [N], M [N m], mean over the step; with
+                      ///< tf_step_located, at its end
   tf_slip_t slip;     ///< h, g [m/s] at the end of the step
-  tf_real_t delassus; ///< Delassus scalar A of stick at sign(g) [1/kg]; from
-                      ///< tf_step -dh+/dx / (mu dt), with its implicit terms
+  tf_real_t delassus; ///< Delassus scalar A of stick at sign(g) [1/kg]; in
+                      ///< tf_step: -dh+/dx / (mu dt), with its implicit terms
   tf_real_t residual; ///< distance of force from the law at the end of the step
-                      ///< [N], by the natural map, in slip without the angle;
+                      ///< [N] (natural map; in slip the angle is ignored);
                       ///< if the mode changes within the step, distance of the
                       ///< mean from the hull of the law; for a single-valued
                       ///< law |F - law| at the theta point
@@ -35,12 +35,12 @@ typedef struct {
 /// - h != 0: slip by the sign of h.
 /// - h = 0: stick where |lambda| <= mu, else slip by the sign of dh/dt; in an
 ///   escaping region all three.
-/// - h = g = 0: the ways out, and rest where its law has the force for it
+/// - h = g = 0: the exits, and rest where its law can supply the force
 ///   (tf_rest_law_t).
 /// |h| or |g| within rounding (32 epsilon times its terms) counts as 0.
 /// machine, input: in, at that instant: its omega0 and alpha. report: out.
 /// state: in/out. The caller sets r, v, w, within TF_STATE_LIMIT, and mode: the
-///   one preferred where several are possible, or TF_NO_MODE. It ends as the
+///   one preferred where several are possible, or TF_NO_MODE. On return: the
 ///   mode taken. phi, tick and seed stay.
 /// Returns: TF_OK; TF_BAD_STATE (nothing touched).
 /// Trust: the set is that of the instant, whatever dt is. It is empty, and the
@@ -49,10 +49,10 @@ typedef struct {
 TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
                             const tf_input_t *input, tf_report_t *report);
 
-/// As tf_begin, for a start that is given by its lateral slip speed h: v by
-/// tf_speed_for_slip; it prefers slip on the side of h, no mode where h is 0.
+/// As tf_begin, for a start given by its lateral slip speed h:
+/// tf_speed_for_slip finds v. It prefers slip on h's side; none where h is 0.
 /// state: in/out, as there, but v and mode are found. h: in [m/s].
-/// Returns: TF_OK; TF_BAD_STATE (nothing touched), also as tf_speed_for_slip.
+/// Returns: TF_OK; TF_BAD_STATE (nothing touched), also from tf_speed_for_slip.
 #define tf_begin_with_slip TF_LINK(tf_begin_with_slip)
 TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
                                       tf_state_t *state,
@@ -61,8 +61,8 @@ TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
 
 /// Advances the state by dt: Moreau-Jean theta method, linearly implicit in
 /// spring, dampers and gyroscopic terms, (1)-(12). The friction law holds at
-/// the end of the step. The order is 2 for theta = 1/2, also where a slip is
-/// lost away from h = g = 0. It is 1 at h = g = 0 and for other theta.
+/// the end of the step. The order is 2 for theta = 1/2, also where a slip
+/// ends away from h = g = 0. It is 1 at h = g = 0 and for other theta.
 /// machine, input: in. state: in/out, from tf_begin. report: out.
 /// Returns:
 ///   TF_OK             taken
@@ -71,8 +71,8 @@ TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
 ///       where it violates the law least
 ///     - or h and g at its end do not have the signs of the mode
 ///   TF_COARSE         taken, but dt is too long for the motion, see below
-///   TF_STALLED        taken, but rounding loses the change of r, and will for
-///                     32 steps, or of r and w in stick: tf_step_compensated
+///   TF_STALLED        taken, but rounding loses the change of r, now and for
+///                     32 steps, or in stick of r and w: tf_step_compensated
 ///   TF_BAD_STATE      refused: state or input not finite or out of its range;
 ///                     the state is untouched, here and below
 ///   TF_DIVERGED       refused: the end would be out of the range of states
@@ -86,18 +86,18 @@ TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
 ///     third; or its force turns, which changes them by more than 3 %; or it
 ///     ends a slip and changes them by a third, or by 2 % at h = g = 0.
 ///   - Slip near h = g = 0: several modes may follow where it passes; or no
-///     force of the law leads along its course; or the step ends a quarter off
-///     it; or its course changes the mode first and that decides what follows.
-///   - Rest: a stick takes the wheel over at the start, but not in this step;
-///     or a rest ends for a part of the step alone; or the motion behind it
-///     turns by 0.45 rad.
+///     force of the law leads along its course; or the step ends off it by a
+///     quarter; or the mode changes earlier on it, which decides what follows.
+///   - Rest: a stick could take over at the start, but the step stays at rest;
+///     or a rest ends for only part of the step; or the motion after it turns
+///     by 0.45 rad.
 ///   - Axis: the wheel crosses it by more than 2 beta; or moves or turns beside
 ///     it by 1.5 sqrt(beta^2 + r^2) in a step that does not keep its energy.
 /// Trust: TF_OK means that the step ends in a mode of the set, with its signs
 ///   of h and g up to rounding, and creates no more energy than above. F and M
 ///   lead from the start to that end by (6). On a stiff spring, 2^13 theta dt
-///   (theta dt k2 + c2) >= m, a slip or a motion without friction that would
-///   create 2^-20 of its energy ends by (18); (6) then ends elsewhere. No
+///   (theta dt k2 + c2) >= m, a slip or frictionless motion that would create
+///   2^-20 of its energy ends by (18); F and M by (6) then lead elsewhere. No
 ///   truncation error is bounded: see tf_step_estimated and docs/SCHEMES.md.
 ///   If omega0 changes while alpha is 0, it jumps at the start of the step.
 #define tf_step TF_LINK(tf_step)
@@ -116,8 +116,8 @@ TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
 ///   one draw decides the step and its halves.
 /// Trust: an estimate: it misses what the step and its halves have in common.
 ///   Of 450,652 OK steps of moderate machines none had an error above 1e-2 and
-///   100 times the estimate; near h = g = 0 87 of 444,618 (docs/SCHEMES.md, "An
-///   estimate"). In float the rounding of r/dt is not part of the estimate.
+///   100 times the estimate; near h = g = 0, 87 of 444,618 (docs/SCHEMES.md,
+///   "An estimate"). In float the rounding of r/dt is not part of the estimate.
 #define tf_step_estimated TF_LINK(tf_step_estimated)
 TF_API tf_status_t tf_step_estimated(const tf_machine_t *machine,
                                      tf_state_t *state, const tf_input_t *input,
