@@ -49,7 +49,7 @@ typedef struct {
 ///   step [m/s]. found: out, [room], the first `room` joint modes. count: out,
 ///   how many there are, also where that is more than room.
 /// Returns: TF_OK; TF_COARSE: a solution may be missing, because products are
-///   large or contacts with products redundant; TF_BAD_PARAMETER: n, or h_i of
+///   large, or redundant contacts have products; TF_BAD_PARAMETER: n, or h_i of
 ///   a COULOMB contact grows with x_i (see tf_contact_modes); TF_BAD_STATE: not
 ///   finite (found and count untouched).
 /// Several solutions may have the same modes. The one in `found` keeps the

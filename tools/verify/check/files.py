@@ -39,13 +39,13 @@ docs/TUTORIAL.md      1450
 docs/USE.md           2550
 docs/PORTS.md         2500
 docs/PROTOCOL.md      3500
-DESIGN.md             7760
+DESIGN.md             7840
 docs/SCHEMES.md       2000
 docs/BENCH.md         1800
 docs/VERIFICATION.md  1800
 docs/PAPER.md         3500
 docs/FINDINGS.md      2500
-docs/NOISE.md         2150
+docs/NOISE.md         2250
 docs/STUDIES.md       3300
 CHANGELOG.md          2500
 docs/PACKAGES.md         10
