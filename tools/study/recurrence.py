@@ -283,8 +283,8 @@ def waited(followed: pd.DataFrame) -> str:
     """What waiting brings back."""
     here = followed[ends(followed, WAIT).sum(1) > 0]
     lasting = (here.became == "lasting").groupby(here.space)
-    return ("Of machines that lose some cycles and not all so many lose none "
-            "where they are waited for:\n" + ", ".join(
+    return ("Of machines that lose only some cycles, so many lose none when "
+            f"given {PASSES[WAIT].patience} s:\n" + ", ".join(
                 f"{lasting.sum().get(name, 0)} of "
                 f"{lasting.size().get(name, 0)} ({one.title})"
                 for name, one in SPACES.items()) + ".")
@@ -323,7 +323,7 @@ def regions(rows: pd.DataFrame, name: str,
             r, omega = (f"{one.min():.3f} to {one.max():.3f}" for one in at.T)
             yield {"machines": SPACES[name].title, "lasting": n, "r* [m]": r,
                    "omega* [rad/s]": omega,
-                   "has the cell of `chaos`": "yes" if holds else "no"}
+                   "contains `chaos`": "yes" if holds else "no"}
 
 
 def grid_of(axes: pyplot.Axes, name: str, labels: dict[str, str],
