@@ -3,13 +3,13 @@
 /// deterministic. This umbrella header is all that a user includes:
 /// scene -> prepare -> begin -> step(machine, state, input) -> report.
 ///
-/// Of every function, unless it says otherwise: the caller owns all memory, and
-/// no two arguments overlap; a pointer is kept only where it says "kept", so
-/// that all are reentrant. A machine is one from tf_prepare, an input within
-/// TF_STATE_LIMIT. Names are constant strings; names of values outside an enum
-/// begin with "unknown". "(h)" and the like are equations of the paper, "(1)"
-/// of DESIGN.md, which has both. Cost and stack of each: docs/bench/worst.csv,
-/// which docs/BENCH.md explains.
+/// For every function, unless it says otherwise: the caller owns all memory, no
+/// two arguments overlap, and only pointers marked "kept" are kept. So all are
+/// reentrant. Machines come from tf_prepare; inputs are within TF_STATE_LIMIT.
+/// Names are constant strings; names of values outside an enum begin with
+/// "unknown". "(h)" is an equation of the paper, "(1)" one of DESIGN.md, which
+/// has both. Cost and stack of each: docs/bench/worst.csv, which docs/BENCH.md
+/// explains.
 #ifndef TWOFOLD_H
 #define TWOFOLD_H
 

@@ -2,8 +2,8 @@
 /// A contact with friction force F and moment M: the core of tf_step, and of
 /// any other mechanism (castor, finger tip, clutch). The unknowns of a step are
 /// the multipliers x = F/mu and y = M/(kappa mu) of its mean force and moment.
-/// The caller gives h and g under them at the end of the step, where the law
-/// holds: x in Sgn(h), y = s x, s in Sgn(g); and moves by x, y.
+/// The caller gives h and g at the end of the step by x, y, and then moves by
+/// x, y. The law holds at that end: x in Sgn(h), y = s x, s in Sgn(g).
 #ifndef TWOFOLD_CONTACT_H
 #define TWOFOLD_CONTACT_H
 
@@ -36,26 +36,26 @@ static inline bool tf_mode_is_slip(unsigned mode) {
 
 /// Which of several consistent modes a step takes. All rules share the order:
 /// - A slip that is still consistent goes on: off h = 0 the future is unique,
-///   and a second consistent mode beside it an artefact of the finite step.
+///   and a second consistent mode is an artefact of the finite step.
 /// - A slip never enters an escaping stick: both fields point away from it.
 /// - An attracting stick goes on.
 /// - Where the present mode is lost: attracting stick, pinned, slip (the
 ///   faster one if both), escaping stick, in this order.
 /// - At h = g = 0 every mode is lost, and a slip leaves along a limit
-///   direction. A direction to which its neighbours turn attracts: such a slip
-///   comes after the attracting stick and before pinned. Of two modes of one
-///   kind the one whose slip grows faster is taken.
-/// The rule itself decides how an escaping stick ends, and what a wheel does
-/// that comes to h = g = 0 where it may rest: RANDOM lets it rest, pinned, till
-/// its draw; the others take it into an attracting stick or slip where one is
-/// consistent, because rest is not stable then.
+///   direction. A direction attracts if its neighbours turn to it. Its slip
+///   ranks after the attracting stick, before pinned. Of two modes of one kind
+///   the one whose slip grows faster is taken.
+/// The rule decides how an escaping stick ends, and what follows when a wheel
+/// comes to h = g = 0 and may rest there. RANDOM lets it rest, pinned, till its
+/// draw. The others take an attracting stick or slip where one is consistent,
+/// because rest is then unstable.
 typedef enum {
   TF_RULE_PERSIST,    ///< stay while it is consistent (default)
   TF_RULE_SLIP_PLUS,  ///< slip to h > 0 as soon as that is consistent
   TF_RULE_SLIP_MINUS, ///< slip to h < 0 as soon as that is consistent
-  TF_RULE_RANDOM      ///< leave at a constant rate [1/s], by an even draw: an
-                      ///< escaping stick among the slips, a pinned wheel among
-                      ///< all other modes that are consistent
+  TF_RULE_RANDOM      ///< leave at a constant rate [1/s], with even odds: an
+                      ///< escaping stick to a slip, a pinned wheel to any
+                      ///< other consistent mode
 } tf_rule_t;
 #define TF_RULES 4
 
@@ -94,7 +94,7 @@ typedef struct {
 } tf_contact_t;
 
 /// h or g at the end of a step by the multipliers [m/s]: c0 + cx x + cy y +
-/// cxx x^2 + cxy x y + cyy y^2. Without a moment no c with a y is read.
+/// cxx x^2 + cxy x y + cyy y^2. Without a moment the terms in y are unused.
 typedef struct {
   tf_real_t c0, cx, cy, cxx, cxy, cyy;
 } tf_form_t;
@@ -102,15 +102,15 @@ typedef struct {
 /// The consistent modes, and the multipliers of each.
 typedef struct {
   uint8_t set;            ///< bits TF_MODE_BIT(mode)
-  uint8_t attracting;     ///< of the sticks with a positive Delassus scalar; at
-                          ///< h = g = 0 of the slips that attract as well
+  uint8_t attracting;     ///< sticks with a positive Delassus scalar; at
+                          ///< h = g = 0 also the attracting slips
   uint8_t near_stick;     ///< the stick on the present side of g: decides a tie
   tf_real_t x[2];         ///< of stick+, where y = x, and stick-, y = -x
   tf_real_t tau[2];       ///< y/x of slip+, slip- at h -> 0, or as they leave
   tf_real_t departure[2]; ///< how fast slip+ and slip- leave h = 0: h at the
-                          ///< end of a step [m/s]; of tf_contact_leave how the
-                          ///< slip grows there, as its fields. Only which is
-                          ///< larger matters
+                          ///< end of a step [m/s]; from tf_contact_leave, the
+                          ///< slip's growth in the units of its h and g. Only
+                          ///< which is larger matters
 } tf_contact_modes_t;
 
 /// Derives the constants of a contact.
@@ -127,12 +127,12 @@ TF_API tf_status_t tf_contact_prepare(tf_contact_t *contact, tf_tyre_law_t law,
 /// Every mode in which a step may end.
 /// h, g: in. now, mode: in, before the step, or TF_NO_MODE. modes: out.
 /// reaches_codim2: out, or NULL: h = g = 0 is within reach (tf_contact_leave).
-/// Returns: TF_OK; TF_BAD_STATE: not finite, or no mode; TF_BAD_PARAMETER: of
-///   COULOMB, h.cx > 0, or 0 where cy is not: F > 0 lowers h (both untouched).
+/// Returns: TF_OK; TF_BAD_STATE: not finite, or no mode; TF_BAD_PARAMETER:
+///   COULOMB and h.cx > 0, or = 0 with cy != 0: F > 0 must lower h (untouched).
 /// Trust: all of them; may be empty. Pinned is one of up to four points where h
-///   and g vanish together. It is certain unless a change of coefficients by
-///   64 epsilon moves that point out of the law of rest, or lets it vanish; or
-///   the curves h = 0 and g = 0 touch: 1 of 10,000 such pairs hides a point.
+///   and g vanish together. It is certain unless changing coefficients by 64
+///   epsilon moves that point out of the law of rest or removes it, or the
+///   curves h = 0 and g = 0 touch: 1 of 10,000 such pairs hides a point.
 /// Cost: 0.3 us (x86-64) where the forms are almost linear, else 5 us, and at
 ///   most 1.5 ms, where the curves touch or are one.
 #define tf_contact_modes TF_LINK(tf_contact_modes)
@@ -150,14 +150,14 @@ TF_API unsigned tf_contact_choose(const tf_contact_t *contact,
                                   const tf_contact_modes_t *modes,
                                   unsigned mode, uint64_t tick, uint32_t seed);
 
-/// The mean force of a step that ends in a mode: in slip that of the law, but
-/// the limit at h -> 0 where the law would carry h across 0. Of several points
-/// at which it is pinned the one with the least |F|, then with the least |M|.
-/// h, g, modes: in, as above. mode: in, of the set. force: out. at: in, slip of
-///   the law: at the theta point by the force of the start, or at the start.
-/// Returns: TF_OK; TF_DEGRADED: TF_NO_MODE has the law at `at`, on whose side h
-///   does not stay; TF_BAD_STATE: not finite, not in the set, or in no pinned
-///   point (untouched).
+/// The mean force of a step that ends in a mode: in slip the law's, or its
+/// limit at h -> 0 where the law would carry h across 0. Of several pinned
+/// points it takes the one with the least |F|, then |M|.
+/// h, g, modes: in, as above. mode: in, of the set. force: out. at: in, the
+///   law's slip: the start's, or the theta point's under the start's force.
+/// Returns: TF_OK; TF_DEGRADED: TF_NO_MODE gives the law at `at`, but h leaves
+///   that side; TF_BAD_STATE: not finite, not in the set, or no pinned point
+///   (untouched).
 #define tf_contact_force TF_LINK(tf_contact_force)
 TF_API tf_status_t tf_contact_force(const tf_contact_t *contact,
                                     const tf_form_t *h, const tf_form_t *g,
@@ -168,7 +168,7 @@ TF_API tf_status_t tf_contact_force(const tf_contact_t *contact,
 /// What follows h = g = 0: every future, and the one that the rule takes.
 /// h, g: in, their change there, in time [m/s^2] or over a step [m/s]; only c0,
 ///   cx and cy are read. from: in, the mode of the motion, or TF_NO_MODE.
-/// arrives: in, false: it is there. tick, seed: in. modes, force: out.
+/// arrives: in, false: already there. tick, seed: in. modes, force: out.
 /// Returns: the mode; TF_NO_MODE (force 0, set empty): none, or not finite.
 #define tf_contact_leave TF_LINK(tf_contact_leave)
 TF_API unsigned tf_contact_leave(const tf_contact_t *contact,
