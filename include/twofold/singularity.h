@@ -2,9 +2,9 @@
 /// Two-folds, in closed form: the points of h = 0 where the fields of both
 /// slips are tangent to the surface (Filippov 1988; Teixeira, Stability
 /// conditions for discontinuous vector fields, 1990). There lambda is not
-/// determined, stick passes from a sliding into an escaping region or back, and
-/// the future is not unique. And the surface h = 0 itself, without a step, and
-/// the design of a machine with a two-fold at a given point.
+/// determined. Stick may pass between a sliding and an escaping region, and the
+/// future may not be unique. Also the surface h = 0 itself, and the design of a
+/// machine with a two-fold at a given point. Labels such as (svf) are the paper's.
 #ifndef TWOFOLD_SINGULARITY_H
 #define TWOFOLD_SINGULARITY_H
 
@@ -85,9 +85,9 @@ typedef enum {
 #define tf_absence_name TF_LINK(tf_absence_name)
 TF_API const char *tf_absence_name(unsigned absence);
 
-/// Every two-fold at g != 0, (2foldcond): A(r, s) = 0 is a quadratic in r, and
-/// h_x . f(x, 0) = 0 on h = 0 one in g. Not counted is r = 0 with sin(gamma)
-/// = 0 (within 4 epsilon): A is 0 all over the surface, and there is no stick.
+/// Every two-fold at g != 0, (2foldcond): A(r, s) = 0 is quadratic in r, and
+/// h_x . f(x, 0) = 0 on h = 0 is quadratic in g. r = 0 with sin(gamma) = 0
+/// (within 4 epsilon) is left out: A is 0 everywhere, and there is no stick.
 /// machine: in. input: in; the acceleration of the turntable is part of h'.
 /// points: out, [TF_TWO_FOLDS], those of g > 0 first. count: out, how many.
 /// absence: out, may be NULL; why there is none.
@@ -98,8 +98,8 @@ TF_API tf_status_t tf_two_folds(const tf_machine_t *machine,
                                 tf_surface_point_t points[TF_TWO_FOLDS],
                                 int *count, tf_absence_t *absence);
 
-/// Which way the slips curve, by h'' = K++ of slip+ and K-- of slip-. A visible
-/// fold curves away from h = 0 on its own side of it.
+/// Which way the slips curve, by h'' = K++ of slip+ and K-- of slip-. A fold
+/// is visible if its slip curves away from h = 0 on its own side.
 typedef enum {
   TF_FOLDS_INVISIBLE,  ///< K++ < 0 < K--: Teixeira singularity, (Invisible)
   TF_FOLDS_VISIBLE,    ///< K++ > 0 > K--
@@ -116,7 +116,7 @@ TF_API const char *tf_folds_name(unsigned type);
 /// A straight orbit of the stick motion next to a two-fold.
 typedef struct {
   tf_real_t value; ///< eigenvalue in units of sqrt|K++ K--|
-  /// Shares of f(x, +mu) and f(x, -mu) in the motion along it, 1 in all.
+  /// Shares of f(x, +mu) and f(x, -mu) in the motion along it, with sum 1.
   tf_real_t plus, minus;
   tf_rate_t velocity; ///< plus f(x, +mu) + minus f(x, -mu): its direction and,
                       ///< where the motion sticks, its speed
@@ -142,13 +142,13 @@ typedef struct {
   tf_direction_t across;
   tf_rate_t plus, minus; ///< f(x, +mu), f(x, -mu)
   uint8_t type;          ///< tf_folds_t
-  uint8_t paper_case;    ///< 1, 2, 3 for type INVISIBLE; else, on borders, 0
+  uint8_t paper_case;    ///< 1, 2, 3; 0 on borders and for other types
 } tf_two_fold_t;
 
 /// The normal form at a two-fold: K^{ab} = d/dx (h_x . f(x, a mu)) . f(x, b mu)
 /// and (SlidNormForm) with (L+, L-) = h_x . f(x, +-mu) as coordinates,
 ///   (L- - L+) d/dt (L+, L-) = ((-K+-, K++), (-K--, K-+)) (L+, L-).
-/// K++ + K-- = K+- + K-+, for A depends on r alone: both eigenvalues are real,
+/// K++ + K-- = K+- + K-+, as A depends on r alone: both eigenvalues are real,
 /// rational in K. Inputs are held, but the turntable keeps its acceleration.
 /// machine: in, of a law that jumps. input: in. out: out.
 /// point: in, from tf_two_folds or tf_design_two_fold; r != 0, g != 0.
