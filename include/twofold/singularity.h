@@ -4,7 +4,7 @@
 /// conditions for discontinuous vector fields, 1990). There lambda is not
 /// determined. Stick may pass between a sliding and an escaping region, and the
 /// future may not be unique. Also the surface h = 0 itself, and the design of a
-/// machine with a two-fold at a given point. Labels such as (svf) are the paper's.
+/// machine with a two-fold at a point. Labels such as (svf) are the paper's.
 #ifndef TWOFOLD_SINGULARITY_H
 #define TWOFOLD_SINGULARITY_H
 

@@ -321,7 +321,7 @@ static bool add_zeros(const mechanism_t *k, const unsigned mode[],
     outlook_t at;
     look(k, p, &box, &at);
     invert_slopes(k, p, &at);
-    problem_t near = *p; // what Newton's step leaves of the box
+    problem_t rest_of_box = *p; // what Newton's step leaves of the box
     bool misses = false, alone = true, soft = false, inside = true;
     bool is_affine = true;
     unsigned widest = 0;
@@ -340,14 +340,14 @@ static bool add_zeros(const mechanism_t *k, const unsigned mode[],
       const tf_real_t high =
           step + off < box.half[a] ? step + off : box.half[a];
       misses = misses || magnitude(step) > box.half[a] + off;
-      near.box.middle[a] = box.middle[a] + (low + high) / 2;
-      near.box.half[a] = (high - low) / 2;
+      rest_of_box.box.middle[a] = box.middle[a] + (low + high) / 2;
+      rest_of_box.box.half[a] = (high - low) / 2;
       is_affine = is_affine && at.bend[a] == 0;
       alone = alone && 4 * bent <= box.half[a] + JOINT_ROUNDING;
       soft = soft || !(4 * softened <= box.half[a] + JOINT_ROUNDING);
-      if (near.box.half[a] > near.box.half[widest]) widest = a;
+      if (rest_of_box.box.half[a] > rest_of_box.box.half[widest]) widest = a;
     }
-    if (misses || !may_hold(k, &near)) continue;
+    if (misses || !may_hold(k, &rest_of_box)) continue;
     bool holds = comes_to_zero(k, p, mode, is_affine, &point, &at);
     if (soft && !holds) holds = comes_to_a_middle(k, p, mode, &point, &at);
     for (unsigned a = 0; a < k->count; a++)
@@ -361,7 +361,7 @@ static bool add_zeros(const mechanism_t *k, const unsigned mode[],
     if (is_last) continue;
     if (soft && ++softs == MOST_SOFT) return false;
     for (unsigned n = 0; n < 2; n++, depth++) {
-      stack[depth] = near.box;
+      stack[depth] = rest_of_box.box;
       stack[depth].half[widest] /= 2;
       stack[depth].middle[widest] +=
           n == 0 ? stack[depth].half[widest] : -stack[depth].half[widest];

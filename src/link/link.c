@@ -252,9 +252,8 @@ static int set_every(tf_link_t *link, const tf_command_t *command) {
   return TF_ANSWER_DONE;
 }
 
-// The machine of parameters that were changed in place, where the caller
-// changes
-// them back if it is none: a second copy would not fit a small stack.
+// The machine of parameters that were changed in place. The caller changes them
+// back if it is refused: a second copy would not fit a small stack.
 static int prepare_machine(tf_link_t *link, tf_simulation_t *simulation) {
   const tf_status_t status =
       tf_prepare(&simulation->machine, &link->params, NULL);
