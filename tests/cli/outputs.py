@@ -74,7 +74,7 @@ def ended(child, number=signal.SIGINT):
 def interrupted(path, *words, number=signal.SIGINT):
     """Ends a command by a signal when rows are in the part of its file."""
     said = ended(started(path, *words), number)
-    check(f"its rows so far are in {path}.part" in said, said)
+    check(f"its rows are in {path}.part" in said, said)
     check(not Path(path).exists(), "a part that passes for a whole file")
     return said
 

@@ -168,13 +168,13 @@ def test_an_end_of_rows_or_of_notes():
     no more is made again. Another command goes on with none of them."""
     for words, part, said in (
             (SWEEP, "x.part", "x has all of its 7 points"),
-            (DIVERGE, "e.part", "all of the 2 samples are there")):
+            (DIVERGE, "e.part", "all 2 samples are done")):
         found, whole = last_end(words, part)
         for changed, text in found.items():
             for less in (text + b"9,0.2", text[:-1], text[:-9],
                          text[:len(text) * 4 // 5]):
                 lay({**found, changed: less})
-                kept = re.search(r"of which (\d+) were", call(*words)[1])
+                kept = re.search(r"(\d+) of them kept", call(*words)[1])
                 check(rows(contents()) == whole, f"{changed}: {len(less)} B")
                 check(words is DIVERGE or
                       int(kept[1]) == min(7, less.count(b"\n") - 1), kept)

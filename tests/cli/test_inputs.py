@@ -221,7 +221,7 @@ WRONG = r"""
 3|t,force,r0\n0,1,inf\n|2: column 3: r0 = inf must lie in
 3|t,force\ninf,1\n|2: column 1: t = inf must lie in
 3|t,force\n0,1\n1,1\n0.5,2\n|4: column 1: '0.5' is earlier than t in the
-3|t,force\n0,1\n1,1\n1,2\n1,2\n|5: column 1: '1' is t of two rows before
+3|t,force\n0,1\n1,1\n1,2\n1,2\n|5: column 1: '1' is in two rows already
 2|t,forec\n|1: unknown column 'forec'&did you mean 'force'
 2|force,t\n|1: column 1: 'force' is misplaced
 2|t,t\n|1: column 2: 't' is misplaced

@@ -28,14 +28,14 @@ def test_whole_files():
         call(*ROWS, "--out", path)
         is_whole(path, want)
         same(Path(path).stat().st_mode & 0o777, mode)
-    says(4, "step 2 was refused&its rows so far are in stop.part", "run",
+    says(4, "step 2 was refused&its rows are in stop.part", "run",
          "frictionless", *"--set k2=0 --set v=4e8 --set omega=0 --set c1=0 "
          "--set c2=0 --dt 1 --t-end 10 --every 5 --out stop".split())
     same(Path("stop.part").read_text().splitlines()[2].split(",")[0], "1")
     check(not Path("stop").exists(), "a file of a run that was refused a step")
     size = Path("stop.part").stat().st_size
-    says(0, f"note: stop.part: the rows of a command that was stopped, {size} "
-         "bytes, are written over", *ROWS, "--out", "stop")
+    says(0, f"note: stop.part: overwrites {size} bytes of rows of a command "
+         "that was stopped", *ROWS, "--out", "stop")
     is_whole("stop", want)
 
 

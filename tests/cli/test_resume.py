@@ -31,7 +31,7 @@ def joined(middle, end, every, *words, scheme=USUAL):
         said = call("run", *more, "--every", every, "--out", path, "--summary",
                     "json", code=(0, 5))[1]
         codes.append(5 if '"exit": 5' in said else 0)
-    same(f"--scheme {scheme}, which is that of at" in said, scheme != USUAL)
+    same(f"--scheme {scheme}, set by at" in said, scheme != USUAL)
     same(codes[0], max(codes[1:]))  # flagged steps lie in one half or the other
     want, one, two = map(lines_of, ("want", "one", "two"))
     same(two[1], one[-1])
@@ -81,8 +81,8 @@ def test_what_ends_a_run():
 
 
 DIFFERS = """
-0 chaos --from driven --t-end 0.2|came there with --inputs, and goes on without
-0 chaos --from at --inputs f.csv --between held --t-end 1|came there without
+0 chaos --from driven --t-end 0.2|was saved with --inputs, and continues without
+0 chaos --from at --inputs f.csv --between held --t-end 1|was saved without
 0 chaos --from driven --inputs f.csv --t-end 1 --between linear|with another
 3 chaos --from at --set kappa=0.3|kappa is 0.27&there and 0.3 here
 3 chaos --from at --dt 1e-3|dt is 0.0001 there and 0.001 here
@@ -96,7 +96,7 @@ DIFFERS = """
 2 chaos --from at --set r=0.2|--set r=0.2: --from at gives the state
 2 chaos --from none|--from none: No such file
 2 chaos --from .|--from .: Is a directory
-2 chaos --from one|--from one: no file of --save
+2 chaos --from one|--from one: not from --save
 2 chaos --from=|the name of the file is empty
 4 chaos --save /nowhere/at --out one|/nowhere/at"""
 # The checksum is right, and no run has left such a state.

@@ -79,13 +79,13 @@ def test_what_is_wrong():
     Path("wide.scene").write_text(f"{600 * ' '}\n")
     says(2, "wide.scene:1: the line has more than 511", "run", "wide.scene")
     Path("long.scene").write_text(20000 * "\n")
-    says(2, "long.scene: longer than 16384 bytes", "run", "long.scene")
+    says(2, "long.scene: over 16384 bytes", "run", "long.scene")
 
 
 def test_words_that_are_wrong():
     Path("no name.scene").write_text("based-on chaos\n")
     Path("mine.scene").write_text("based-on chaos\n")
-    says(2, "is no name of a scene&give", "scene", "./no name.scene")
+    says(2, "is not a valid scene name&give", "scene", "./no name.scene")
     says_each("""
 2 none.scene|none.scene: No such file
 2 none|unknown scene&a file has a . or a /

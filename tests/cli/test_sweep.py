@@ -162,7 +162,7 @@ def test_rows_of_another_sweep():
     call("sweep", *GRID, "--out", "whole", "--resume")
     outputs.interrupted("x", *SLOW, "--out", "x")
     part = Path("x.part").read_bytes()
-    says(3, "x.part has rows of a sweep that was stopped: --resume", *SLOW,
+    says(3, "x.part has rows of a sweep that was stopped: use --resume", *SLOW,
          "--out", "x")
     for other in (["--set", "mu=1.1"], ["--t-end", "9"], ["--shard", "1/2"],
                   ["--outcome", "rest"], ["--scheme", "located"],
@@ -251,7 +251,7 @@ def test_jobs():
         child.communicate()
         until(lambda: not any(Path(f"/proc/{n}").exists() for n in there), "")
         said = call(*SLOW, "--out", "x", "--resume", "-j", then)[1]
-        check("of which" in said and f"{then} jobs" in said, said)
+        check("of them kept" in said and f"{then} jobs" in said, said)
         same(Path("x").read_text(), whole)
         Path("x").unlink()
         Path("x.resume").unlink()

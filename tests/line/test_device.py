@@ -259,10 +259,10 @@ def test_a_keyed_board_takes_keyed_commands():
         check("stop: took effect" in said, said)
         said = board.send("every:20", "every:10", code=3,
                           key=["--key", "key"])
-        says(said, r"20: took effect at step \d+; it asks 9424 bytes/s of "
-             "11520, a record every 20", "10: refused, more than the line "
-             r"carries at step \d+; it asks 18174 bytes/s of 11520, a record "
-             "every 20 steps")
+        says(said, r"20: took effect at step \d+; it needs 9424 of 11520 "
+             "bytes/s, a record every 20", "10: refused, more than the line "
+             r"carries at step \d+; it needs 18174 of 11520 bytes/s, a "
+             "record every 20 steps")
         call("monitor", board.name, "--send", "stop", "--key", "none", code=2)
         for mode in 0o640, 0o604, 0o620:
             Path("wrong").chmod(mode)

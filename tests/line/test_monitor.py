@@ -126,7 +126,7 @@ def test_steps_that_are_not_to_be_trusted():
     same(degraded(said), words)
     said = monitor(without_end(stream), "--format", "csv", "--out", "rows",
                    code=6)[1]
-    says(said, "ends before its run")
+    says(said, "ends early")
     same(degraded(said), words)
     same(Path("rows.part").read_text().count("\n"), 102)
     said = monitor(examples("heartbeat"), code=5)[1]
@@ -149,7 +149,7 @@ def test_a_board_that_breaks_is_heard():
     for first in range(len(said)):
         decodes(stream + bytes(-(len(stream) + first) % 65536) + said, rows,
                 f"stream: the board says: {line}\n",
-                "stream: the board broke, as it said", code=6)
+                "stream: the board reported a fault", code=6)
 
 
 def test_a_board_in_float():
@@ -230,7 +230,7 @@ def test_a_run_that_was_cut_is_told():
     for border in borders:
         said = monitor(stream[:border], *words, code=6)[1]
         # A state whose report is cut off is lost.
-        check("ends before its run" in said or "were lost" in said, said)
+        check("ends early" in said or "were lost" in said, said)
         if border + 119 < len(stream):
             monitor(stream[border:], *words, code=6)
     says(monitor(stream + stream, *words, code=6)[1], "rows.part")
@@ -358,7 +358,7 @@ def test_an_interrupted_run_has_no_end():
         run.terminate()
         rest, said = run.communicate()
     same((run.returncode, b"interrupted" in said), (4, True))
-    same("ends before its run" in monitor(begun + rest, code=6)[1], True)
+    same("ends early" in monitor(begun + rest, code=6)[1], True)
 
 
 def test_a_summary_that_is_lost_is_told():

@@ -162,7 +162,7 @@ def test_inputs_expire_by_the_clock_of_the_board():
     for rows in ([], [(100, deadman(0)), (200, drive)],
                  [(100, deadman(5)), (200, drive)]):
         text = call(*began(*rows, (300, early), (600, GO)), code=4)[1]
-        check("inputs expire that do not hold" in text, text)
+        check("inputs expire that are not in effect" in text, text)
 
 
 def test_alpha_acts_on_one_step():
@@ -250,7 +250,7 @@ def test_other_inputs_are_told():
     words = ["run", "chaos", *AT, "--from", "at", "--t-end", "0.3"]
     check("by a command" in call(*words)[1], "they do not hold")
     text = call(*words, "--inputs", "table.csv", "--between", "held")[1]
-    check("with inputs by a command, and goes on with --inputs" in text, text)
+    check("with inputs by a command, and continues with --inputs" in text, text)
     check("inputs     by a command" not in text, text)
 
 
@@ -356,7 +356,7 @@ def wrong_records(lines):
     whole = Path("record").read_bytes()
     for i in range(1, len(lines)):
         Path("short").write_text("".join(f"{line}\n" for line in lines[:i]))
-        says(*((2, "no record of") if i < 3 else (3, "cut off or changed")),
+        says(*((2, "not from") if i < 3 else (3, "cut off or changed")),
              *words, "short")
     for wrong in whole[:-20], whole + whole:
         Path("short").write_bytes(wrong)
@@ -375,13 +375,13 @@ def wrong_records(lines):
 3 coulomb --dt {DT} --replay record|have the hash
 2 chaos --dt {DT} --replay record --t-end 1|not with --t-end
 2 chaos --dt {DT} --replay record --from x|not with --from
-2 chaos --dt {DT} --replay rows|rows:1: no record
+2 chaos --dt {DT} --replay rows|rows:1: not from
 2 chaos --dt {DT} --replay none|none: No such file""", "run")
     refused("bad", [row.replace(" of version 5", "") for row in rows], 3,
             "'schema', here it is 'schema of version 5': record the session "
             "again")
     refused("bad", [row.replace(",44,,start", ",44,0g,start") for row in rows],
-            2, "bad:&no record of")
+            2, "bad:&not from")
     refused("bad", [re.sub("^[0-9]*(,42.*kappa)", r"0\1", row)
                     for row in rows], 3,
             "bad: row 2 is at step 0, when the board has taken")
@@ -390,7 +390,7 @@ def wrong_records(lines):
             "bad: more than 1e15 steps")
     # A zero hides what follows it from most readers.
     Path("bad").write_bytes(whole.replace(b",stop\n", b",st\0op\n"))
-    says(2, "bad:&no record of", *words, "bad")
+    says(2, "bad:&not from", *words, "bad")
 
 
 def test_firmware_of_a_scene_in_a_file():

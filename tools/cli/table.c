@@ -62,8 +62,8 @@ static const cli_choice_t between[] = {
 static const cli_choice_t formats[] = {
     {"csv", CLI_CSV_HEADER "; for files"},
     {"frames",
-     "what a board sends: see docs/PROTOCOL.md; of monitor all bytes as they "
-     "come"},
+     "what a board sends: see docs/PROTOCOL.md; of monitor: all bytes "
+     "unchanged"},
     {"json", "an object a line, for PlotJuggler's UDP server"},
     {"plotter", "label:value pairs, for the Arduino IDE's plotter"},
     {"teleplot", "name:ms:value, for Teleplot's UDP port"},
@@ -82,8 +82,8 @@ static const cli_choice_t codim2[] = {
     {"attracting", "the attracting stick where there is one"},
     {"even", "one of the consistent modes, all equally likely"},
     {"noise",
-     "what vanishing noise on v selects: a slip, or the stick- that leaves "
-     "where slip+ arrives"},
+     "what vanishing noise on v selects: a slip; or, where slip+ arrives, "
+     "the stick- that leaves"},
     {NULL, NULL}};
 static const cli_choice_t commands[] = {
     {"start", ""},   {"stop", ""},     {"reset", ""},  {"snapshot", ""},
@@ -188,11 +188,11 @@ const cli_option_t cli_options[] = {
      "share of the velocities"},
     {"--realtime", NULL, CLI_RUN, FLAG(real_time),
      "takes step n at n dt after the start, on the wall clock. A step whose "
-     "row is not written when the next one is due counts as late; the steps "
-     "after it do not wait until the delay is made up"},
+     "row is not written when the next one is due counts as late; later "
+     "steps run without waiting until it has caught up"},
     {"--priority", NULL, CLI_RUN, FLAG(priority),
-     "with --realtime: runs before all other programs (SCHED_FIFO), with its "
-     "memory locked; needs the permission",
+     "with --realtime: runs at real-time priority (SCHED_FIFO), memory locked; "
+     "needs permission",
      .needs = "--realtime"},
     {"--lateness", "FILE", CLI_RUN, WRITES(lateness),
      "with --realtime: a histogram of how late steps began and ended; columns "
@@ -214,12 +214,12 @@ const cli_option_t cli_options[] = {
     {"--every", "N", CLI_RUN, WHOLE(every, 1, CLI_MAX_STEPS, 1),
      "a row every N steps; the first and the last instant are always written"},
     {"--format", "NAME", CLI_RUN | CLI_MONITOR, CHOICE(format, CLI_NOT_GIVEN),
-     "of the rows (run: csv unless another is given; monitor: without it no "
-     "rows, and a terminal shows --live):",
+     "of the rows (default of run: csv; of monitor: no rows, but --live on a "
+     "terminal):",
      .choices = formats, .noun = "format"},
     {"--shard", "I/N", CLI_DIVERGE | CLI_SWEEP, OTHER(read_shard),
-     "only part I of N of the samples or points; the files of all parts, one "
-     "after the other, have the rows of the whole"},
+     "only part I of N of the samples or points; the files of all parts, "
+     "concatenated, are the whole"},
     {"--exits", "FILE", CLI_DIVERGE, WRITES(exits),
      "CSV: sample,cycle,time [s since the arrival],r [m],omega [rad/s],g "
      "[m/s],side (slip+ or slip-),phase [windings, 0 to 1],how (left, or "
@@ -228,7 +228,7 @@ const cli_option_t cli_options[] = {
      "CSV: sample,cycle,outcome,time [s from exit to end],arrived [s],exit_r "
      "[m],landing_time [s since the exit],landing_r [m],landings,windings"},
     {"--resume", NULL, CLI_DIVERGE, FLAG(resume),
-     "goes on after a kill; FILE.resume, beside the first, says where"},
+     "continues after a kill, from FILE.resume beside the first file"},
     {"--header", NULL, CLI_DIVERGE, FLAG(header),
      "writes a header even if the shard is not the first"},
     {"--live", NULL, CLI_RUN | CLI_MONITOR, FLAG(live),
@@ -246,8 +246,8 @@ const cli_option_t cli_options[] = {
      "not be written"},
     {"--from", "FILE", CLI_RUN, READS(from),
      "continues from there, bit for bit, with the same machine, scheme and "
-     "number type; --t-end, which is that of the whole, --inputs and the name "
-     "and start of the scene may differ. The first row is the last one of the "
+     "number type; --t-end (of the whole run), --inputs, and the scene's "
+     "name and start may differ. The first row is the last one of the "
      "run before"},
     {"--replay", "FILE", CLI_RUN, READS(replay),
      "repeats, to the bit, what a board did under the commands that 'twofold "

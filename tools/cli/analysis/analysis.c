@@ -79,7 +79,7 @@ static int check_design(void) {
       fabs((double)k->cos_gamma) >= (double)TF_MIN_SINE)
     return CLI_DONE;
   return cli_blame(CLI_REFUSED, &gamma,
-                   "%s needs |sin(gamma)| and |cos(gamma)| in [1e-06, 1], they "
+                   "%s needs |sin(gamma)| and |cos(gamma)| in [1e-06, 1]; they "
                    "are %g and %g",
                    job.args->command, (double)k->sin_gamma,
                    (double)k->cos_gamma);

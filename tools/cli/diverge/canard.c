@@ -71,11 +71,10 @@ static cli_field_t on_surface(const cli_canard_t *canard, double r, double z) {
 
 // Why there is none.
 static const char stiff[] =
-    "the ratio of its eigenvalues is too large for the solver, or the rest "
-    "that "
-    "stick tends to is too fast for it";
+    "the ratio of its eigenvalues is too large for the solver, or stick "
+    "approaches its rest too fast for it";
 static const char does_not_enter[] =
-    "no point of its tangent is reached by stick from it";
+    "stick from it reaches no point of its tangent";
 
 static bool is_escaping(const cli_canard_t *canard, cli_canard_node_t at) {
   const cli_field_t f = on_surface(canard, at.r, at.z);

@@ -341,8 +341,7 @@ static int follow_samples(work_t *work) {
                       "stopped by a signal after %" PRIu64
                       " samples; what has ended is written",
                       sheets->done.done);
-    if (args->resume)
-      (void)cli_message(CLI_STOPPED, "the same command goes on");
+    if (args->resume) (void)cli_message(CLI_STOPPED, "repeat it to continue");
   }
   if (args->summary != 0) summarise_json(work, seconds, code);
   return code;
@@ -392,7 +391,7 @@ int cli_diverge(const cli_args_t *args) {
   add_sheet(&work, &branches, args->branches);
   CLI_TRY(cli_sheets_open(sheets, &args->shard, args->samples));
   if (sheets->whole) {
-    return cli_message(CLI_DONE, "all of the %" PRIu64 " samples are there",
+    return cli_message(CLI_DONE, "all %" PRIu64 " samples are done",
                        sheets->total);
   }
   return args->exhaustive ? cli_exhaustive(&job, sheets)

@@ -273,15 +273,15 @@ const char *cli_output_reason(const cli_output_t *output) {
 
 void cli_output_tell_part(const cli_output_t *output) {
   if (output->left) {
-    (void)cli_stop("%s: not whole; its rows so far are in %s", output->name,
+    (void)cli_stop("%s: incomplete; its rows are in %s", output->name,
                    output->part);
   }
 }
 
 int cli_output_note_over(const cli_output_t *output) {
   return cli_message(CLI_DONE,
-                     "note: %s: the rows of a command that was stopped, %zu "
-                     "bytes, are written over",
+                     "note: %s: overwrites %zu bytes of rows of a command that "
+                     "was stopped",
                      output->part, output->there);
 }
 

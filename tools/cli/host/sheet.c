@@ -182,7 +182,7 @@ static int open_all(cli_sheets_t *sheets) {
   }
   if (sheets->noted && in_part && !sheets->resume) {
     return cli_refuse(
-        "%s has rows of a %s that was stopped: --resume goes on with them, or "
+        "%s has rows of a %s that was stopped: use --resume to continue, or "
         "remove it",
         found, sheets->what);
   }

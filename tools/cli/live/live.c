@@ -219,12 +219,13 @@ cli_live_t *cli_live_open(double span) {
   const char *term = getenv("TERM"), *plain = getenv("NO_COLOR");
   if (!cli_is_terminal(STDOUT_FILENO)) {
     (void)cli_message(CLI_DONE,
-                      "--live needs a terminal: standard output is none");
+                      "--live needs a terminal: standard output is not one");
     return NULL;
   }
   if (term == NULL || term[0] == '\0' || strcmp(term, "dumb") == 0) {
     (void)cli_message(CLI_DONE,
-                      "--live needs a terminal that is drawn on: TERM is '%s'",
+                      "--live needs a terminal that can be drawn on: TERM is "
+                      "'%s'",
                       term != NULL ? term : "");
     return NULL;
   }

@@ -240,7 +240,7 @@ static const char *reason_of(int code, uint32_t number) {
       [-TF_ANSWER_FAR] = "dated too far ahead",
       [-TF_ANSWER_OLD] =
           "its number is used up: another host commands this board",
-      [-TF_ANSWER_FOREIGN] = "the board was started anew",
+      [-TF_ANSWER_FOREIGN] = "the board restarted",
       [-TF_ANSWER_TAG] = "its tag is not that of the board's key (--key)",
       [-TF_ANSWER_LINE] = "more than the line carries"};
   if (code == TF_ANSWER_OLD && number == UINT32_MAX)
@@ -259,8 +259,8 @@ static void write_range(char *out, size_t room, const tf_frame_t *frame,
   out[0] = '\0';
   if (frame->payload[4] == TF_UP_EVERY && frame->length == ANSWER_BYTES + 12) {
     (void)snprintf(out, room,
-                   "; it asks %" PRIu32 " bytes/s of %" PRIu32
-                   ", a record every %" PRIu32 " steps",
+                   "; it needs %" PRIu32 " of %" PRIu32
+                   " bytes/s, a record every %" PRIu32 " steps",
                    (uint32_t)tf_wire_get(at + 4, 4),
                    (uint32_t)tf_wire_get(at + 8, 4),
                    (uint32_t)tf_wire_get(at, 4));

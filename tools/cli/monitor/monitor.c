@@ -195,7 +195,7 @@ static int open_both(monitor_t *monitor) {
   }
   if (args->key != NULL && !monitor->source.is_device)
     return cli_message(CLI_STOPPED,
-                       "--key: %s is no device, which could answer",
+                       "--key: %s is not a device and cannot answer",
                        monitor->source.name);
   const cli_begin_t how = cli_is_regular(monitor->source.descriptor)
                               ? CLI_WRITE_OVER
@@ -215,15 +215,15 @@ static int open_both(monitor_t *monitor) {
 static const char *fault_of(const monitor_t *monitor) {
   static char where[160];
   const cli_receiver_t *receiver = &monitor->receiver;
-  if (monitor->source.broke) return "the board broke, as it said";
+  if (monitor->source.broke) return "the board reported a fault";
   if (receiver->is_device && !receiver->has_schema)
-    return "no schema has come, without which rows mean nothing: a board sends "
-           "one each second";
+    return "no schema has come, and rows need one: a board sends one each "
+           "second";
   if (cli_receiver_missing(receiver) > receiver->dropped)
-    return "frames were lost or broken, as is counted";
+    return "frames were lost or broken: see the counts";
   if (receiver->dropped > 0)
-    return "the board dropped records, as it counts: its line or its ticks "
-           "leave no room for them (EVERY)";
+    return "the board reports dropped records: its line or its ticks have no "
+           "room for them (EVERY)";
   if (receiver->decoder.restarts > 0 && !monitor->args->follow) {
     return "the sender was started again, or frames came twice: these are rows "
            "of more than one run";
@@ -237,7 +237,7 @@ static const char *fault_of(const monitor_t *monitor) {
     return where;
   }
   return monitor->at_end && receiver->ends && !receiver->ended
-             ? "ends before its run: the heartbeat that ends it has not come"
+             ? "ends early: the run's last heartbeat has not come"
              : NULL;
 }
 

@@ -151,10 +151,10 @@ bool cli_replay_next(cli_replay_t *replay, motion_t *system,
         replay->failed = "the state is not that of the board";
     } else if (row->type == TF_DOWN_EXPIRED) {
       if (simulation->source != TF_INPUT_SET || simulation->deadman == 0)
-        replay->failed = "inputs expire that do not hold";
+        replay->failed = "inputs expire that are not in effect";
       simulation->left = 0; // the next step finds that they have
     } else if (!perform(replay, row)) {
-      replay->failed = "a command is refused that the board took";
+      replay->failed = "a command that the board took is refused";
     } else {
       look_again(simulation, scene, row->type, report);
     }
@@ -164,7 +164,7 @@ bool cli_replay_next(cli_replay_t *replay, motion_t *system,
   if (replay->failed != NULL || replay->next == replay->session.count)
     return false;
   if (!simulation->running) {
-    replay->failed = "the board stood still, and is said to have moved";
+    replay->failed = "the record has a stopped board moving";
     return false;
   }
   *input = tf_simulation_input(simulation, scene);

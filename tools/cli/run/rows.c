@@ -141,7 +141,7 @@ size_t cli_run_provenance(const cli_run_t *run, const char *units,
   if (run->args->accuracy > 0)
     cli_add_form(&text, ", accuracy %g", run->args->accuracy);
   if (run->replays)
-    cli_add_form(&text, ", replayed from a record that begins so, %08x",
+    cli_add_form(&text, ", replayed from a record with hash %08x",
                  run->replay.session.hash);
   if (run->args->from != NULL)
     cli_add_form(&text, ", from step %" PRIu64 " of a state %08x", run->first,

@@ -222,8 +222,8 @@ static int open_files(cli_run_t *run, const cli_args_t *args) {
         cli_output_begin(&run->saved, "--save", args->save, CLI_WRITE_OVER));
     if (!cli_is_regular(run->output.descriptor)) {
       cli_say(
-          "twofold: note: --save %s: rows go to %s, which is no file: whether "
-          "they are kept, its reader knows\n",
+          "twofold: note: --save %s: rows go to %s, not a file: only its "
+          "reader knows if they are kept\n",
           args->save, run->output.name);
     }
   }
@@ -244,7 +244,7 @@ static int perform(cli_run_t *run, const cli_args_t *args) {
                 !args->real_time && !run->rowless &&
                 cli_is_terminal(STDOUT_FILENO);
   const char *why = args->priority ? cli_take_priority() : NULL;
-  if (why != NULL) cli_say("twofold: --priority: not given: %s\n", why);
+  if (why != NULL) cli_say("twofold: --priority: refused: %s\n", why);
   cli_rows_begin(run);
   step_through(run);
   cli_rows_end(run);
@@ -276,7 +276,7 @@ static int check_start(const cli_args_t *args, const cli_setup_t *setup,
 }
 
 static void note(const cli_args_t *args, const char *what) {
-  cli_note("--from %s: it came there %s", args->from, what);
+  cli_note("--from %s: it was saved %s", args->from, what);
 }
 
 // Inputs are no part of the machine, so it may go on under others; but not
@@ -287,11 +287,11 @@ static void take_inputs(cli_run_t *run, const cli_args_t *args,
   if (stand->inputs != cli_inputs_hash(&run->drive.table)) {
     note(args, stand->inputs == 0 ? "without --inputs"
                : has_table        ? "with another table of --inputs"
-                                  : "with --inputs, and goes on without");
+                                  : "with --inputs, and continues without");
   }
   if (stand->held.source == TF_INPUT_SCENE) return;
   if (has_table) {
-    note(args, "with inputs by a command, and goes on with --inputs");
+    note(args, "with inputs by a command, and continues with --inputs");
     return;
   }
   tf_simulation_t *simulation = &run->replay.simulation;

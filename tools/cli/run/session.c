@@ -82,7 +82,7 @@ int cli_session_close(cli_session_file_t *file, int code) {
 }
 
 static int no_record(const cli_lines_t *lines) {
-  return cli_usage("%s:%lu: no record of 'monitor --record'", lines->name,
+  return cli_usage("%s:%lu: not from 'monitor --record'", lines->name,
                    lines->line);
 }
 

@@ -128,7 +128,7 @@ static const char *next_value(reader_t *reader, const char *key) {
 }
 
 static int no_state(const reader_t *reader) {
-  return cli_usage("--from %s: no file of --save", reader->path);
+  return cli_usage("--from %s: not from --save", reader->path);
 }
 
 // Refuses what is not the same there, in the file, as here.

@@ -59,7 +59,7 @@ static void print_table(const cli_inputs_t *table) {
 static void print_held(const tf_simulation_t *simulation) {
   const tf_input_t *input = &simulation->input;
   if (simulation->source == TF_INPUT_SAFE) {
-    cli_say("inputs     safe ones: those by a command have expired\n");
+    cli_say("inputs     safe ones: those of a command have expired\n");
   } else if (simulation->source == TF_INPUT_SET) {
     cli_say(
         "inputs     by a command: omega0 = %.6g rad/s, r0 = %.6g m, force = "

@@ -81,10 +81,9 @@ static int read_header(reader_t *reader, char *line) {
     given[kind] = true;
     reader->kind[reader->fields++] = kind;
   }
-  return reader->fields > 1
-             ? CLI_DONE
-             : refuse(reader, CLI_USAGE, 0, "t",
-                      "is alone: an input has to stand beside it");
+  return reader->fields > 1 ? CLI_DONE
+                            : refuse(reader, CLI_USAGE, 0, "t",
+                                     "is alone: it needs an input column");
 }
 
 static int read_field(const reader_t *reader, size_t field, const char *text,
@@ -123,7 +122,7 @@ static int read_row(reader_t *reader, char *line) {
     (void)cli_write_real(text, row.t);
     return refuse(reader, CLI_REFUSED, 0, text,
                   earlier ? "is earlier than t in the row before"
-                          : "is t of two rows before: a jump has two");
+                          : "is in two rows already: a jump has two");
   }
   return add_row(inputs, &row);
 }

@@ -294,15 +294,14 @@ int cli_scene_parse(cli_scene_file_t *file, const char *path, const char *text,
   const size_t length = strcspn(base, ".");
   memset(file, 0, sizeof *file);
   if (size > CLI_SCENE_BYTES) {
-    return cli_usage("%s: longer than %d bytes, no scene", path,
-                     CLI_SCENE_BYTES);
+    return cli_usage("%s: over %d bytes, not a scene", path, CLI_SCENE_BYTES);
   }
   if (is_name(base, length)) memcpy(file->name, base, length);
   CLI_TRY(read_lines(&reader));
   CLI_TRY(check(&reader));
   if (file->name[0] == '\0') {
     return cli_usage(
-        "%s: the name of the file is no name of a scene (1 to %d letters, "
+        "%s: the file's name is not a valid scene name (1 to %d letters, "
         "digits and _); give 'name NAME' in it",
         path, CLI_SCENE_NAME - 1);
   }

@@ -211,7 +211,7 @@ void cli_setup_notes(const cli_setup_t *setup) {
                strcmp(name, located ? "theta" : "tolerance") == 0) {
       cli_add_form(&reason, " under --scheme %s%s",
                    motion_scheme_name(setup->scheme),
-                   located ? " but where a step falls back on moreau"
+                   located ? " except where a step falls back on moreau"
                            : ": it belongs to --scheme located");
     }
     if (reason.used > 0)
@@ -236,8 +236,7 @@ int cli_setup_scheme(cli_setup_t *setup, const char *file) {
           (double)dt);
     }
   } else if (file != NULL && setup->scheme != usual) {
-    cli_note("--scheme %s, which is that of %s",
-             motion_scheme_name(setup->scheme), file);
+    cli_note("--scheme %s, set by %s", motion_scheme_name(setup->scheme), file);
   }
   if (motion_takes_law(setup->scheme, setup->params.law)) return CLI_DONE;
   return cli_refuse("--scheme %s: law must be " MOTION_LOCATED_LAWS

@@ -82,7 +82,7 @@ static void summarise(const cli_sweep_t *sweep, double seconds) {
   cli_say("points     %" PRIu64 " of %" PRIu64, sheets->done.done,
           sheets->total);
   if (sheets->kept.done > 0)
-    cli_say(", of which %" PRIu64 " were there", sheets->kept.done);
+    cli_say(", %" PRIu64 " of them kept", sheets->kept.done);
   for (int i = 0; i < CLI_POINT_ENDS; i++) {
     if (sweep->ends[i] > 0) {
       cli_say("%s%s %" PRIu64, separator, cli_point_ends[i], sweep->ends[i]);
@@ -179,7 +179,7 @@ static int perform(cli_sweep_t *sweep) {
   }
   if (args->summary == 0 && !sheets->whole) summarise(sweep, seconds);
   if (code != CLI_DONE && sheets->sheet->output.left)
-    (void)cli_message(code, "the same command with --resume goes on");
+    (void)cli_message(code, "repeat it with --resume to continue");
   if (args->summary == 0) return code;
   cli_put_begin("sweep");
   cli_put("'scene': %s, 'scheme': %s, 'points': %" PRIu64 ", 'kept': %" PRIu64
