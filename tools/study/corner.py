@@ -29,9 +29,10 @@ PLACES = 0.176, 0.178, 0.18, 0.182, 0.183
 STICKS = 0.176, 0.18, 0.182, 0.185, 0.195
 DIRECTIONS = "v", "omega", "v and omega"
 
-# Cycles of each sample, by the rate of exits from the two-fold [1/s], which is
-# as the noise^(-2/3).
-CYCLES = {"1e3": 1, "1e4": 10, "1e5": 1}
+# Cycles of each sample, by 1/eps. The rate of exits from the two-fold, which is
+# as the noise^(-2/3), hardly matters.
+CYCLES = {10: 10, 20: 2, 40: 1}
+RATE = "1e4"  # [1/s]
 SOON = 3  # [s]
 COLUMNS = ["P0", "P0 error", "q", "q error", "e", "P", "P error", "b"]
 
@@ -106,8 +107,9 @@ def follow(work: Path, twofold: str) -> None:
                  columns=["noise", "r", "eps", *COLUMNS]).to_csv(
                      work / "corner.csv", index=False)
     table.followed(work, twofold, {
-        rate: f"--codim2 noise --rate {rate} --samples {SAMPLES} --cycles {n}"
-        for rate, n in CYCLES.items()}, [*CYCLES.values()])
+        f"fine-{fine}": f"--codim2 noise --fine {fine} --rate {RATE} "
+        f"--samples {SAMPLES} --cycles {n}" for fine, n in CYCLES.items()},
+        [n * fine ** 2 for fine, n in CYCLES.items()])
 
 
 def at_zero(rows: pd.DataFrame) -> table.Estimate:
@@ -134,18 +136,27 @@ def count(work: Path, kept: Path) -> dict[str, object]:
         "stick": "At r = " + ", ".join(map(str, STICKS)) + " c is " + ", ".join(
             f"{at(r).stick()[1]:.2g}" for r in STICKS) + ".",
         "selected": pd.DataFrame(found).sort_values("r", kind="stable"),
-        "returns": pd.DataFrame([returned(work, rate) for rate in CYCLES])}
+        "returns": returns(work)}
 
 
-def returned(work: Path, rate: str) -> dict[str, object]:
-    """How soon, of one rate of exits."""
-    rows = table.read(work / f"{rate}-returns.csv")
-    return {"exits after": f"{1 / float(rate):g} s", "cycles": len(rows),
-            "returned": int((rows.outcome == "returned").sum()),
+def returns(work: Path) -> pd.DataFrame:
+    """How soon motions return, by the eps of the walk, and as it goes to 0."""
+    found, shares = [], []
+    for fine in CYCLES:
+        rows = table.read(work / f"fine-{fine}-returns.csv")
+        soon = (rows.time < SOON).mean()
+        error = math.sqrt(soon * (1 - soon) / len(rows))
+        shares.append((1 / fine, soon, error))
+        found.append({
+            "eps": f"{1 / fine:g}", "cycles": f"{len(rows)}",
+            "returned": f'{(rows.outcome == "returned").sum()}',
             f"within {SOON} s": table.share(
                 (rows.time < SOON).sum(), len(rows)).text(3),
             **{f"{n} %": table.quantile(rows.time, n / 100).text(3)
-               for n in (25, 50, 75)}}
+               for n in (25, 50, 75)}})
+    limit = at_zero(pd.DataFrame(shares, columns=["eps", "P", "P error"]))
+    found.append({"eps": "-> 0", f"within {SOON} s": limit.text(3)})
+    return pd.DataFrame(found).fillna("-")
 
 
 def draw(kept: Path, found: list[tuple[str, float, table.Estimate]]) -> None:

@@ -45,14 +45,14 @@ docs/BENCH.md         1800
 docs/VERIFICATION.md  1800
 docs/PAPER.md         3500
 docs/FINDINGS.md      2500
-docs/NOISE.md         2250
+docs/NOISE.md         2400
 docs/STUDIES.md       3300
 CHANGELOG.md          2500
 docs/PACKAGES.md         10
 docs/FMU.md              10
 docs/PAGE.md             10
 """.strip().splitlines())}
-MOST_WORDS = 36600
+MOST_WORDS = 36700
 NOT_LINES = {".svg", ".png", ".hex", ".bin"}
 NARROW = {".c", ".h", ".sh", ".py", ".mk"}
 SCRIPT = re.compile(r"#!.*\b(?:python3?|(?:ba|da)?sh)\b")
