@@ -66,10 +66,9 @@ TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
 /// machine, input: in. state: in/out, from tf_begin. report: out.
 /// Returns:
 ///   TF_OK             taken
-///   TF_DEGRADED       taken, although
-///     - no mode is consistent, or none that a slip may enter: the step ends
-///       where it violates the law least
-///     - or h and g at its end do not have the signs of the mode
+///   TF_DEGRADED       taken, although no mode is consistent, or none that a
+///                     slip may enter (the step violates the law least); or h
+///                     and g at its end do not have the signs of the mode
 ///   TF_COARSE         taken, but dt is too long for the motion, see below
 ///   TF_STALLED        taken, but rounding loses the change of r, now and for
 ///                     32 steps, or in stick of r and w: tf_step_compensated
