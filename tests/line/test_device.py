@@ -189,7 +189,7 @@ def test_what_came_before_a_device_was_heard_is_no_loss():
     until(lambda: rows("rows.part") == 12, "all rows", monitor)
     monitor.send_signal(signal.SIGTERM)
     same(monitor.wait(), 0)
-    # Without a schema nothing is lost: it says what has not come.
+    # Without a schema no loss is counted: the message names the schema.
     monitor = follow(os.ttyname(far), "--record", "commands")
     until(lambda: Path("commands.part").exists(), "that it begins", monitor)
     os.write(near, b"\0\0".join(stream.split(b"\0\0")[5:-2]) + b"\0")

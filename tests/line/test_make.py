@@ -70,7 +70,7 @@ def test_what_is_no_number_or_no_choice_is_named():
 
 
 def judged(*words):
-    """What `make firmware` asks of the line before it compiles: its exit code
+    """The check of the line that `make firmware` makes first: its exit code
     and what it says."""
     code, said, why = make("-n", *words)
     check(code == 0, why)

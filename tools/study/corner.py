@@ -51,7 +51,7 @@ class Corner(NamedTuple):
               n_2: float = 0) -> tuple[float, float, float]:
         """Of stick-, averaged over h: b and c of the rate b + c / |g| of |g|,
         and s^2. The stationary law of h has exponential sides; g - jump h has
-        the same rate b on both, and c is the mean of what h / g adds."""
+        the same rate b on both, and c is the mean rate due to h / g."""
         (h_up, g_up), (h_down, g_down) = self.near(1, -1), self.near(-1, -1)
         up = h_down / (h_down - h_up)
         jump = (g_up - g_down) / (h_up - h_down)

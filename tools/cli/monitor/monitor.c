@@ -237,7 +237,7 @@ static const char *fault_of(const monitor_t *monitor) {
     return where;
   }
   return monitor->at_end && receiver->ends && !receiver->ended
-             ? "ends early: the run's last heartbeat has not come"
+             ? "ends early: the run's last heartbeat is missing"
              : NULL;
 }
 
