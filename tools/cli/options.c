@@ -72,16 +72,6 @@ static bool lies_in(const cli_option_t *option, double value) {
           (is_open ? value > option->low : value >= option->low));
 }
 
-static int check_range(const cli_option_t *option, const cli_given_t *given,
-                       const char *what, double from, double to) {
-  const bool is_open = option->kind == CLI_POSITIVE;
-  if (lies_in(option, from) && lies_in(option, to)) return CLI_DONE;
-  return cli_blame(CLI_REFUSED, given, "%smust lie in %s%g, %g]%s%s", what,
-                   is_open ? "(" : "[", option->low, option->high,
-                   option->unit != NULL ? " " : "",
-                   option->unit != NULL ? option->unit : "");
-}
-
 static int read_range(const cli_option_t *option, const cli_given_t *given,
                       cli_range_t *out) {
   const bool is_real = option->kind == CLI_REAL || option->kind == CLI_POSITIVE;
@@ -94,7 +84,11 @@ static int read_range(const cli_option_t *option, const cli_given_t *given,
     CLI_TRY(cli_read_number(given, given->value, &value));
     *out = (cli_range_t){given->value, (double)value, (double)value, 1};
   }
-  return check_range(option, given, what, out->from, out->to);
+  if (lies_in(option, out->from) && lies_in(option, out->to)) return CLI_DONE;
+  return cli_blame(CLI_REFUSED, given, "%smust lie in %s%g, %g]%s%s", what,
+                   option->kind == CLI_POSITIVE ? "(" : "[", option->low,
+                   option->high, option->unit != NULL ? " " : "",
+                   option->unit != NULL ? option->unit : "");
 }
 
 static int refuse_choice(const cli_option_t *option, const cli_given_t *given) {

@@ -169,12 +169,6 @@ static void watch_exit(cli_motion_t *motion, const cli_instant_t *at) {
   motion->slip_side = cycle->side;
 }
 
-// When h changed its sign between two instants, by linear interpolation.
-static double crossing(const cli_instant_t *a, const cli_instant_t *b) {
-  return (a->h < 0) == (b->h < 0) ? a->t
-                                  : a->t - (b->t - a->t) * a->h / (b->h - a->h);
-}
-
 static void watch_windings(cli_motion_t *motion, const cli_instant_t *at) {
   cli_cycle_t *cycle = &motion->cycle;
   const cli_instant_t *last = &motion->last;
@@ -188,7 +182,8 @@ static void watch_windings(cli_motion_t *motion, const cli_instant_t *at) {
   cycle->windings++;
   motion->slip_side = side;
   if (side < 0) return;
-  const double up = crossing(last, at);
+  double up = last->t; // when h changed its sign, by linear interpolation
+  if (last->h < 0) up -= (at->t - last->t) * last->h / (at->h - last->h);
   if (cycle->up_last <= cycle->section_t && cycle->section_t <= up)
     cycle->phase = (cycle->section_t - cycle->up_last) / (up - cycle->up_last);
   cycle->up_last = up;
@@ -308,14 +303,6 @@ void cli_motion_begin(cli_motion_t *motion, const cli_job_t *job,
   cli_track_start(motion);
 }
 
-static double longest_step(const cli_motion_t *motion,
-                           const cli_instant_t *now) {
-  const cli_two_fold_t *two_fold = &motion->job->two_fold;
-  const bool is_near = now->g * two_fold->g > 0 &&
-                       fabs(now->at.r - two_fold->r) < NEAR * fabs(two_fold->r);
-  return is_near ? motion->near : (double)motion->job->machine.dt;
-}
-
 static void add_noise(cli_motion_t *motion, double dt) {
   const tf_machine_t *k = &motion->job->machine;
   const double noise = motion->size * sqrt(dt) * cli_normal(&motion->random);
@@ -373,8 +360,11 @@ static bool advance_noise(cli_motion_t *motion) {
   cli_corner_t corner;
   if (is_at_corner(motion, &at, &corner))
     return advance_corner(motion, &at, &corner);
+  const cli_two_fold_t *two_fold = &motion->job->two_fold;
+  const bool is_near = at.g * two_fold->g > 0 &&
+                       fabs(at.at.r - two_fold->r) < NEAR * fabs(two_fold->r);
   double dt = fmin(2 * motion->length, SMALL * way / square(motion->size));
-  dt = fmin(fmax(dt, least), longest_step(motion, &at));
+  dt = fmin(fmax(dt, least), is_near ? motion->near : (double)k->dt);
   cli_instant_t now = at;
   for (bool near = false; !near; dt = near ? dt : fmax(dt / 2, least)) {
     motion->state = from;

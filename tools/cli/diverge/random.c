@@ -200,12 +200,6 @@ static unsigned choose(cli_motion_t *motion, corner_t at) {
                                                       : TF_STICK_MINUS;
 }
 
-// Leaves h = g = 0 after a pinned wheel has waited, in one of the other modes.
-static bool leave_pinned(cli_motion_t *motion) {
-  const unsigned set = futures_of(motion) & ~TF_MODE_BIT(TF_PINNED);
-  return leave_codim2(motion, set != 0 ? draw_mode(motion, set) : TF_PINNED);
-}
-
 // Goes on for a step, to the end of a wait at most. A wait is drawn once, and
 // begins and ends at its own instant, so that its distribution does not depend
 // on dt.
@@ -234,7 +228,10 @@ bool cli_random_advance(cli_motion_t *motion) {
       waiting && part == PART_STEP && motion->state.mode == from.mode;
   motion->wait = stays ? fmax(0, motion->wait - (motion->t - t)) : -1;
   if (!stays || motion->wait > SHORTEST) return false;
-  return from.mode == TF_PINNED ? leave_pinned(motion) : leave_stick(motion);
+  if (from.mode != TF_PINNED) return leave_stick(motion);
+  // A pinned wheel that has waited leaves in one of the other modes.
+  const unsigned set = futures_of(motion) & ~TF_MODE_BIT(TF_PINNED);
+  return leave_codim2(motion, set != 0 ? draw_mode(motion, set) : TF_PINNED);
 }
 
 const char *cli_random_branch(cli_motion_t *motion, unsigned mode,

@@ -195,16 +195,6 @@ static const struct {
 #endif
 };
 
-// Bytes from before anybody listened are half a story, and a line that was full
-// sends them first: what comes within a moment is dropped.
-#define STALE 100 // [ms]
-
-static void discard_stale(int descriptor) {
-  (void)tcflush(descriptor, TCIFLUSH);
-  cli_sleep(STALE);
-  (void)tcflush(descriptor, TCIFLUSH);
-}
-
 // Raw mode: no echo, no line editing, no translation of bytes.
 static bool make_raw(int descriptor, uint64_t baud) {
   struct termios line;
@@ -246,7 +236,13 @@ bool cli_source_open(cli_source_t *source, const char *path, uint64_t baud,
     source->error = errno;
     cli_source_close(source);
   }
-  if (source->is_device) discard_stale(source->descriptor);
+  if (source->is_device) {
+    // Bytes from before anybody listened are half a story, and a line that was
+    // full sends them first: what comes within 100 ms is dropped.
+    (void)tcflush(source->descriptor, TCIFLUSH);
+    cli_sleep(100);
+    (void)tcflush(source->descriptor, TCIFLUSH);
+  }
   return source->error == 0;
 }
 

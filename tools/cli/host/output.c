@@ -174,13 +174,6 @@ static int name_part(const cli_output_t *to) {
   return 0;
 }
 
-// A part without a row is of no use.
-static bool leave_part(const cli_output_t *to) {
-  struct stat status;
-  return has_its_name(to) && (fstat(to->descriptor, &status) != 0 ||
-                              status.st_size > 0 || unlink(to->part) != 0);
-}
-
 bool cli_output_open(cli_output_t *output, const char *path, bool keep) {
   const bool standard = is_standard(path);
   output->used = 0;
@@ -198,11 +191,16 @@ bool cli_output_close(cli_output_t *output, bool whole) {
   (void)cli_output_flush(output);
   if (output->descriptor < 0) return output->error == 0;
   int error = output->error;
+  struct stat status;
   if (cli_is_regular(output->descriptor) && fsync(output->descriptor) != 0 &&
       errno != EINVAL && errno != EROFS && error == 0)
     error = errno;
   if (output->beside && whole && error == 0) error = name_part(output);
-  output->left = output->beside && (!whole || error != 0) && leave_part(output);
+  // A part without a row is of no use.
+  output->left = output->beside && (!whole || error != 0) &&
+                 has_its_name(output) &&
+                 (fstat(output->descriptor, &status) != 0 ||
+                  status.st_size > 0 || unlink(output->part) != 0);
   if (output->descriptor != STDOUT_FILENO && close(output->descriptor) != 0 &&
       error == 0)
     error = errno;

@@ -182,14 +182,6 @@ int cli_board_commands_again(cli_board_commands_t *commands) {
   return CLI_DONE;
 }
 
-// Whether the board has described itself since it answered `describe`: a schema
-// of before may have waited on the line, and name old numbers. It has the real
-// type, the session and the numbers that are still free.
-static bool is_described(const cli_board_commands_t *commands,
-                         const cli_receiver_t *receiver) {
-  return receiver->schemas > commands->schemas && receiver->session != 0;
-}
-
 int cli_board_commands_send(cli_board_commands_t *commands,
                             const cli_receiver_t *receiver,
                             cli_source_t *source) {
@@ -201,7 +193,11 @@ int cli_board_commands_send(cli_board_commands_t *commands,
   const cli_board_command_t *command = &commands->list[commands->next];
   const cli_session_row_t *row = &command->row[receiver->is_float];
   const bool asks = row->type == TF_UP_DESCRIBE;
-  if (commands->waiting || !(asks || is_described(commands, receiver))) {
+  // A schema from before `describe` may have waited on the line, and name old
+  // numbers. It has the real type, the session and the numbers still free.
+  const bool described =
+      receiver->schemas > commands->schemas && receiver->session != 0;
+  if (commands->waiting || !(asks || described)) {
     if (now > commands->deadline && commands->guard.key != NULL &&
         !commands->guard.vouched)
       return cli_message(CLI_STOPPED, "%s: " CLI_NOT_VOUCHED, source->name);

@@ -120,15 +120,6 @@ static void take_block(monitor_t *monitor, size_t length) {
   }
 }
 
-// At the end of a file or a pipe: what stands in the decoder is a frame without
-// its last byte, or a piece of one, which is counted.
-static void take_end(monitor_t *monitor) {
-  monitor->at_end = true;
-  monitor->block[0] = 0;
-  monitor->receiver.bytes--;
-  take_block(monitor, 1);
-}
-
 // Returns: CLI_DONE once it is back or a signal has asked for a stop.
 static int wait_for_device(monitor_t *monitor) {
   cli_source_t *source = &monitor->source;
@@ -162,10 +153,15 @@ static int follow_stream(monitor_t *monitor) {
     const cli_source_found_t found =
         cli_source_read(&monitor->source, monitor->block, BLOCK, WAIT, &count);
     const double now = cli_now();
-    if (found == CLI_SOURCE_BYTES)
-      take_block(monitor, count);
-    else if (found == CLI_SOURCE_END && !args->follow)
-      take_end(monitor);
+    if (found == CLI_SOURCE_END && !args->follow) {
+      // What stands in the decoder is a frame without its last byte, or a piece
+      // of one, which is counted.
+      monitor->at_end = true;
+      monitor->block[0] = 0;
+      monitor->receiver.bytes--;
+      count = 1;
+    }
+    if (count > 0) take_block(monitor, count);
     write_title(monitor, title);
     cli_live_draw(monitor->live, title, now);
     // Rows of a slow board are flushed before the next wait.

@@ -82,14 +82,6 @@ static void note_chain(cli_receiver_t *receiver, const tf_frame_t *frame) {
       tf_frame_chain(receiver->chain, frame->payload + frame->length);
 }
 
-// A session is that of one start of a board.
-static void note_session(cli_receiver_t *receiver, uint64_t tick,
-                         uint32_t session) {
-  if (receiver->session != 0 && session != receiver->session)
-    note_other(receiver, tick);
-  receiver->session = session;
-}
-
 static bool take_schema(cli_receiver_t *receiver, const tf_frame_t *frame) {
   const uint8_t *at = frame->payload;
   const uint8_t *end = at + frame->length;
@@ -101,7 +93,10 @@ static bool take_schema(cli_receiver_t *receiver, const tf_frame_t *frame) {
   receiver->hash = (uint32_t)tf_wire_get(at + 9, 4);
   receiver->ends = (at[4] & 32u) != 0;
   note_run(receiver, frame->tick, (uint32_t)tf_wire_get(at + 25, 4));
-  note_session(receiver, frame->tick, (uint32_t)tf_wire_get(at + 13, 4));
+  const uint32_t session = (uint32_t)tf_wire_get(at + 13, 4);
+  if (receiver->session != 0 && session != receiver->session)
+    note_other(receiver, frame->tick); // of another start of a board
+  receiver->session = session;
   receiver->sequence = (uint32_t)tf_wire_get(at + 17, 4);
   receiver->schemas++;
   at = reals_at(receiver, at + SCHEMA_DT, &receiver->dt, 1);

@@ -56,6 +56,14 @@ void cli_events_begin(cli_events_t *events, uint64_t limit,
 tf_report_t cli_before_change(const tf_report_t *before,
                               const tf_located_change_t *change);
 
+/// Whether cli_events_observe may find something between two reports: of most
+/// steps it does not.
+static inline bool cli_events_between(const tf_report_t *before,
+                                      const tf_report_t *after) {
+  return before->mode != after->mode || after->choices > 1 ||
+         (before->delassus > 0) != (after->delassus > 0);
+}
+
 /// Looks for events between two consecutive reports.
 /// state, t: after the step that gave `after`.
 void cli_events_observe(cli_events_t *events, const tf_report_t *before,

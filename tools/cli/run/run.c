@@ -49,8 +49,7 @@ static void show(const cli_run_t *run) {
   }
 }
 
-static void observe(cli_run_t *run, const tf_report_t *before) {
-  const tf_report_t *after = &run->system.report;
+static void note_events(cli_run_t *run, const tf_report_t *before) {
   const motion_changes_t *changes = &run->drive.changes;
   const double t = cli_run_time(run, run->done);
   for (size_t i = 0; i < changes->count; i++) {
@@ -60,8 +59,16 @@ static void observe(cli_run_t *run, const tf_report_t *before) {
                        cli_run_time(run, run->done - 1) + (double)at->time);
     before = &at->report;
   }
-  cli_events_observe(&run->events, before, after, &run->system.state, t);
-  tf_tally_count(&run->tally, run->done, after->status);
+  cli_events_observe(&run->events, before, &run->system.report,
+                     &run->system.state, t);
+}
+
+static void observe(cli_run_t *run, const tf_report_t *before) {
+  const tf_report_t *after = &run->system.report;
+  if (run->drive.changes.count > 0 || cli_events_between(before, after))
+    note_events(run, before);
+  if (after->status != TF_OK)
+    tf_tally_count(&run->tally, run->done, after->status);
   const double h = fabs((double)after->slip.h);
   const double residual = (double)after->residual;
   if (!tf_mode_is_slip(after->mode) && h > run->largest_h) run->largest_h = h;

@@ -220,7 +220,7 @@ static void look_up(cli_inputs_t *inputs, tf_real_t t, tf_real_t off,
   const bool stands = !inputs->linear || row == end || t <= row->t;
   for (size_t i = 0; i < CLI_INPUTS; i++) {
     value[i] = stands || t < row[1].t ? row->value[i] : row[1].value[i];
-    if (!stands && t < row[1].t) {
+    if (inputs->given[i] && !stands && t < row[1].t) {
       value[i] += (row[1].value[i] - row->value[i]) *
                   ((t - row->t) / (row[1].t - row->t));
     }
@@ -297,8 +297,11 @@ void cli_inputs_over(cli_inputs_t *inputs, const cli_span_t *span,
       inputs->within++;
     }
   }
-  for (size_t i = 0; i < CLI_INPUTS; i++)
-    mean[i] = mean_of(inputs, i, next, end, span, before[i], after[i]);
+  for (size_t i = 0; i < CLI_INPUTS; i++) {
+    mean[i] = 0;
+    if (inputs->given[i] && i != CLI_INPUT_OMEGA0)
+      mean[i] = mean_of(inputs, i, next, end, span, before[i], after[i]);
+  }
   mean[CLI_INPUT_OMEGA0] = before[CLI_INPUT_OMEGA0] + jumps;
   set(inputs, mean, input);
   if (inputs->given[CLI_INPUT_OMEGA0])
@@ -380,10 +383,8 @@ static tf_real_t next_row(const cli_drive_t *drive, const cli_span_t *span) {
   return next;
 }
 
-tf_status_t cli_step(cli_drive_t *drive, motion_scheme_t scheme,
-                     motion_t *motion, const tf_input_t *input) {
-  if (!(drive->accuracy > 0))
-    return motion_step_changes(motion, scheme, input, &drive->changes);
+tf_status_t cli_step_in_halves(cli_drive_t *drive, motion_t *motion,
+                               const tf_input_t *input) {
   tf_real_t error;
   const tf_status_t status =
       tf_step_estimated(&motion->machine.machine, &motion->state, input,
@@ -439,17 +440,12 @@ static tf_status_t take_parts(cli_drive_t *drive, const cli_setup_t *setup,
   return met.status;
 }
 
-tf_status_t cli_drive_take(cli_drive_t *drive, const cli_setup_t *setup,
-                           motion_t *motion, tf_input_t *input) {
-  drive->changes.count = 0;
-  if (drive->profile.count + drive->table.count == 0) {
-    *input = setup->input;
-  } else {
-    const cli_span_t span = cli_span_of(motion->state.tick, setup->machine.dt);
-    if (setup->scheme == MOTION_LOCATED && next_row(drive, &span) < span.to)
-      return take_parts(drive, setup, span, motion, input);
-    *input = cli_drive_over(drive, &setup->machine, &span);
-  }
+tf_status_t cli_drive_by_rows(cli_drive_t *drive, const cli_setup_t *setup,
+                              motion_t *motion, tf_input_t *input) {
+  const cli_span_t span = cli_span_of(motion->state.tick, setup->machine.dt);
+  if (setup->scheme == MOTION_LOCATED && next_row(drive, &span) < span.to)
+    return take_parts(drive, setup, span, motion, input);
+  *input = cli_drive_over(drive, &setup->machine, &span);
   return cli_step(drive, setup->scheme, motion, input);
 }
 

@@ -98,17 +98,34 @@ void cli_drive_notes(const cli_drive_t *drive, const cli_setup_t *setup,
 tf_input_t cli_drive_over(cli_drive_t *drive, const tf_machine_t *machine,
                           const cli_span_t *span);
 
-/// One step, whose changes are added; as two halves, too, where drive->accuracy
-/// is not 0.
-/// Returns: as motion_step.
-tf_status_t cli_step(cli_drive_t *drive, motion_scheme_t scheme,
-                     motion_t *motion, const tf_input_t *input);
+/// A step of moreau as two halves, too: drive->accuracy is not 0.
+tf_status_t cli_step_in_halves(cli_drive_t *drive, motion_t *motion,
+                               const tf_input_t *input);
 
-/// Takes a step of a setup's machine under what drives it. Those of scheme
-/// located are split at the rows of a linear table: the report then has the
-/// largest set of the parts, and the first status that is not TF_OK.
+/// One step, whose changes are added. Returns: as motion_step.
+static inline tf_status_t cli_step(cli_drive_t *drive, motion_scheme_t scheme,
+                                   motion_t *motion, const tf_input_t *input) {
+  return drive->accuracy > 0
+             ? cli_step_in_halves(drive, motion, input)
+             : motion_step_changes(motion, scheme, input, &drive->changes);
+}
+
+/// cli_drive_take where there are rows. Steps of scheme located are split at
+/// the rows of a linear table: the report then has the largest set of the
+/// parts, and the first status that is not TF_OK.
+tf_status_t cli_drive_by_rows(cli_drive_t *drive, const cli_setup_t *setup,
+                              motion_t *motion, tf_input_t *input);
+
+/// Takes a step of a setup's machine under what drives it.
 /// input: out, that of the step, or of its last part.
-tf_status_t cli_drive_take(cli_drive_t *drive, const cli_setup_t *setup,
-                           motion_t *motion, tf_input_t *input);
+static inline tf_status_t cli_drive_take(cli_drive_t *drive,
+                                         const cli_setup_t *setup,
+                                         motion_t *motion, tf_input_t *input) {
+  drive->changes.count = 0;
+  if (drive->profile.count + drive->table.count > 0)
+    return cli_drive_by_rows(drive, setup, motion, input);
+  *input = setup->input;
+  return cli_step(drive, setup->scheme, motion, input);
+}
 
 void cli_drive_free(cli_drive_t *drive);
