@@ -8,7 +8,7 @@ from harness import (BUILD, DIST, REALS, ROOT, STRICT, check, ends_at, equal,
 
 C = DIST / "c"
 TEST = ROOT / "tools/package/dist/test"
-CASTOR = ROOT / "tools/package/dist/cmake/examples/demo/castor.c"
+EXAMPLES = ROOT / "tools/package/dist/cmake/examples/demo"
 COMPILERS = (("gcc", "gcc", ["-std=c99"]), ("gcc", "gcc", ["-std=gnu17"]),
              ("clang", "clang", ["-std=c99"]),
              *(("g++", "g++", ["-x", "c++", f"-std={standard}"])
@@ -164,23 +164,42 @@ def test_cpp():
             "-fsyntax-only", "-x", "c++", "-include", header, "/dev/null")
 
 
-def test_castor():
-    """The example of docs/USE.md says the same in C and in C++. It sticks
-    until A < 0, behind cos(psi)^2 = m e (kappa - e)/J, psi = 161 degrees, where
-    other modes are possible, too, and then slips to one side and the other."""
-    place = folder("castor")
+def said_by(name, *runs):
+    """Lines of words that an example of docs/USE.md prints, a list of each run,
+    in double, then in float: the same in C and in C++."""
+    place = folder(name)
     for define in REALS.values():
+        said = set()
         run("gcc", "-std=c99", *define, "-c", C / "twofold.c", "-o",
             place / "core.o")
-        said = set()
         for tool, package, options in COMPILERS:
             run(need(tool, package), *options, *STRICT, *define, "-I", C,
-                CASTOR, "-x", "none", place / "core.o", "-lm", "-o",
-                place / "castor")
-            said.add(run(place / "castor"))
-        first, second, *rest = [line.split() for line in
-                                said.pop().splitlines()]
-        equal("castors that differ, begin", (said, first[4:], second[2:]), (
-            set(), ["stick-,", "only"], "160 deg stick-, of several".split()))
+                EXAMPLES / f"{name}.c", "-x", "none", place / "core.o", "-lm",
+                "-o", place / name)
+            said.add(tuple(run(place / name, *given) for given in runs))
+        equal(f"outputs of {name} in C and C++", len(said), 1)
+        yield [[line.split() for line in text.splitlines()]
+               for text in said.pop()]
+
+
+def test_castor():
+    """It sticks until A < 0, behind cos(psi)^2 = m e (kappa - e)/J, psi = 161
+    degrees, where other modes are possible, too, and then slips to one side and
+    the other."""
+    for (first, second, *rest), in said_by("castor", ()):
+        equal("castors begin", (first[4:], second[2:]), (
+            ["stick-,", "only"], "160 deg stick-, of several".split()))
         *_, a, b, c, d = [float(row[0]) for row in rest if row[5] == "only"]
         check(b - a < d - c, f"windings end at {a, b, c, d} s")
+
+
+def test_arm():
+    """The tip sticks, and slips to both sides. Friction heats; energy without a
+    source is of order dt; the slips of sticks are of order dt^3."""
+    for (*_, coarse), (*rows, fine) in said_by("arm", ["1e-3"], ["1e-4"]):
+        equal("modes of the arm", [row[2] for row in rows], "stick+ stick- "
+              "stick+ slip+ stick+ slip- stick+ slip+ stick+".split())
+        (heat, lost, _), (hot, less, drift) = [
+            [float(word) for word in row[2:]] for row in (coarse, fine)]
+        check(min(heat, hot) > 0.09 and 5 * abs(less) < abs(lost) < 2e-5
+              and drift < 1e-9, f"the arm ends with {coarse}, {fine}")
