@@ -1,8 +1,7 @@
 /// @file
-/// Several contacts of one mechanism: every joint future of a step. Use
-/// contact.h for one contact: it is faster. Do not call contact.h for one
-/// contact after another: the force of one changes which modes the others may
-/// have, and futures are missed.
+/// Several contacts of one mechanism: every joint future of a step. For one
+/// contact, contact.h is faster. Do not call it for one after another: the
+/// force of one changes the modes of others, and futures are missed.
 #ifndef TWOFOLD_CONTACTS_H
 #define TWOFOLD_CONTACTS_H
 
@@ -54,15 +53,17 @@ typedef struct {
 ///   finite (found and count untouched).
 /// Several solutions may have the same modes. The one in `found` keeps the
 ///   present side of g in slip; of those, it has the least sum of |x| + |y|.
-/// Redundant contacts: the motion is unique, but the forces are not. Those in
-///   `found` have the least sum of squares of x and y. Where the law forbids
-///   them, they are some that are well inside the law.
+/// Redundant contacts: the motion is unique, the forces are not. `found` has
+///   those of the least sum of squares, or else some well inside the law.
 /// Trust: with TF_REST_HULL there is always a joint mode. One is certainly
-///   found unless a change of the coefficients by 64 epsilon removes it. Of
-///   contacts that are almost redundant one in 10,000 is lost, in float 50.
-/// h_i = g_i = 0: there is no tf_contact_leave for several contacts. A contact
-///   that comes there may be pinned; the next steps find the modes in which it
-///   leaves. Which of them is taken may depend on the step.
+///   found unless a change of the coefficients by 64 epsilon removes it. In
+///   float one of 1,000 is lost where contacts are redundant, or almost.
+/// Cost: for n = 2 a Cortex-M4F takes 1e5 instructions on average, and up to
+///   2e7 were found (docs/BENCH.md): no step is promised to end in 1 ms.
+/// h_i = g_i = 0: tf_contact_leave has no counterpart. The next step finds how
+///   contact i leaves by the limits at h_i -> 0, which may differ. For the law
+///   itself hold the others in the modes of a joint mode, eliminate their
+///   multipliers from h_i and g_i, and call tf_contact_leave for contact i.
 #define tf_contacts_modes TF_LINK(tf_contacts_modes)
 TF_API tf_status_t tf_contacts_modes(unsigned n, const tf_contact_t *contacts,
                                      const tf_real_t *forms,

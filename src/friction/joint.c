@@ -353,7 +353,7 @@ static bool add_zeros(const mechanism_t *k, const unsigned mode[],
     for (unsigned a = 0; a < k->count; a++)
       inside = inside && within(point.middle[a] - box.middle[a],
                                 box.half[a] + JOINT_ROUNDING);
-    const bool is_last = soft ? holds || is_affine : alone;
+    const bool is_last = soft ? is_affine : alone;
     if (holds && inside) {
       take_zero(k, mode, p, point.middle, &at, &least, joint);
       if (is_last) joint->points++;

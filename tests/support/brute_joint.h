@@ -389,15 +389,20 @@ static void judge_zero(const system_t *k, const branch_t *b, const real m[],
 /* Equations of which some depend on others: all that they leave free. */
 static void judge_free(const system_t *k, const branch_t *b,
                        const elimination_t *e, const real value[],
-                       record_t *to) {
+                       const real rounding[], record_t *to) {
   const unsigned n = b->unknowns, free = n - e->rank;
   const real error = 256 * EPSILON * (1 + 1 / e->least_pivot);
   real u[UNKNOWNS] = {0}, way[UNKNOWNS][UNKNOWNS] = {{0}}, m[UNKNOWNS];
   bool is_led[UNKNOWNS] = {0};
+  finding_t finding = SURE;
   for (unsigned r = 0; r < n; r++) {
-    real missed = 0;
-    for (unsigned j = 0; j < n; j++) missed += e->row[r][n + j] * value[j];
+    real missed = 0, most = 0;
+    for (unsigned j = 0; j < n; j++) {
+      missed += e->row[r][n + j] * value[j];
+      most += fabsl(e->row[r][n + j]) * rounding[j];
+    }
     if (r >= e->rank && fabsl(missed) > error) return;
+    if (r >= e->rank && fabsl(missed) > most / 8) finding = UNSURE;
     if (r < e->rank) u[e->column[r]] = -missed;
     if (r < e->rank) is_led[e->column[r]] = true;
   }
@@ -415,8 +420,8 @@ static void judge_free(const system_t *k, const branch_t *b,
     for (unsigned w = 0; w < free; w++)
       for (unsigned a = 0; a < n; a++) G[c][w] += at.slope[a] * way[w][a];
   }
-  const finding_t finding =
-      finding_by(widest(b->conditions, free, distance, G), error);
+  finding = least(finding,
+                  finding_by(widest(b->conditions, free, distance, G), error));
   if (finding > to->finding) to->finding = finding;
   to->count = ZEROS; /* not told apart */
 }
@@ -438,10 +443,10 @@ static void solve(const system_t *k, const branch_t *b, record_t *to) {
       size = 0;
       for (unsigned r = 0; r < n; r++) size = fmaxl(size, rounding[r]);
       eliminate(&e, n, size);
-      if (e.rank < n) {
-        if (k->starts == 0) judge_free(k, b, &e, value, to);
-        return;
-      }
+      if (e.rank < n && k->starts == 0)
+        judge_free(k, b, &e, value, rounding, to);
+      step = 1;
+      if (e.rank < n) break;
       step = 0;
       for (unsigned r = 0; r < n; r++) {
         real by = 0;

@@ -24,7 +24,7 @@ src               11830   9700     61
 include            1990   1650     17
 tools/cli         12394  10000
 tools/board        1620   1200
-tools/package      6405   5200
+tools/package      6495   5200
 tools/page         4255   4000
 tools/bench        3530   3200
 tools/study        4930   3800

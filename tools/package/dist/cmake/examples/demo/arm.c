@@ -1,8 +1,7 @@
 /* A finger of two links with a roller at its tip, on a belt that runs along -x.
-   Springs move its joints. Slips and mass matrix depend on the joint angles.
-   Prints changes of the mode, then the angles [rad], heat and kinetic energy
-   without a source [J], and the largest |h| behind a step that sticks [m/s].
-   Usage: arm [DT] */
+   Springs move its joints. Prints changes of the mode, then the angles [rad],
+   heat and kinetic energy without a source [J], and the largest |h| at the end
+   of a step that sticks [m/s]. Usage: arm [DT] */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,8 +12,8 @@
 static const double l0 = 0.06, l1 = 0.04, I0 = 3e-4, Ic = 1e-4, I1 = 9e-5;
 static const double K = 0.2, C = 1e-3, V = 0.1, mu = 0.5, kappa = 0.01;
 
-/* The roller rolls along t = (cos, sin)(q0 + q1); n is t turned left. With the
-   tip p: h = n . (p' + V x), g = t . (p' + V x), and their slopes by u and q. */
+/* h = n . (p' + V x), g = t . (p' + V x), and their slopes by u, then by q: the
+   tip p rolls along t = (cos, sin)(q0 + q1); n is t turned left. */
 static tf_slip_t slips(const double q[2], const double u[2], double h[4],
                        double g[4]) {
   const double to = q[0] + q[1], c = l0 * cos(q[1]), s = l0 * sin(q[1]);
@@ -48,20 +47,20 @@ int main(int argc, char **argv) {
     return 1;
   for (unsigned step = 0; step < 1.5 / dt - 0.5; step++) {
     const double to[2] = {0.5 * sin(6 * dt * step), -0.3}, q1 = q[1];
-    const double u0 = u[0], u1 = u[1], s = Ic * sin(q1);
+    const double v[2] = {u[0], u[1]}, s = Ic * sin(q1);
     const tf_slip_t now = slips(q, u, a, c);
-    double by[2], by_x[2], by_y[2], end[2];
+    double x[2], y[2], by[2], end[2];
+    double Q[2] = {s * (2 * u[0] + u[1]) * u[1], -s * u[0] * u[0]};
+    for (unsigned i = 0; i < 2; i++)
+      Q[i] -= K * (q[i] + dt * u[i] - to[i]) + C * u[i];
     /* The end of the step without friction, and what multipliers add. */
-    push(q1, dt, s * (2 * u0 + u1) * u1 - K * (q[0] + dt * u0 - to[0]) - C * u0,
-         -s * u0 * u0 - K * (q1 + dt * u1 - to[1]) - C * u1, by);
+    push(q1, dt, Q[0], Q[1], by);
     for (unsigned i = 0; i < 2; i++) u[i] += by[i], end[i] = q[i] + dt * u[i];
     const tf_slip_t free = slips(end, u, a, c);
-    push(q1, dt, -mu * a[0], -mu * a[1], by_x); /* F acts along -n */
-    push(q1, dt, kappa * mu, kappa * mu, by_y); /* Mz turns q0 + q1 */
-    const tf_form_t h = {free.h, added(a, by_x, dt), added(a, by_y, dt), 0, 0,
-                         0};
-    const tf_form_t g = {free.g, added(c, by_x, dt), added(c, by_y, dt), 0, 0,
-                         0};
+    push(q1, dt, -mu * a[0], -mu * a[1], x); /* F acts along -n */
+    push(q1, dt, kappa * mu, kappa * mu, y); /* Mz turns q0 + q1 */
+    const tf_form_t h = {free.h, added(a, x, dt), added(a, y, dt), 0, 0, 0};
+    const tf_form_t g = {free.g, added(c, x, dt), added(c, y, dt), 0, 0, 0};
     tf_contact_modes_t modes;
     tf_force_t is;
     if (tf_contact_modes(&contact, &h, &g, now, mode, &modes, NULL)) return 2;
@@ -70,11 +69,10 @@ int main(int argc, char **argv) {
     if (next != mode) printf("%.4f s %s\n", dt * step, tf_mode_name(next));
     mode = next;
     for (unsigned i = 0; i < 2; i++) {
-      const double was = i ? u1 : u0;
-      u[i] += by_x[i] * is.F / mu + by_y[i] * is.M / (kappa * mu);
+      u[i] += x[i] * is.F / mu + y[i] * is.M / (kappa * mu);
       q[i] += dt * u[i];
       work += dt * (K * (to[i] - q[i]) - C * u[i] - a[i] * is.F + is.M) *
-              (was + u[i]) / 2;
+              (v[i] + u[i]) / 2;
     }
     const double then = slips(q, u, a, c).h;
     heat += dt * is.F * then;
