@@ -1,7 +1,8 @@
 """`make cart`: the example cart.c of the packages, stepped by contacts.h alone,
 against an event-driven solver that shares no code with it (scipy). A table: by
 dt the error of the angle of the second castor after 0.06 s, which passes from
-slip to slip. cart.c is compiled beside `work`, in C and in C++."""
+slip to slip, and of the energy. cart.c is compiled beside `work`, in C and C++.
+"""
 from __future__ import annotations
 
 import re
@@ -23,6 +24,10 @@ def start() -> np.ndarray:
     """y, a, psi, psi, and their rates."""
     psi = np.array([2.9, 2.6])
     return np.r_[0.03, 0.05, psi, 0, 0, -V * np.sin(psi) / e]
+
+
+def energy(z):
+    return (np.array([k, ka, 0, 0, m, I, J, J]) * z ** 2).sum() / 2
 
 
 def slips(z):
@@ -117,7 +122,7 @@ def motion(z, t, modes, until):
 
 
 def stepped(program, dt, until, *index):
-    """Times of changes of the modes, these, how many; y, a, psi and psi."""
+    """Times of changes of modes, these, how many; y, a, psi, psi, energy."""
     *rows, end = driven.output(program, *map(str, (dt, until, *index))
                                ).splitlines()
     found = [re.fullmatch(r"(\S+) s (\S+) (\S+), of (\d+)", row).groups()
@@ -134,10 +139,13 @@ def rows_of(program, plus) -> pd.DataFrame:
         found, end = stepped(program, dt, 0.06)
         same = [tuple(of[:2]) for _, of in found] == changes
         rows.append((f"error at dt = {dt:g} s",
-                     f"{abs(end - exact[:4])[3]:.2g}" + " *" * (not same)))
+                     f"{abs(end[:4] - exact[:4])[3]:.2g}" + " *" * (not same),
+                     f"{end[4] - energy(exact):.2g}"))
     same = driven.output(program) == driven.output(plus)
-    return pd.DataFrame([*rows, ("C and C++ alike", str(same))],
-                        columns=["what", "error of the angles [rad]"])
+    rows += [("energy then", "", f"{energy(exact):.3g}"),
+             ("C and C++ alike", str(same), "")]
+    return pd.DataFrame(rows, columns=["what", "of an angle [rad]",
+                                       "of the energy [J]"])
 
 
 def count(work: Path, _: Path) -> dict[str, pd.DataFrame]:

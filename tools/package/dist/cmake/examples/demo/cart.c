@@ -1,5 +1,5 @@
 /* Two castors as in castor.c on a body that moves sideways and turns. Prints
-   changes of modes and their number, then y, a, psi, psi [m, rad]. Usage:
+   changes of modes and their number, then y, a, psi, psi, energy [SI]. Usage:
    cart [DT [UNTIL [INDEX of the joint mode where there are several first]]] */
 #include <math.h>
 #include <stdio.h>
@@ -49,8 +49,7 @@ int main(int argc, char **argv) {
       const tf_slip_t end = slip_of(v + place[i] * va, to, w[i]);
       const double hw = -e - dt * end.g, gw = dt * (end.h + e * w[i]);
       tf_real_t *h = forms[i][0], *g = forms[i][1];
-      h[0] = end.h;
-      g[0] = end.g;
+      h[0] = end.h, g[0] = end.g;
       for (unsigned j = 0; j < 2; j++) { /* F of j moves the pin of i */
         const double u =
             -mu * cos(psi[j] + dt * w[j]) * (dt_m + place[i] * place[j] * dt_I);
@@ -81,9 +80,10 @@ int main(int argc, char **argv) {
       w[i] += dt_J * (e * by[i].F + by[i].M);
       psi[i] += dt * w[i];
     }
-    y += dt * v;
-    a += dt * va;
+    y += dt * v, a += dt * va;
   }
-  printf("%.9g %.9g %.9g %.9g\n", y, a, psi[0], psi[1]);
+  v = (m * v * v + I * va * va + J * (w[0] * w[0] + w[1] * w[1])) / 2;
+  printf("%.9g %.9g %.9g %.9g %.9g\n", y, a, psi[0], psi[1],
+         v + (k * y * y + ka * a * a) / 2);
   return 0;
 }
