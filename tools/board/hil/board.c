@@ -31,7 +31,7 @@ static int take_session(hil_board_t *board, const uint8_t *at) {
   const uint32_t session = (uint32_t)tf_wire_get(at + 13, 4);
   if (session == board->session) return CLI_DONE;
   if (board->session != 0)
-    return hil_message(CLI_STOPPED, "%s: the board was started anew",
+    return hil_message(CLI_STOPPED, "%s: the board was restarted",
                        board->source.name);
   if ((at[4] & 16u) != 0 && board->key == NULL)
     return hil_message(CLI_REFUSED, "the board wants a tag (--key)");

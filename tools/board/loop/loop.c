@@ -80,7 +80,7 @@ static bool take(const tf_frame_t *frame) {
   const uint8_t *at = frame->payload;
   if (frame->type == TF_DOWN_SCHEMA && board.is_described) {
     if (board.session != 0 && tf_wire_get(at + 13, 4) != board.session)
-      board.wrong = "the board was started anew";
+      board.wrong = "the board was restarted";
   } else if (frame->type == TF_DOWN_SCHEMA && at[0] == TF_REAL_BYTES) {
     board.is_described = true;
     board.session = (uint32_t)tf_wire_get(at + 13, 4);

@@ -133,4 +133,4 @@ bool cli_guard_takes(cli_guard_t *guard, const tf_frame_t *frame);
   "recording is played"
 #define CLI_FORGED                                                           \
   "a frame without the tag of --key: somebody else sends, or the board was " \
-  "started anew"
+  "restarted"

@@ -33,7 +33,7 @@ TAGGED = SCHEMA, HEARTBEAT, ANSWER, EXPIRED
 REASONS = {-1: "out of range", -2: "not finite or out of range",
            -16: "the board does not know it", -17: "its length is wrong",
            -19: "dated too far ahead", -20: "another host commands the board",
-           -21: "the board was started anew", -22: "the board wants its key",
+           -21: "the board was restarted", -22: "the board wants its key",
            -23: "more than the line carries"}
 TRIES = 4
 
@@ -283,7 +283,7 @@ class Board:
                                   self._nonce)
         if self._trusts and not right:
             raise BoardError("a frame without the tag of the key: somebody "
-                             "else sends, or the board was started anew")
+                             "else sends, or the board was restarted")
         self._trusts |= right
         return right
 
