@@ -46,7 +46,7 @@ PROGRAM ?= firmware
 # called from one place stays a function with a frame of its own.
 BOARD_OPT ?= -Os --param large-function-growth=1000
 
-.PHONY: firmware boards test-boards deps elf boards-list
+.PHONY: firmware boards test-boards hashes deps elf boards-list
 firmware: ## of SCENE=chaos for BOARD=microbit in REAL=float
 
 boards-list:
@@ -54,6 +54,12 @@ boards-list:
 
 test-boards: ## bits and real time of every board, in emulators
 	@BUILD='$(BUILD)' tools/run boards $(ONLY)
+
+hashes: ## trajectory hashes of every architecture (or ONLY=uno)
+	@for board in $(or $(ONLY),$(BOARDS)); do \
+	  for real in $$($(MAKE) -s board-REALS BOARD=$$board); do \
+	    $(MAKE) -s board-hash BOARD=$$board REAL=$$real PROGRAM=trajectory \
+	      NAMED=-hash; done; done | grep --line-buffered -v '^  '
 
 boards: ## firmware for every board whose compiler is here
 	@for board in $(or $(ONLY),$(BOARDS)); do \
@@ -114,6 +120,7 @@ $(if $(BAUD),$(call must_be_whole,BAUD,10)$(call must_be_one,BAUD,$(or \
   $(BOARD_BAUDS),$(BAUD))))
 
 BOARD_CC ?= $(BOARD_TOOLS)gcc
+BOARD_GC ?= -Wl,--gc-sections
 
 # Test programs keep the dt of the scene.
 RATE_OF_firmware := $(RATE)
@@ -122,6 +129,10 @@ RATE_OF_deadman := $(RATE)
 RATE_OF_kit := $(RATE)
 RATE_OF_fault := $(RATE)
 FIRMWARE_RATE := $(RATE_OF_$(PROGRAM))
+
+ifneq ($(filter board-hash,$(MAKECMDGOALS)),)
+STEPS := $(BOARD_STEPS)
+endif
 
 # In float a plain step of less than 1 ms may stand still (DESIGN.md, section
 # 11). Commands change the machine, which the compensated step has no form of,
@@ -249,7 +260,7 @@ $(FIRMWARE): $(BUILD)/$(REAL)/constants $(CONSTANTS) $(FIRMWARE).flags \
 	@$(KEY_HELD) port/link.sh '$(BOARD): $(PROGRAM) of SCENE=$(SCENE)' \
 	  '$(BOARD_LARGER)' \
 	  $(BOARD_CC) $(FIRMWARE_FLAGS) $(EXTRA) $(FIRMWARE_SOURCES) \
-	  -Wl,--gc-sections $(BOARD_LINK) -o $@
+	  $(BOARD_GC) $(BOARD_LINK) -o $@
 	$(if $(BOARD_IMAGE),@$(if $(KEY),umask 077;) $(BOARD_IMAGE) $@)
 
 # One file for each program, because their flags differ.
@@ -277,6 +288,12 @@ call-graph: $(BUILD)/$(REAL)/constants $(CONSTANTS)
 	@for file in $(FIRMWARE_SOURCES); do \
 	  $(BOARD_CC) $(FIRMWARE_FLAGS) -fcallgraph-info=su -c $$file \
 	    -o $(GRAPH)/$$(basename $$file .c).o || exit 1; done
+
+# For `make hashes`: what the program `trajectory` says in the emulator.
+board-hash: $(FIRMWARE)
+	@said=$$(timeout -k 5 600 $(BOARD_RUN) $(BOARD_LOADS) $< </dev/null 2>&1 | \
+	  sed -n 's/\r$$//; s/^trajectory //p'); \
+	printf '%-13s %-18s %s\n' $(BOARD) '$(BOARD_IS)' "$${said:-no end}"
 
 # For scripts: one fact of a board, as `make -s board-REALS BOARD=...`.
 board-%:

@@ -15,8 +15,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-// 16: as 0 for float and double; only half precision differs.
-// 1: float is computed as double. A build that uses no float is as with 0.
+// 16: as 0 for float and double. 1: as 0 for double alone.
 #if defined(__FLT_EVAL_METHOD__)
 #define TF_EVALUATION __FLT_EVAL_METHOD__
 #elif defined(FLT_EVAL_METHOD)
@@ -26,6 +25,8 @@
 #endif
 #if TF_EVALUATION == 1 && defined(TF_REAL_FLOAT)
 #error "float needs FLT_EVAL_METHOD 0 (gcc on s390x: -fexcess-precision=fast)"
+#elif defined(TF_REAL_FLOAT) && defined(__TINYC__) && __TINYC__ <= 927
+#error "float needs tcc 0.9.28: this one mixes up results of functions"
 #elif TF_EVALUATION != 0 && TF_EVALUATION != 1 && TF_EVALUATION != 16
 #error "twofold needs FLT_EVAL_METHOD 0 (on x86: -msse2 -mfpmath=sse)"
 #endif
@@ -38,8 +39,7 @@
     defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0
 #error "twofold must not be compiled with a part of -ffast-math"
 #endif
-// Every <float.h> defines it. A checker that reads none skips this.
-#ifdef FLT_RADIX
+#ifdef FLT_RADIX // in every <float.h>; some checkers read none
 #if FLT_RADIX != 2 || FLT_MANT_DIG != 24
 #error "twofold needs the float of IEEE 754"
 #endif

@@ -1,5 +1,6 @@
 # What the boards with an AVR share; each says AVR_CHIP, AVR_MACHINE and
 # AVR_STACK, the RAM that is left to the stack [bytes]. Constants lie in RAM.
+BOARD_IS := AVR
 BOARD_TOOLS := avr-
 BOARD_PACKAGES := gcc-avr avr-libc qemu-system-misc
 # Prologues that are called save 6 %, and cost a step less than 1 % of its time.

@@ -1,5 +1,6 @@
 # What boards with an STM32F405 or one of its relatives share; each defines what
 # port/arch/stm32f4.c asks for in STM32F4_FLAGS.
+BOARD_IS := Arm, Cortex-M4F
 BOARD_TOOLS := arm-none-eabi-
 BOARD_PACKAGES := gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
 BOARD_FLAGS := -ffreestanding -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 \

@@ -1,4 +1,5 @@
 # Linux on an Arm without FPU (armel), in QEMU's user mode: 32 bits.
+BOARD_IS := Arm, ARMv5
 BOARD_TOOLS := arm-linux-gnueabi-
 BOARD_PACKAGES := gcc-arm-linux-gnueabi libc6-dev-armel-cross qemu-user
 BOARD_FLAGS := -static -marm

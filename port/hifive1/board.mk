@@ -1,6 +1,7 @@
 # SiFive HiFive1: FE310, RV32IMAC at 256 MHz, no FPU. 16 KB RAM. Its timer
 # counts 32768 Hz on silicon (HIFIVE1_MTIME=32768), 10 MHz in QEMU.
 HIFIVE1_MTIME ?= 10000000
+BOARD_IS := RISC-V, RV32IMAC
 BOARD_TOOLS := riscv64-unknown-elf-
 BOARD_PACKAGES := gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf \
   qemu-system-misc

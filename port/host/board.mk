@@ -1,5 +1,6 @@
 # This machine: POSIX. TWOFOLD_PORT says where the serial line goes (board.c);
 # TWOFOLD_REALTIME=1 asks for real-time priority.
+BOARD_IS := $(shell uname -m)
 BOARD_CC := $(CC)
 BOARD_PACKAGES := gcc
 BOARD_OPT := -O2
@@ -17,3 +18,5 @@ BOARD_STARTS := yes
 BOARD_LINE := env TWOFOLD_PORT=pty
 # Driven over its line by tools/board/hil.
 BOARD_LOOP := yes
+# Compiles double alone, and links without sections.
+BOARD_DOUBLE_ONLY := BOARD_CC=tcc BOARD_GC=

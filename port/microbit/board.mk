@@ -1,4 +1,5 @@
 # BBC micro:bit: nRF51822, Cortex-M0 at 16 MHz, no FPU. 256 KB flash, 16 KB RAM.
+BOARD_IS := Arm, Cortex-M0
 BOARD_TOOLS := arm-none-eabi-
 BOARD_PACKAGES := gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
 BOARD_FLAGS := -ffreestanding -mcpu=cortex-m0 -mthumb -DBOARD_SMALL

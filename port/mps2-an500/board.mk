@@ -1,5 +1,6 @@
 # Arm MPS2+ with FPGA image AN500: Cortex-M7 at 25 MHz, FPU for float and
 # double.
+BOARD_IS := Arm, Cortex-M7
 BOARD_TOOLS := arm-none-eabi-
 BOARD_PACKAGES := gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
 BOARD_FLAGS := -ffreestanding -mcpu=cortex-m7 -mthumb -mfpu=fpv5-d16 \

@@ -1,6 +1,7 @@
 # Raspberry Pi Pico: RP2040, Cortex-M0+ at 125 MHz, no FPU. 2 MB flash, 264 KB
 # RAM, from which it runs. firmware.uf2 is copied to the drive that the Pico is
 # while its button is pressed at power-up.
+BOARD_IS := Arm, Cortex-M0+
 BOARD_TOOLS := arm-none-eabi-
 BOARD_PACKAGES := gcc-arm-none-eabi libnewlib-arm-none-eabi nodejs python3
 BOARD_NPM := rp2040js@1.4.1

@@ -1,4 +1,5 @@
 # RV32IMAFDC, QEMU's machine `virt`: FPU for float and double.
+BOARD_IS := RISC-V, RV32IMAFDC
 BOARD_TOOLS := riscv64-unknown-elf-
 BOARD_PACKAGES := gcc-riscv64-unknown-elf picolibc-riscv64-unknown-elf \
   qemu-system-misc

@@ -22,7 +22,9 @@ BOARD_RATES_float :=
 BOARD_RATES_double :=
 
 # Optional:
+#   BOARD_IS := WORDS       its architecture, for `make hashes`
 #   BOARD_CC, BOARD_OPT     the compiler by its full name; optimisation
+#   BOARD_DOUBLE_ONLY := VARIABLES   by which only double can be compiled
 #   BOARD_WITHOUT           warnings that this compiler does not know
 #   BOARD_SMALL := yes      room for one scene and text alone, locked
 #   BOARD_SCENES := SCENES  that it has room for, the default first

@@ -1,4 +1,5 @@
 # WebAssembly, in node or a web page: float and double.
+BOARD_IS := WebAssembly
 BOARD_CC := clang
 BOARD_PACKAGES := clang lld nodejs
 BOARD_FLAGS := --target=wasm32 -ffreestanding

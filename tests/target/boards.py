@@ -130,17 +130,29 @@ def test_scheme(board: Board, real: str, scheme: str) -> None:
 
 
 def test_generic(board: Board, real: str, scheme: str, key: str,
-                 *scenes: str) -> None:
+                 *scenes: str, words: tuple[str, ...] = ()) -> None:
     """Scenes one after the other, the first of them by START, and steps of
     random machines, in one program that has all scenes."""
     steps = golden(f'"{key}"', real, "population")
     others = sum(1 << int(run(f"{BUILD}/{real}/constants", "--number",
                               scene).out) for scene in scenes[1:])
     start = [f"START={scenes[0]}", f"OTHERS={others}"] if scenes else []
-    hashed(board, real, scheme, [
+    hashed(board, real, scheme + "-only" * bool(words), [
         *(trajectory(board, real, scene) for scene in scenes),
         f"population {real} {steps}"], f"STEPS={board.fact('STEPS')}",
-        f"SCHEME={scheme}", *start, scene="generic")
+        f"SCHEME={scheme}", *start, *words, scene="generic")
+
+
+def test_double_only(board: Board, *words: str) -> None:
+    """With another compiler, or float evaluated as double: double has the same
+    bits, and float is refused."""
+    for tool in re.findall("BOARD_CC=(.+)", "\n".join(words)):
+        if not shutil.which(tool):
+            lacks(tool, f"{tool} (Debian: apt-get install {tool})")
+    test_generic(board, "double", "moreau", "step on a board", "chaos",
+                 words=words)
+    why = board.make("float", "trajectory-only", *words, scene="generic")[1]
+    check('#error "float needs' in why, why)
 
 
 def test_loop(board: Board, real: str, rate: int, shift: str) -> str:
@@ -316,6 +328,8 @@ def tests_of(board: Board) -> Iterator[tuple[Callable, list]]:
     for real in reals:
         for test, words in tests_of_real(board, real):
             yield test, [real, *words]
+    if board.fact("DOUBLE_ONLY"):
+        yield test_double_only, board.fact("DOUBLE_ONLY").split()
     if board.fact("BOOT"):
         yield test_starts, [reals[0]]
     for kind in board.fact("FAULTS").split():
