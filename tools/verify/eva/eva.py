@@ -40,7 +40,7 @@ block_any         line     precision=2
 block_small       line     precision=2 slevel=500
 prepare_any       prepare  precision=2 slevel=400 min-loop-unroll=21
 prepare_in_range  prepare  precision=1 slevel=100 min-loop-unroll=21 non-finite
-step_any          steps    precision=2 auto-loop-unroll=16
+step_any          steps    precision=1 auto-loop-unroll=16
 range_any         range    precision=1 slevel=200 min-loop-unroll=21 cases
 step_finite       finite   precision=1 slevel=200 auto-loop-unroll=21 cases
 """.strip().splitlines())}
