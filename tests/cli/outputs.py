@@ -12,6 +12,10 @@ sys.path.append(str(Path(__file__).resolve().parents[1] / "support"))
 from tap import TWOFOLD, call, check, same, until  # noqa: E402
 
 
+def lines_of(path):
+    return Path(path).read_text("ascii").splitlines()
+
+
 def table(text):
     """Rows of CSV: their fields by the names of the columns."""
     return list(csv.DictReader(text.splitlines()))

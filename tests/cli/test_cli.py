@@ -7,9 +7,8 @@ from pathlib import Path
 
 from outputs import (column, ended, fails_to_write, says, says_each, started,
                      table)
-from tap import TWOFOLD, call, check, main, same
+from tap import HEADER, TWOFOLD, call, check, main, same
 
-HEADER = "t,r,v,omega,h,g,F,M,mode,choices,set"
 REAL = call("--version")[0].split()[-1]
 SHORT = ["--t-end", "1e-3", "--dt", "1e-4"]
 

@@ -8,15 +8,11 @@ import signal
 import zlib
 from pathlib import Path
 
-from outputs import interrupted, says, says_each
+from outputs import interrupted, lines_of, says, says_each
 from tap import call, check, main, same
 
 USUAL = "compensated" if "float" in call("--version")[0] else "moreau"
 TABLE = "t,omega0,force\n0,-1,0\n0.4,-1.2,0.1\n1.1,-0.9,0\n"
-
-
-def lines_of(path):
-    return Path(path).read_text().splitlines()
 
 
 def joined(middle, end, every, *words, scheme=USUAL):

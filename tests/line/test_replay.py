@@ -14,7 +14,7 @@ from pathlib import Path
 
 from boards import FIRMWARE, Board
 from decode import PARAMETERS, frames
-from outputs import says, says_each
+from outputs import lines_of, says, says_each
 import tap
 from tap import ROOT, TWOFOLD, check, main, output, same, until
 
@@ -81,10 +81,6 @@ def record(path, schema, *rows):
                 f"0,01,{schema.hex()},schema of version 5",
                 *(f"{tick},{kind:02x},{data.hex()},-"
                   for tick, (kind, data) in rows)])
-
-
-def lines_of(path):
-    return Path(path).read_text("ascii").splitlines()
 
 
 def rows_of(path):

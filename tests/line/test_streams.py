@@ -18,10 +18,10 @@ import struct
 from boards import RUN, program
 import decode
 from decode import sealed, stuffed
-from tap import check, main, output, same
+from tap import HEADER, check, main, output, same
 
 MODES = ["slip+", "slip-", "stick+", "stick-", "pinned"]
-NAMES = "t,r,v,omega,h,g,F,M,mode,choices,set".split(",")
+NAMES = HEADER.split(",")
 PLOTTED = "r,v,omega,h,g,mode,choices,set".split(",")
 SHOWN = NAMES[1:]
 UNITS = dict(zip(SHOWN, ["m", "m/s", "rad/s", "m/s", "m/s", "N", "N m"] +

@@ -15,6 +15,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 TWOFOLD = str(Path(os.environ.get("TWOFOLD") or
                    ROOT / "build/double/twofold").resolve())
+HEADER = "t,r,v,omega,h,g,F,M,mode,choices,set"  # of CSV, whoever writes it
 
 
 class Skip(Exception):
