@@ -4,6 +4,7 @@
 run, also where tasks were lost and started again; and the map of a sweep. With
 them go the laws of the studies (tests/study). A program that is missing is
 skipped by name, or fails where it is required."""
+import importlib
 import os
 import shutil
 import sys
@@ -13,14 +14,6 @@ for room in "support", "study":
     sys.path.append(str(Path(__file__).resolve().parents[1] / room))
 from tap import ROOT, TWOFOLD, check, lacks, run  # noqa: E402
 from tap import call as tap_call  # noqa: E402
-import test_corner  # noqa: E402
-import test_figures  # noqa: E402
-import test_finer  # noqa: E402
-import test_mechanisms  # noqa: E402
-import test_fold  # noqa: E402
-import test_halfrange  # noqa: E402
-import test_noise  # noqa: E402
-import test_trolley  # noqa: E402
 
 TOOLS = ROOT / "tools/study" / "shards"
 SWEEP = ["chaos", "--over", "kappa=0.2:0.4:12", "--over",
@@ -166,9 +159,8 @@ TESTS = [("parallel: the bytes of one run", under_parallel),
          ("Snakemake: the bytes of one run", under_snakemake),
          ("map: words, numbers, refused points, one axis", maps),
          ("map: what it refuses", maps_refuse),
-         *test_corner.TESTS, *test_figures.TESTS, *test_finer.TESTS,
-         *test_fold.TESTS, *test_halfrange.TESTS, *test_mechanisms.TESTS,
-         *test_noise.TESTS, *test_trolley.TESTS]
+         *(test for path in sorted(ROOT.glob("tests/study/test_*.py"))
+           for test in importlib.import_module(path.stem).TESTS)]
 
 
 # Two at a time: each is one process most of the time, or waits.
