@@ -122,11 +122,11 @@ def run_sketch(scene, board, chip, processor, flash, ram):
     program = sketch(folder(f"arduino-{board}"), example, board, chip)
     fits(example, program, flash, ram)
     need("simavr", "simavr")
-    said = run("sh", "-c", "timeout 6 simavr -m \"$2\" -f 16000000 "
-               "\"$1\" 2>&1; true", "sh", program, processor)
+    said = run("sh", "-c", "timeout 600 simavr -m \"$2\" -f 16000000 \"$1\" "
+               "2>&1 | grep -am 20 mode:", "sh", program, processor)
     got = [tuple(map(int, row)) for row in re.findall(
         r"r:(-?\d+) omega:(-?\d+) mode:(\d)", said)]
-    check(len(got) >= 20, f"simavr printed {len(got)} rows")
+    check(len(got) == 20, f"simavr printed {len(got)} rows")
     there = iter([(micro(row[1]), micro(row[3]), MODES.index(row[8]))
                   for row in rows_of("float", scene, "--t-end", 20)])
     for row in got:
