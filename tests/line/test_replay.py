@@ -83,10 +83,6 @@ def record(path, schema, *rows):
                   for tick, (kind, data) in rows)])
 
 
-def rows_of(path):
-    return lines_of(path)[1:]
-
-
 def began(*rows, options=()):
     """Records commands to a run of chaos. Returns: the words of its replay."""
     record("one.record", sent("chaos", "--t-end", "0", *AT, *options)[0][3],
@@ -328,7 +324,7 @@ def test_session_of_a_board():
                 "--out", "again")[1]
     check("record: 12 commands took effect, 1 states" in text, text)
     # The first row is the start, which a board does not send.
-    rows, again = rows_of("rows"), rows_of("again")
+    rows, again = lines_of("rows")[1:], lines_of("again")[1:]
     same(sorted(set(rows) - set(again))[:2], [])
     check(len(set(rows)) > 1000, "not enough rows")
     last = again[-1].split(",")[0]
@@ -358,7 +354,7 @@ def wrong_records(lines):
         Path("short").write_bytes(wrong)
         says(3, "cut off or changed", *words, "short")
     call(*words[:-1], "--out", "plain")
-    same(rows_of("plain") == rows_of("again"), False)
+    same(lines_of("plain") == lines_of("again"), False)
     rows = lines[1:-1]  # without the comment
     seal("other", rows)
     call(*words, "other")
