@@ -64,7 +64,7 @@ $(BENCH_PYTHON): $(DIST)/c/twofold.c \
 
 BENCH_NEEDS := $(BENCHES) $(if $(filter double,$(VARIANTS)),$(PEERS) \
   $(PEER_LIBRARY) $(BUILD)/double/twofold)
-.PHONY: bench keep-bench bench-ensemble stability size
+.PHONY: bench keep-bench stability waits size
 all: $(BENCH_NEEDS)
 
 run_bench = @BUILD='$(BUILD)' CC='$(CC)' OPT='$(OPT)' EXTRA='$(EXTRA)' \
@@ -75,10 +75,8 @@ bench stability: $(BENCH_NEEDS) $(LIBRARY_PEERS) $(BENCH_PYTHON)
 	$(run_bench) $(if $(filter bench,$@),$(ONLY),$@)
 size: ## flash, RAM, stack, cost of every board (or ONLY=uno)
 	$(run_bench) sizes $(ONLY)
+waits: ## what rows, steps, sweeps, cycles and ensembles take
+waits: $(BUILD)/double/twofold
+	@BUILD='$(BUILD)' CC='$(CC)' tools/run waits
 keep-bench: ## copy what they made to docs/
 	$(run_bench) --keep
-
-bench-ensemble: ## many states at once (EXTRA=-mavx2 BUILD=build/avx2)
-bench-ensemble: $(BENCHES)
-	@for v in $(VARIANTS); do echo "== $$v" && $(BUILD)/$$v/bench ensemble || \
-	  exit 1; done

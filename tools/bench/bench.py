@@ -61,14 +61,6 @@ def measure(name: str, boards: list[str]) -> None:
     schemes.missing.clear()
 
 
-def keep() -> None:
-    """Copies what was made to where git has it."""
-    table.publish(OUT / "tables.md")
-    for path in OUT.iterdir():
-        if (KEPT / path.name).exists():
-            shutil.copy(path, KEPT)
-
-
 def main() -> None:
     parser = argparse.ArgumentParser(
         description=__doc__,
@@ -88,14 +80,16 @@ def main() -> None:
         sys.exit(firmware.check(given.all))
     if words and words[0] in OF_BOARDS:
         words, boards = words[:1], words[1:]
-        for name in set(boards) - set(firmware.names(words[0])):
-            parser.error(f"{name}: {words[0]} are measured of "
-                         f"{' '.join(firmware.names(words[0]))}")
+        for name in set(boards) - set(firmware.boards()):
+            parser.error(f"{name}: boards are {' '.join(firmware.boards())}")
     if not set(words) <= set(SECTIONS):
         parser.error(f"sections are {' '.join(SECTIONS)}")
     OUT.mkdir(parents=True, exist_ok=True)
     if given.keep:
-        keep()
+        table.publish(OUT / "tables.md")
+        for path in OUT.iterdir():
+            if (KEPT / path.name).exists():
+                shutil.copy(path, KEPT)
         return
     for name in words or USUAL:
         measure(name, boards)

@@ -43,10 +43,7 @@ EXPORT int qemu_plugin_install(qemu_plugin_id_t id, const qemu_info_t *info,
 
 static uint64_t executed; // instructions so far, counted inline
 static uint64_t at_open, open_address, close_address;
-static char out_path[4096];
-
-static uint32_t *windows;
-static size_t count, room;
+static FILE *out;
 
 static void on_open(unsigned cpu, void *data) {
   (void)cpu, (void)data;
@@ -55,12 +52,8 @@ static void on_open(unsigned cpu, void *data) {
 
 static void on_close(unsigned cpu, void *data) {
   (void)cpu, (void)data;
-  if (count == room) {
-    room = room ? 2 * room : 65536;
-    windows = realloc(windows, room * sizeof *windows);
-    if (windows == NULL) abort();
-  }
-  windows[count++] = (uint32_t)(executed - at_open);
+  const uint32_t window = (uint32_t)(executed - at_open);
+  fwrite(&window, sizeof window, 1, out);
 }
 
 static void on_translation(qemu_plugin_id_t id, struct qemu_plugin_tb *tb) {
@@ -81,9 +74,6 @@ static void on_translation(qemu_plugin_id_t id, struct qemu_plugin_tb *tb) {
 
 static void on_exit_of_qemu(qemu_plugin_id_t id, void *data) {
   (void)id, (void)data;
-  FILE *out = fopen(out_path, "wb");
-  if (out == NULL) return;
-  fwrite(windows, sizeof *windows, count, out);
   fclose(out);
 }
 
@@ -95,10 +85,9 @@ int qemu_plugin_install(qemu_plugin_id_t id, const qemu_info_t *info, int argc,
       open_address = strtoull(argv[i] + 5, NULL, 0);
     if (!strncmp(argv[i], "close=", 6))
       close_address = strtoull(argv[i] + 6, NULL, 0);
-    if (!strncmp(argv[i], "out=", 4))
-      snprintf(out_path, sizeof out_path, "%s", argv[i] + 4);
+    if (!strncmp(argv[i], "out=", 4)) out = fopen(argv[i] + 4, "wb");
   }
-  if (!open_address || !close_address || !out_path[0]) {
+  if (!open_address || !close_address || out == NULL) {
     fprintf(stderr, "count: open=, close= and out= are needed\n");
     return 1;
   }

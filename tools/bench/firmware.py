@@ -153,12 +153,6 @@ def scene_of(name: str, text: str) -> str:
     return str(path)
 
 
-def names(section: str) -> list[str]:
-    """Boards that a section may be asked of."""
-    return sorted({name for name, _ in RACERS} if section == "boards"
-                  else boards())
-
-
 def race(names: list[str]) -> pd.DataFrame:
     """Error at the end of three problems, and instructions of a simulated
     second, by scheme and step; and how many steps a second the board carries at

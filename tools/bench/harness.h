@@ -27,3 +27,6 @@ int harness_main(int argc, char **argv, solve_t *solve);
 
 /// Steps of about dt that fill the problem.
 long harness_steps(const problem_t *problem, double dt);
+
+/// The command `ensemble`, of 256 states or this many. Returns: an exit code.
+int ensemble_main(size_t many);

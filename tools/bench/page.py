@@ -95,12 +95,9 @@ def keep(section: str, of: str, rows: pd.DataFrame) -> None:
         put(name, of, make(rows))
 
 
-class NotMeasured(Exception):
-    """A section or a table that this build does not have."""
-
-
 class Page:
-    """The tables, as the page shows them."""
+    """The tables, as the page shows them. What this build has not measured is
+    not found."""
 
     def __init__(self) -> None:
         self.results = results()
@@ -109,15 +106,12 @@ class Page:
         """Rows of this build."""
         of, rows = self.results
         if name not in of:
-            raise NotMeasured
+            raise FileNotFoundError(name)
         return rows[rows.section == name]
 
     def table(self, name: str) -> pd.DataFrame:
         """A table of this build."""
-        path = OUT / f"{name}.csv"
-        if not path.exists():
-            raise NotMeasured
-        return load(path)[1]
+        return load(OUT / f"{name}.csv")[1]
 
     def scenes(self) -> pd.DataFrame:
         """What a scene needs, in float."""
@@ -256,6 +250,6 @@ def write() -> None:
     for name in MADE:
         try:
             parts[name] = getattr(page, name)()
-        except NotMeasured:
+        except FileNotFoundError:
             continue
     tables.write(OUT / "tables.md", parts)

@@ -215,22 +215,29 @@ def steps() -> pd.DataFrame:
     return pd.DataFrame(rows, columns=COLUMNS)
 
 
-def ensemble() -> pd.DataFrame:
-    """The ensemble step beside single steps, both compiled for AVX2 in a build
-    directory of their own."""
+def of_ensembles(real: str, *words: object) -> str:
+    """What the program of ensembles prints, compiled for AVX2 in a build
+    directory of its own; nothing where the processor has none."""
     cpu = Path("/proc/cpuinfo")
     if not cpu.exists() or not re.search(r"^flags.*\bavx2\b", cpu.read_text(),
                                          re.MULTILINE):
         say("left out: this processor has no AVX2")
-        return pd.DataFrame(columns=COLUMNS)
-    place, rows = BUILD / "avx2", []
-    driven.output("make", "-s", f"CC={CC}", f"BUILD={place}",
+        return ""
+    program = BUILD / "avx2" / real / "bench"
+    driven.output("make", "-s", f"CC={CC}", f"BUILD={BUILD}/avx2",
                   f"OPT={os.environ.get('OPT') or '-O3'}",
-                  f"EXTRA={os.environ.get('EXTRA') or ''} -mavx2",
-                  *(f"{place}/{real}/bench" for real in REALS))
+                  f"EXTRA={os.environ.get('EXTRA') or ''} -mavx2", program)
+    return driven.output(program, "ensemble", *words)
+
+
+def ensemble() -> pd.DataFrame:
+    """The ensemble step beside single steps."""
+    rows = []
     for real in REALS:
-        said = csv(driven.output(place / real / "bench", "ensemble"),
-                   ["name", "step", "lanes", "alone"])
+        text = of_ensembles(real)
+        if not text:
+            break
+        said = csv(text, ["name", "step", "lanes", "alone"])
         tail = " float" * (real == "float")
         for name, of in said.groupby("name", sort=False):
             low, ratio, high = (of.step / of.lanes).quantile([0.1, 0.5, 0.9])

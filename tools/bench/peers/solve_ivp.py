@@ -21,10 +21,6 @@ from scipy.integrate import solve_ivp
 CALLS = 60000  # of the rates, after which a run is given up
 
 
-class GaveUp(Exception):
-    """Too many calls, or no way on."""
-
-
 class Motion:
     """A problem of the library."""
 
@@ -34,28 +30,23 @@ class Motion:
         self.of.peer_error.restype = ctypes.c_double
         self.start = np.zeros(4)
         self.length = self.of.peer_open(name.encode(), ctypes.c_double(tol),
-                                        self.at(self.start))
+                                        self.start.ctypes)
         self.events = [self.margin(i) for i in range(3)] \
             if self.of.peer_jumps() else []
-
-    @staticmethod
-    def at(y: np.ndarray) -> ctypes.c_void_p:
-        """Where it is; the caller holds it until the call is over."""
-        return ctypes.c_void_p(y.ctypes.data)
 
     def rates(self, _: float, y: np.ndarray) -> np.ndarray:
         self.calls += 1
         if self.calls > CALLS:
-            raise GaveUp
+            raise ArithmeticError
         y, dy = np.ascontiguousarray(y), np.empty(4)
-        self.of.peer_rates(self.at(y), self.at(dy))
+        self.of.peer_rates(y.ctypes, dy.ctypes)
         return dy
 
     def margin(self, i: int):
         """A mode ends where one of these falls through 0."""
         def value(_: float, y: np.ndarray) -> float:
             y, roots = np.ascontiguousarray(y), np.empty(3)
-            self.of.peer_margins(self.at(y), self.at(roots))
+            self.of.peer_margins(y.ctypes, roots.ctypes)
             return roots[i]
         value.terminal, value.direction = True, -1
         return value
@@ -76,7 +67,7 @@ class Motion:
             if run.status == 0:
                 return np.ascontiguousarray(run.y[:, -1])
             if run.status < 0:
-                raise GaveUp
+                raise ArithmeticError
             which = next(i for i, at in enumerate(run.t_events) if len(at))
             before, t = run.t[-2:]
             if t > before:
@@ -86,10 +77,10 @@ class Motion:
                 y, step = self.onto(which, y)
                 t += step
             now = ctypes.c_double(t)
-            if not self.of.peer_change(which, ctypes.byref(now), self.at(y)):
-                raise GaveUp
+            if not self.of.peer_change(which, ctypes.byref(now), y.ctypes):
+                raise ArithmeticError
             t = now.value
-        raise GaveUp
+        raise ArithmeticError
 
 
 def main() -> None:
@@ -101,8 +92,8 @@ def main() -> None:
         motion = Motion(sys.argv[1], problem, float(tol))
         try:
             end = motion.solve(method, float(tol))
-            error = motion.of.peer_error(motion.at(end))
-        except (GaveUp, ArithmeticError, ValueError):
+            error = motion.of.peer_error(end.ctypes)
+        except (ArithmeticError, ValueError):
             pass
         print(f"{error:.3e},{1e9 * (time.perf_counter() - begin):.0f},"
               f"{'ok' if error < math.inf else 'refused'}",
