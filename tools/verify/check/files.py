@@ -39,7 +39,7 @@ docs/TUTORIAL.md      1450
 docs/USE.md           2550
 docs/PORTS.md         2500
 docs/PROTOCOL.md      3500
-DESIGN.md             7200
+DESIGN.md             6900
 docs/SCHEMES.md       2000
 docs/BENCH.md         1800
 docs/VERIFICATION.md  1800
