@@ -55,5 +55,5 @@ def test_board_that_breaks():
           'ause 00008200\\r\\n\\0'])
           line.enqueue(new TextEncoder().encode(text));
       } }) })""")
-    check(shown(tab, "said") == "the board's line has failed: fault: bus at "
+    check(shown(tab, "said") == "the board's line failed: fault: bus at "
           "08000106 cause 00008200", shown(tab, "said"))

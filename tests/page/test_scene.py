@@ -78,7 +78,7 @@ def test_wrong_files():
     tab = opened("file=no.scene:" + quote("based-on chaos\ngamma 0\nh 1"))
     told = shown(tab, "refusal")
     check("gamma = 0: with a start by h, |sin(gamma)| must be" in told
-          and "scene chaos is shown as it comes" in told, told)
+          and "scene chaos is shown unchanged" in told, told)
     check(tab.value("document.getElementById('scene').selectedIndex") == 0, "0")
     check(not tab.complaints(), tab.complaints())
 

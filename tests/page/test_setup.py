@@ -100,7 +100,7 @@ STRANGE = [
     ("law=coulomb&rest=square", ["rest has no effect: law coulomb"],
      {"law": 1, "rest": 1}),
     ("law=smooth&mu=2", ["epsilon = 0 must lie in [1e-12, 1000000] m/s: law "
-                         "smooth needs it; scene chaos is shown as it comes"],
+                         "smooth needs it; scene chaos is shown unchanged"],
      {}),
     ("gamma=0", ["gamma = 0: with a start by h, |sin(gamma)| must be"], {}),
     ("r=9e8&omega=9e8", ["|r| + |v| + |omega| must be at most 1000000000"], {}),

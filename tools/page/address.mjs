@@ -178,7 +178,7 @@ export function read(core, text) {
       got[name] = tick;
     } else setNumber(core, got, once, given);
   });
-  if (!isWhole) got.told.push(`no '${END}' at its end: it may be cut off`);
+  if (!isWhole) got.told.push(`it does not end in '${END}' and may be cut off`);
   if (got.told.length > TOLD)
     got.told.splice(TOLD, Infinity, `and ${got.told.length - TOLD} more`);
   return got;

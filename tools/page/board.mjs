@@ -129,7 +129,7 @@ export class Record {
 // Lets the user pick a port. use(port): works with it until the line ends.
 export async function openSerial(use) {
   if (!navigator.serial)
-    throw new Error('This browser has no WebSerial; Chromium has.');
+    throw new Error('This browser lacks WebSerial; Chromium has it.');
   const port = await navigator.serial.requestPort();
   await port.open({ baudRate: 115200 });
   try {

@@ -64,7 +64,7 @@ export class Core {
       ['v', 'm/s', 'speed of the slider at the start']])
       this.ranges.set(name, { name, unit, words, low: -limit, high: limit });
     this.ranges.set('seed', { name: 'seed', unit: '1', low: 0,
-      words: 'of the random numbers that the rule draws',
+      words: 'selects the random numbers that the rule draws',
       high: 2 ** 32 - 1, isWhole: true });
     this.names = [...this.parameters.map((p) => p.name), 'law', 'rule', 'rest',
       'r', 'omega', 'h', 'v', 'v is given', 'seed'];
@@ -199,8 +199,8 @@ export class Core {
       return `gamma = ${gamma}: with a start by h, |sin(gamma)| must be at ` +
         `least ${c.least_sine()}`;
     return `the start r = ${this.get('r')} m, omega = ${this.get('omega')} ` +
-      `rad/s is refused, |r| + |v| + |omega| must be at most ` +
-      `${c.state_limit()}: ${this.status(status)}`;
+      `rad/s is refused: |r| + |v| + |omega| must be at most ` +
+      `${c.state_limit()} (${this.status(status)})`;
   }
 
   status(code) { return this.text(this.c.status_name(code)); }

@@ -34,7 +34,7 @@ export class Fan {
 
   #button(mode, number) {
     return element('button', { className: `mode mode${mode}`,
-      onclick: () => this.choose(mode), title: `Go on with it (${number})` },
+      onclick: () => this.choose(mode), title: `Continue with it (${number})` },
     `${number}  ${this.motion.core.modes[mode].replace('-', '−')}`,
     element('i', {}, `: ${WORDS[mode]}`));
   }

@@ -122,7 +122,7 @@ function begin(text) {
     const next = read(core, whole([sceneWord(core, number)]));
     if (motion.begin()) continue;
     next.told = [...first.told, `${refusal}; scene ${core.scenes[number]} is ` +
-      'shown as it comes'];
+      'shown unchanged'];
     return next;
   }
   throw new Error(refusal);
@@ -214,7 +214,7 @@ function nearest() {
   const all = motion.openings();
   const past = all.filter((tick) => tick <= motion.tick);
   const tick = past.length ? past[past.length - 1] : all[0];
-  if (tick === undefined) return say('one future at every instant so far');
+  if (tick === undefined) return say('so far every instant has one future');
   play(false);
   return openAt(tick);
 }
@@ -341,10 +341,10 @@ async function connect(line, tell) {
   $('board').onclick = () => reader.close();
   try {
     await reader.read(line);
-    say(`the board's line has ended after ${reader.counters[3]} rows` +
+    say(`the board's line ended after ${reader.counters[3]} rows` +
       (reader.counters[8] > 0 ? ' of more than one run' : ''));
   } catch (error) {
-    say(`the board's line has failed: ${error.message}`);
+    say(`the board's line failed: ${error.message}`);
   }
   offerBoard();
   watch(null);

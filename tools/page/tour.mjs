@@ -48,7 +48,7 @@ const TOUR = [
       ? changes.find(([tick, , mode]) => mode < 2 && tick > log[0].tick)?.[0]
       : undefined,
     then: (motion) => (slips(motion) ? 'It slips: that was more than ' +
-      'friction can hold. Let go, and later it sticks again.'
+      'friction can hold. Let go, and it will stick again.'
       : 'It has slipped, and sticks again.'),
   }, {
     title: 'Where force and moment balance',
@@ -82,9 +82,8 @@ const TOUR = [
     title: 'The choice',
     address: `tick=${TWO_FOLD}`, speed: -1.5, span: 0.2, fan: TWO_FOLD,
     reach: 0.04, isSpatial: true,
-    says: () => 'It may slip to either side at once. It may as well roll on ' +
-      'and slip later, at any instant: the thin lines are some of all these ' +
-      'motions.',
+    says: () => 'It may slip to either side at once, or roll on and slip ' +
+      'later, at any instant. The thin lines are some of these motions.',
     asks: () => 'Turn the space, and choose.', ...CHOICE,
   }, {
     title: 'The return',
@@ -97,7 +96,7 @@ const TOUR = [
       tick > TWO_FOLD && mode === 3)?.[0],
     then: (motion, row) => `At ${instant(row)}, after ${turns(motion, row)} ` +
       `changes of side, it sticks again, at r = ${short(row[AT.r], 5)} m. ` +
-      'Sooner or later it is back at the two-fold, and has to choose again.',
+      'Sooner or later it returns to the two-fold and must choose again.',
   },
 ];
 const LENT = ['choices', 'hand', 'starts', 'play'];
