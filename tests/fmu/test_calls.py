@@ -115,7 +115,7 @@ def test_wrong_modes():
     refused(ERROR, "DoStep|in Event Mode", wheel.step, 0.0, 1e-4)
     for name in ("EnterConfigurationMode", "EnterContinuousTimeMode"):
         refused(ERROR, f"{name}|co-simulation", wheel.call, name)
-    refused(ERROR, "as many values", wheel.call, "GetFloat64",
+    refused(ERROR, "values and of value references", wheel.call, "GetFloat64",
             (c_uint32 * 1)(1), c_size_t(1), (c_double * 1)(), c_size_t(2))
 
 
@@ -146,7 +146,7 @@ def test_refused_steps(fmu):
     names = ["r", "v", "omega", "h", "F", "energy", "turntable"]
     before = wheel.reals(names), wheel.get("tick"), 1
     wheel.set("force", 9e8)
-    refused(fmu.refusal, "no step from t = |range of states", wheel.step,
+    refused(fmu.refusal, "the step from t = |range of states", wheel.step,
             0.01, 1000.0)
     check((wheel.reals(names), wheel.get("tick"), wheel.get("refused"))
           == before, "state")
@@ -278,8 +278,8 @@ def test_limits(fmu):
     handles.append(wheel.copy())
     for handle in handles:
         wheel.free_copy(handle)
-    refused(ERROR, "no state", wheel.restore, c_void_p(12345))
-    refused(ERROR, "no state", wheel.restore, c_void_p(None))
+    refused(ERROR, "not a state", wheel.restore, c_void_p(12345))
+    refused(ERROR, "not a state", wheel.restore, c_void_p(None))
     for other in (data[:-1], data + b"\0", data + data):
         refused(ERROR, f"{len(other)} bytes; a state of this FMU has "
                 f"{len(data)}", wheel.deserialize, other)

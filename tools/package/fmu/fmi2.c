@@ -102,7 +102,7 @@ FMI_EXPORT fmu_status_t FMI(GetRealStatus)(void *instance,
                                            double *value) {
   ENTER("GetRealStatus", FMU_STEP | FMU_TERMINATED);
   if (value == NULL || question != FMI2_LAST_SUCCESSFUL_TIME)
-    return fmu_error(fmu, "only fmi2LastSuccessfulTime can be asked");
+    return fmu_error(fmu, "only fmi2LastSuccessfulTime can be queried");
   *value = fmu_time(&fmu->motion);
   return FMU_OK;
 }
@@ -112,7 +112,7 @@ FMI_EXPORT fmu_status_t FMI(GetBooleanStatus)(void *instance,
                                               FMI_BOOLEAN *value) {
   ENTER("GetBooleanStatus", FMU_STEP | FMU_TERMINATED);
   if (value == NULL || question != FMI2_TERMINATED)
-    return fmu_error(fmu, "only fmi2Terminated can be asked");
+    return fmu_error(fmu, "only fmi2Terminated can be queried");
   *value = 0;
   return FMU_OK;
 }

@@ -98,7 +98,7 @@ FMI_EXPORT fmu_status_t FMI(UpdateDiscreteStates)(void *instance, bool *again,
   ENTER("UpdateDiscreteStates", FMU_EVENT);
   if (again == NULL || terminates == NULL || nominals == NULL ||
       values == NULL || has_next == NULL || next_time == NULL)
-    return fmu_error(fmu, "nowhere to put a result: NULL");
+    return fmu_error(fmu, "a pointer to a result is NULL");
   *again = *terminates = *nominals = *values = *has_next = false;
   *next_time = 0;
   return FMU_OK;
@@ -114,7 +114,7 @@ FMI_EXPORT fmu_status_t FMI(DoStep)(void *instance, double time, double length,
   ENTER("DoStep", FMU_STEP);
   fmu_step_t end;
   if (event == NULL || terminates == NULL || early == NULL || last_time == NULL)
-    return fmu_error(fmu, "nowhere to put a result: NULL");
+    return fmu_error(fmu, "a pointer to a result is NULL");
   const fmu_status_t status = fmu_step(fmu, time, length, &end);
   *event = fmu->event_mode && end.event;
   *terminates = false;

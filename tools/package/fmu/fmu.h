@@ -15,37 +15,37 @@
 
 /// The real variables behind the parameters of tf_parameter_ranges: number,
 /// name, unit, role and what it is.
-#define FMU_REALS(X)                                                           \
-  X(START_R, "start.r", "m", PARAMETER,                                        \
-    "displacement of the slider at the start")                                 \
-  X(START_V, "start.v", "m/s", PARAMETER,                                      \
-    "speed of the slider at the start, unless start.from_h")                   \
-  X(START_OMEGA, "start.omega", "rad/s", PARAMETER,                            \
-    "speed of the disc at the start")                                          \
-  X(START_H, "start.h", "m/s", PARAMETER,                                      \
-    "lateral slip speed at the start, with start.from_h")                      \
-  X(START_PHI, "start.phi", "rad", PARAMETER,                                  \
-    "angle of the disc at the start")                                          \
-  X(FORCE, "force", "N", INPUT, "force on the slider, along r")                \
-  X(TORQUE, "torque", "N m", INPUT, "torque on the disc")                      \
-  X(ALPHA, "alpha", "rad/s^2", INPUT,                                          \
-    "acceleration with which the turntable comes to omega0 at the end of the " \
-    "communication step; 0: it has omega0 throughout")                         \
-  X(R, "r", "m", OUTPUT, "displacement of the slider")                         \
-  X(V, "v", "m/s", OUTPUT, "speed of the slider")                              \
-  X(OMEGA, "omega", "rad/s", OUTPUT, "speed of the disc")                      \
-  X(PHI, "phi", "rad", OUTPUT, "angle of the disc, with with_angle")           \
-  X(H, "h", "m/s", OUTPUT, "lateral slip speed")                               \
-  X(G, "g", "m/s", OUTPUT, "rolling speed")                                    \
-  X(F, "F", "N", OUTPUT, "friction force, mean over the last step of dt")      \
-  X(M, "M", "N m", OUTPUT, "friction moment, mean over the last step of dt")   \
-  X(DELASSUS, "delassus", "1/kg", OUTPUT,                                      \
-    "Delassus scalar of stick: < 0 where the future may split")                \
-  X(RESIDUAL, "residual", "N", OUTPUT,                                         \
-    "distance of F and M from the friction law")                               \
-  X(ENERGY, "energy", "J", OUTPUT, "mechanical energy")                        \
-  X(EVENT_TIME, "event_time", "s", OUTPUT, "time of the last event")           \
-  X(TURNTABLE, "turntable", "rad/s", OUTPUT,                                   \
+#define FMU_REALS(X)                                                         \
+  X(START_R, "start.r", "m", PARAMETER,                                      \
+    "displacement of the slider at the start")                               \
+  X(START_V, "start.v", "m/s", PARAMETER,                                    \
+    "speed of the slider at the start, unless start.from_h")                 \
+  X(START_OMEGA, "start.omega", "rad/s", PARAMETER,                          \
+    "speed of the disc at the start")                                        \
+  X(START_H, "start.h", "m/s", PARAMETER,                                    \
+    "lateral slip speed at the start, with start.from_h")                    \
+  X(START_PHI, "start.phi", "rad", PARAMETER,                                \
+    "angle of the disc at the start")                                        \
+  X(FORCE, "force", "N", INPUT, "force on the slider, along r")              \
+  X(TORQUE, "torque", "N m", INPUT, "torque on the disc")                    \
+  X(ALPHA, "alpha", "rad/s^2", INPUT,                                        \
+    "acceleration that brings the turntable to omega0 at the end of the "    \
+    "communication step; 0: omega0 throughout")                              \
+  X(R, "r", "m", OUTPUT, "displacement of the slider")                       \
+  X(V, "v", "m/s", OUTPUT, "speed of the slider")                            \
+  X(OMEGA, "omega", "rad/s", OUTPUT, "speed of the disc")                    \
+  X(PHI, "phi", "rad", OUTPUT, "angle of the disc, with with_angle")         \
+  X(H, "h", "m/s", OUTPUT, "lateral slip speed")                             \
+  X(G, "g", "m/s", OUTPUT, "rolling speed")                                  \
+  X(F, "F", "N", OUTPUT, "friction force, mean over the last step of dt")    \
+  X(M, "M", "N m", OUTPUT, "friction moment, mean over the last step of dt") \
+  X(DELASSUS, "delassus", "1/kg", OUTPUT,                                    \
+    "Delassus scalar of stick: < 0 where the future may split")              \
+  X(RESIDUAL, "residual", "N", OUTPUT,                                       \
+    "distance of F and M from the friction law")                             \
+  X(ENERGY, "energy", "J", OUTPUT, "mechanical energy")                      \
+  X(EVENT_TIME, "event_time", "s", OUTPUT, "time of the last event")         \
+  X(TURNTABLE, "turntable", "rad/s", OUTPUT,                                 \
     "speed of the turntable, by the profile or the input omega0")
 
 /// The whole variables: number, name, kind, role, the names of members, the
@@ -57,13 +57,13 @@
     "which of several consistent modes a step takes")                         \
   X(SCHEME, "scheme", MEMBER, PARAMETER, motion_scheme_name, 0,               \
     MOTION_LOCATED, "moreau: steps of fixed length; located: events inside")  \
-  X(SEED, "seed", SEED, PARAMETER, NULL, 0, UINT32_MAX, "of the rule random") \
+  X(SEED, "seed", SEED, PARAMETER, NULL, 0, UINT32_MAX, "for rule random")    \
   X(WITH_ANGLE, "with_angle", TRUTH, PARAMETER, NULL, 0, 1, "integrate phi")  \
   X(START_FROM_H, "start.from_h", TRUTH, PARAMETER, NULL, 0, 1,               \
     "start.v follows from start.h")                                           \
   X(FOLLOW_PROFILE, "follow_profile", TRUTH, PARAMETER, NULL, 0, 1,           \
-    "the scene drives the turntable, at times of the importer, until omega0 " \
-    "or alpha does")                                                          \
+    "the scene drives the turntable, by the importer's time, until omega0 "   \
+    "or alpha is set")                                                        \
   X(TAKE, "take", MEMBER, INPUT, take_name, 0, TF_NO_MODE,                    \
     "the next step takes this mode, if it can end in it")                     \
   X(MODE, "mode", MEMBER, OUTPUT, tf_mode_name, 0, TF_MODES - 1,              \
@@ -80,14 +80,14 @@
   X(DEGRADED, "degraded", COUNT, OUTPUT, NULL, 0, 0,                          \
     "steps in which no mode was consistent")                                  \
   X(FELL_BACK, "fell_back", COUNT, OUTPUT, NULL, 0, 0,                        \
-    "steps of scheme located that moreau took")                               \
+    "steps that moreau took for located")                                     \
   X(COARSE, "coarse", COUNT, OUTPUT, NULL, 0, 0,                              \
     "steps too long for the motion, or for the tolerance")                    \
   X(STALLED, "stalled", COUNT, OUTPUT, NULL, 0, 0,                            \
-    "steps whose change was lost in rounding")                                \
+    "steps whose change rounding lost")                                       \
   X(REFUSED, "refused", COUNT, OUTPUT, NULL, 0, 0, "steps that were refused") \
   X(FIRST, "first", COUNT, OUTPUT, NULL, 0, 0,                                \
-    "tick of the first step that these five counted")
+    "tick of the first of these steps")
 
 /// Value references: 0 is the time, then come the parameters of
 /// tf_parameter_ranges, which are in the order of tf_params_t, the other real

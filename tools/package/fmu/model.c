@@ -210,7 +210,7 @@ static header_t header_for(const fmu_motion_t *motion) {
 // The copy at a handle, or NULL after a message.
 static fmu_motion_t *find(fmu_t *fmu, void *handle) {
   if (claim_of(&copy_pool, handle) != NULL) return handle;
-  (void)fmu_error(fmu, "this is no state that the FMU has given out");
+  (void)fmu_error(fmu, "this is not a state from this FMU");
   return NULL;
 }
 
@@ -231,7 +231,7 @@ static fmu_status_t keep(fmu_t *fmu, const fmu_motion_t *motion,
 }
 
 fmu_status_t fmu_copy(fmu_t *fmu, void **handle) {
-  if (handle == NULL) return fmu_error(fmu, "nowhere to put the state: NULL");
+  if (handle == NULL) return fmu_error(fmu, "the pointer to the state is NULL");
   return keep(fmu, &fmu->motion, handle);
 }
 
@@ -252,7 +252,7 @@ fmu_status_t fmu_free_copy(fmu_t *fmu, void **handle) {
 
 fmu_status_t fmu_serialized_size(fmu_t *fmu, void *handle, size_t *size) {
   if (find(fmu, handle) == NULL) return FMU_ERROR;
-  if (size == NULL) return fmu_error(fmu, "nowhere to put the size: NULL");
+  if (size == NULL) return fmu_error(fmu, "the pointer to the size is NULL");
   *size = sizeof(header_t) + sizeof(fmu_motion_t);
   return FMU_OK;
 }
@@ -262,7 +262,7 @@ fmu_status_t fmu_serialize(fmu_t *fmu, void *handle, unsigned char *bytes,
   const fmu_motion_t *copy = find(fmu, handle);
   if (copy == NULL) return FMU_ERROR;
   if (bytes == NULL || size < sizeof(header_t) + sizeof *copy)
-    return fmu_error(fmu, "no room for the bytes of the state");
+    return fmu_error(fmu, "the buffer is too small for the state");
   const header_t header = header_for(copy);
   memcpy(bytes, &header, sizeof header);
   memcpy(bytes + sizeof header, copy, sizeof *copy);
@@ -281,7 +281,7 @@ fmu_status_t fmu_deserialize(fmu_t *fmu, const unsigned char *bytes,
   const header_t header = header_for(&motion);
   if (memcmp(bytes, &header, sizeof header) != 0)
     return fmu_error(fmu,
-                     "these bytes are not a state of this FMU, or have"
-                     " been changed");
+                     "these bytes are not a state of this FMU, or are"
+                     " damaged");
   return keep(fmu, &motion, handle);
 }

@@ -103,7 +103,7 @@ fmu_status_t fmu_check_arithmetic(fmu_t *fmu, fmu_status_t status) {
   const tf_arithmetic_t found = tf_arithmetic();
   return found == TF_ARITHMETIC_OK
              ? FMU_OK
-             : fmu_refuse(fmu, status, "the bits would be others: %s",
+             : fmu_refuse(fmu, status, "this arithmetic changes bits: %s",
                           tf_arithmetic_name(found));
 }
 
@@ -204,8 +204,8 @@ static fmu_status_t find_end(fmu_t *fmu, double time, double length,
       !(off <= (rounding > LENGTH_ROUNDING ? rounding : LENGTH_ROUNDING)))
     return fmu_refuse(
         fmu, fmu->refusal,
-        "communicationStepSize = %g s is no whole multiple of dt = %g s; the"
-        " nearest is %g s",
+        "communicationStepSize = %g s is not a whole multiple of dt = %g s;"
+        " the nearest is %g s",
         length, dt, (double)(whole > 0 ? whole : 1) * dt);
   *end = motion->now.state.tick + whole;
   return FMU_OK;
@@ -223,8 +223,8 @@ static fmu_status_t refuse_step(fmu_t *fmu, tf_status_t status) {
   tf_tally_count(&fmu->motion.tally, tick, status);
   fmu->motion.values[FMU_REFUSED] = (double)fmu->motion.tally.refused;
   fmu->motion.values[FMU_FIRST] = (double)fmu->motion.tally.first;
-  return fmu_refuse(fmu, fmu->refusal, "no step from t = %g s: %s", time,
-                    tf_status_name(status));
+  return fmu_refuse(fmu, fmu->refusal, "the step from t = %g s was refused: %s",
+                    time, tf_status_name(status));
 }
 
 // One step, into the mode that is wanted where there is one. input: out.

@@ -46,7 +46,7 @@ fmu_variable_t fmu_variable(uint32_t reference) {
       .name = range->name,
       .unit = range->unit,
       .about = reference == FMU_OMEGA0
-                   ? "speed of the turntable as set; turntable has the actual"
+                   ? "speed of the turntable as set; see turntable"
                    : "",
       .role = drives ? FMU_ROLE_INPUT : FMU_ROLE_PARAMETER,
       .low = (double)range->low,
@@ -89,8 +89,8 @@ fmu_status_t fmu_check_lists(fmu_t *fmu, size_t n, size_t n_values,
                              const void *references, const void *values) {
   if (n != n_values)
     return fmu_error(fmu,
-                     "as many values as value references are needed: every"
-                     " variable is a scalar");
+                     "the numbers of values and of value references"
+                     " differ: every variable is a scalar");
   if (n > 0 && (references == NULL || values == NULL))
     return fmu_error(fmu, "value references or values are NULL");
   return FMU_OK;
