@@ -98,7 +98,7 @@ def test_errors_say_why():
         for call, said, code in (
                 (lambda: board.set("mu", -1), "out of range", -1),
                 (lambda: board.every(0), "out of range", -1),
-                (lambda: board.command(0x60), "does not know it", -16),
+                (lambda: board.command(0x60), "unknown to the board", -16),
                 (lambda: steers(board, omega0=float("nan")), "not finite", -2),
                 (lambda: steers(board, omega0=0, tick=2**40), "too far", -19)):
             refused(call, said, code)
@@ -179,7 +179,7 @@ def test_what_is_put_between_is_told():
         return {"put": fake + wire, "replace": fake, "lose": b""}[how]
     with keyed() as firmware:
         for how, said in (("put", "numbers go back"), ("lose", ""),
-                          ("replace", "were put in")):
+                          ("replace", "were inserted")):
             with Board(Port(firmware.name, functools.partial(
                     put, how=how, seen=[])), key=KEY) as board:
                 if said:
@@ -211,7 +211,7 @@ def test_only_the_key_is_answered():
         refused(lambda: Board(firmware.name, key=bytes(16)),
                 "with the tag of the key")
         with Board(firmware.name, timeout=5) as board:
-            refused(board.stop, "wants its key", -22)
+            refused(board.stop, "requires its key", -22)
 
 
 def test_loop_in_c_ends_where_no_board_of_its_kind_answers():

@@ -176,7 +176,7 @@ def test_what_is_not_a_number_is_a_row():
     says(got, ",nan,.*stick-,2,stick-.pinned\n$")
     other = sealed(stuffed(struct.pack("<BBBIQ", 3, HEARTBEAT, 0, 0, 1000)))
     says(monitor(b"\0" + other + b"\0", code=4)[1], "stream: its protocol is "
-         "version 3, here it is 5: build what sends it")
+         "version 3, here it is 5: rebuild the sender")
 
 
 def test_what_is_not_understood():

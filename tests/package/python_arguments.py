@@ -159,7 +159,7 @@ def judge(real):
         raises(kind, "name of a quantity", ensemble.__getitem__, key)
     raises(TypeError, "name of a parameter", twofold.Machine, mass=1)
     # What the law that is asked for needs, and the scene does not give.
-    raises(ValueError, "epsilon is 0.0, allowed is", twofold.Machine,
+    raises(ValueError, "epsilon = 0.0 must lie in", twofold.Machine,
            law="smooth")
     raises(ValueError, "name of an input", machine.input, thrust=1)
     raises(TypeError, "between", machine.run, inputs={"t": [0], "r0": [0]})

@@ -167,7 +167,7 @@ static void print_summary(const hil_board_t *board, const hil_verdict_t *v) {
         v->differ, v->compared, v->wrong, v->inputs, v->first,
         v->unanswered > 0 ? "; an input without an answer may have acted" : "",
         board->decoder.lost > 0
-            ? "; that inputs expired may be told by a frame that was lost"
+            ? "; a lost frame may have reported that inputs expired"
             : "");
   else
     printf("host run  %zu states and %zu inputs: the same bits%s\n",

@@ -230,8 +230,8 @@ int cli_board_commands_send(cli_board_commands_t *commands,
 
 static const char *reason_of(int code, uint32_t number) {
   static const char *const reasons[] = {
-      [-TF_ANSWER_UNKNOWN] = "the board does not know it",
-      [-TF_ANSWER_LENGTH] = "its length is wrong",
+      [-TF_ANSWER_UNKNOWN] = "unknown to the board",
+      [-TF_ANSWER_LENGTH] = "of a wrong length",
       [-TF_ANSWER_EMPTY] = "nothing was saved",
       [-TF_ANSWER_FAR] = "dated too far ahead",
       [-TF_ANSWER_OLD] =

@@ -246,8 +246,8 @@ static int judge_stream(const monitor_t *monitor, int code) {
   const tf_decoder_t *decoder = &receiver->decoder;
   if (decoder->frames == 0 && decoder->bad_version > 0) {
     return cli_message(CLI_STOPPED,
-                       "%s: its protocol is version %u, here it is %d: build "
-                       "what sends it from these sources",
+                       "%s: its protocol is version %u, here it is %d: "
+                       "rebuild the sender from these sources",
                        monitor->args->source, (unsigned)decoder->version,
                        TF_FRAME_VERSION);
   }

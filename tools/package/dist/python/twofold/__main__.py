@@ -17,7 +17,7 @@ several futures were possible. PICTURE: .png, .svg or .pdf; without it a window.
 
 
 def plot(words):
-    """The command plot. Returns: why it failed, or None."""
+    """The command plot. Returns why it failed, or None."""
     if "-h" in words or "--help" in words:
         return print(USAGE, end="")
     if len(words) not in (1, 3) or (len(words) == 3 and words[1] != "-o"):

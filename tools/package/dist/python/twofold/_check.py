@@ -1,4 +1,4 @@
-"""Arguments are checked before the core has them: ctypes itself takes a bool
+"""Checks arguments before they reach the core: ctypes itself takes a bool
 for a number, and an integer modulo its size."""
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ STEPS = 2 ** 53
 
 
 def refuse(name, value, low, high, unit=""):
-    raise ValueError(f"{name} is {value}, allowed is [{low}, {high}] {unit}"
+    raise ValueError(f"{name} = {value} must lie in [{low}, {high}] {unit}"
                      .rstrip())
 
 
 def integer(name, value, low, high):
-    """An integer in a range; a float is none, even where it is whole."""
+    """An integer in a range; a float is refused even if it is whole."""
     if isinstance(value, (bool, np.bool_)):
         raise TypeError(f"{name} is {value}, not an integer")
     try:
@@ -40,8 +40,8 @@ def integer(name, value, low, high):
 
 
 def number(name, value, low=-math.inf, high=math.inf, unit=""):
-    """A real number in a range, as a float; without a range also one that is
-    not finite, which the core judges."""
+    """A real number in a range, as a float. Without a range NaN and infinities
+    pass; the core judges them."""
     if isinstance(value, bool) or not isinstance(value, numbers.Real):
         raise TypeError(f"{name} is {value!r}, not a number")
     try:
@@ -60,8 +60,8 @@ def flag(name, value):
 
 
 def word(name, value, words, hints={}, error=ValueError):
-    """One of the words; for another one, the closest, or what the closest of
-    the hints stands for."""
+    """The value, if it is one of the words. Else raises, and suggests the
+    closest word, or what the closest hint stands for."""
     if not isinstance(value, str):
         raise TypeError(f"{name} is {value!r}, not a str")
     if value in words:
@@ -84,14 +84,13 @@ def member(name, value, kind):
 
 
 def column(name, values, kinds, low, high, unit=""):
-    """Numbers in a range, of the kinds that numpy has for them: a number, or an
-    array of one dimension."""
+    """Numbers in a range, of the given numpy kinds: one, or a 1-d array."""
     if np.ma.is_masked(values):
-        raise ValueError(f"{name} has values that are masked")
+        raise ValueError(f"{name} has masked values")
     try:
         array = np.asarray(values)
     except ValueError:  # rows of several lengths
-        raise TypeError(f"{name} is no array of numbers") from None
+        raise TypeError(f"{name} is not an array of numbers") from None
     if array.dtype.kind not in kinds:
         raise TypeError(f"{name} is of {array.dtype}, not of "
                         + ("numbers" if "f" in kinds else "integers"))
@@ -104,7 +103,7 @@ def column(name, values, kinds, low, high, unit=""):
 
 
 def columns(given):
-    """All with the length of those that are no single numbers."""
+    """Arrays of one length; single numbers are repeated."""
     length, first = 1, None
     for name, array in given.items():
         if array.ndim and first is None:
@@ -117,18 +116,19 @@ def columns(given):
 
 
 def alone(method: Method) -> Method:
-    """A method that no other thread and no signal handler enters while one of
-    the same object runs. To delete and to put back are no calls, behind which a
-    signal could keep the place taken."""
+    """Decorates a method that neither another thread nor a signal handler may
+    enter while a method of the same object runs. Deleting an item and assigning
+    it back are not calls, so no signal can arrive between and keep the object
+    locked."""
     @functools.wraps(method)
     def entered(self, *arguments, **named):
         try:
             del self._free[0]
         except IndexError:
             raise RuntimeError(
-                f"{method.__qualname__}: this object computes at present, in "
-                "another thread or under a signal handler; give each its "
-                "copy()") from None
+                f"{method.__qualname__}: this object is busy, in another "
+                "thread or under a signal handler; give each a copy()"
+            ) from None
         try:
             return method(self, *arguments, **named)
         finally:
@@ -137,9 +137,9 @@ def alone(method: Method) -> Method:
 
 
 def packed(held, sizes):
-    """A state for pickle, with what shows that it is whole. A pickle whose
-    lengths are damaged ends at a point or goes on in a text: the version has
-    no point, and the text is no pickle."""
+    """A state for pickle, with a proof that it is whole. Damaged lengths make a
+    pickle end at a point or run on into text: the version has no point, and the
+    text is no pickle."""
     text = zlib.compress(pickle.dumps(held), 1)
     return VERSION.split("."), text, sizes, len(text), zlib.crc32(text)
 
@@ -148,11 +148,11 @@ def unpacked(state, sizes):
     by = ".".join(state[0]) if isinstance(state, tuple) else "an older version"
     if by != VERSION:
         raise pickle.UnpicklingError(
-            f"pickled by twofold {by}; this is {VERSION}")
+            f"pickled by twofold {by}, not {VERSION}")
     _, text, layout, *whole = state
     if layout != sizes:
         raise pickle.UnpicklingError("pickled by a build of another layout: "
-                                     f"{layout}; this has {sizes}")
+                                     f"{layout}, not {sizes}")
     if whole != [len(text), zlib.crc32(text)]:
         raise pickle.UnpicklingError("the pickle is damaged")
     return pickle.loads(zlib.decompress(text))

@@ -1,5 +1,5 @@
-"""The command line of a library, in a process of its own: its signals and its
-messages are those of a program. As a script: _command.py LIBRARY WORD..."""
+"""Runs the command line of a library in a process of its own, so that signals
+and messages are those of a program. As a script: _command.py LIBRARY WORD..."""
 from __future__ import annotations
 
 import ctypes
@@ -9,14 +9,14 @@ import sys
 
 
 def main(library, words):
-    """Returns: the exit code."""
+    """Returns the exit code."""
     words = b"twofold", *map(os.fsencode, words)
     return ctypes.CDLL(library).twofold_main(
         len(words), (ctypes.c_char_p * (len(words) + 1))(*words))
 
 
 def output(library, words):
-    """What it prints. Raises ValueError with its words."""
+    """Returns what the command prints. Raises ValueError with its message."""
     said = subprocess.run([sys.executable, __file__, library, *words],
                           capture_output=True, text=True, check=False)
     if said.returncode:

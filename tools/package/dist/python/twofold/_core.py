@@ -25,7 +25,7 @@ QUANTITIES = "r v omega phi h g F M delassus"
 
 
 class Struct(ctypes.Structure):
-    """One that shows its fields with their units, and has no others."""
+    """A struct whose repr shows its fields with units; it accepts no others."""
     __slots__ = ()
 
     def __copy__(self):
@@ -71,7 +71,7 @@ class Core:
         return f"CORE_{self.suffix}"
 
     def _struct(self, reals, *others, name="Struct", first=()):
-        """A struct of the core; fields of its real type before others."""
+        """A struct type of the core; fields of its real type come first."""
         fields = [*first, *((one, self.real) for one in reals.split()), *others]
         return type(name, (Struct,),
                     {"__slots__": (), "core": self, "_fields_": fields})
@@ -114,7 +114,7 @@ class Core:
                            self.library, f"tf_scenes_{self.suffix}")}
 
     def _dtype(self, reals, *others, lanes=()):
-        """Of a row, or of a block of an ensemble."""
+        """The dtype of a row, or of a block of an ensemble."""
         return np.dtype([
             *((name, self.dtype, lanes) for name in reals.split()),
             *((name, kind, lanes) for name, kind in others)], align=True)
@@ -177,16 +177,16 @@ class Core:
             setattr(self, "call_" + name.split("_", 1)[1], function)
 
     def check_arithmetic(self):
-        """Raises where the bits would be others: some libraries that Python
-        loads set FTZ or another rounding mode, for their own purposes, so it is
-        left as it is."""
+        """Raises where the arithmetic would change the bits. Some libraries
+        that Python loads set FTZ or another rounding mode for their own
+        purposes, so the mode is not corrected here."""
         found = self.call_arithmetic()
         if found:
-            raise FloatingPointError("the bits would be others: " +
+            raise FloatingPointError("this arithmetic changes bits: " +
                                      self.call_arithmetic_name(found).decode())
 
     def read(self, call, *arguments):
-        """What the command line reads of a text; raises with its words."""
+        """Reads a text as the command line does; raises with its message."""
         self.check_arithmetic()
         *_, text = arguments
         why = ctypes.create_string_buffer(1024)
@@ -198,7 +198,7 @@ class Core:
             warnings.warn(said.replace("note: ", ""))
 
     def scene(self, name, text=None):
-        """That of a name, or of the text of a file of that name."""
+        """The scene of that name, or of the text of a file of that name."""
         if text is None:
             return self.scenes[word("scene", name, self.scenes)]
         file = ctypes.create_string_buffer(self.size["file"])
@@ -222,12 +222,12 @@ SIZES = [[*one.size.values()] for one in CORES.values()]
 
 
 def scenes() -> dict[str, str]:
-    """Name of each scene, and what it shows."""
+    """Returns the name of each scene and what it shows."""
     return {name: scene.shows.decode()
             for name, scene in CORES["double"].scenes.items()}
 
 
 def parameters() -> dict[str, tuple[str, float, float]]:
-    """Name of each parameter: (unit, lowest, highest value)."""
+    """Returns {name: (unit, lowest value, highest value)}."""
     return {name: (one.unit.decode(), one.low, one.high)
             for name, one in CORES["double"].ranges.items()}

@@ -19,14 +19,13 @@ OPTIONS = ("by rate size spread codim2 samples cycles patience seed dt near "
 def diverge(scene: str | os.PathLike = "chaos", rows: str = "returns",
             real: str = "double", **options) -> Table:
     """Follows many motions from the two-fold, or from a start with several
-    futures: the rows of `twofold diverge`.
+    futures. Returns the rows of `twofold diverge`.
 
     rows: "returns", "exits", or "branches", which follows every future.
-    options: its options by their names (`python3 -m twofold help diverge`), as
-      by="noise", size=1e-3, samples=1000, seed=7; and what its --set has: a
+    options: the options of `python3 -m twofold help diverge` by name, such as
+      by="noise", size=1e-3, samples=1000, seed=7; also what --set takes: any
       parameter, r, omega, h, v.
-    Raises ValueError with the words of the command line.
-    """
+    Raises ValueError with the message of the command line."""
     core = CORES[word("real", real, CORES)]
     word("rows", rows, ("returns", "exits", "branches"))
     words = ["diverge", os.fspath(scene), f"--{rows}", "-"]

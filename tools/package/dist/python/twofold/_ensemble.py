@@ -25,9 +25,9 @@ class Ensemble:
     """Many states of one machine, stepped together with the bits of single
     steps of scheme moreau.
 
-    machine: a Machine. r [m], omega [rad/s], v [m/s] or h [m/s]: arrays of one
-    length and one dimension, or numbers. seed: of rule "random", one a state.
-    """
+    machine: a Machine. r [m], omega [rad/s], v [m/s] or h [m/s]: numbers, or
+    one-dimensional arrays of one length. seed: for rule "random", one for each
+    state."""
 
     def __init__(self, machine: Machine, r: ArrayLike, omega: ArrayLike,
                  v: ArrayLike | None = None, h: ArrayLike | None = None,
@@ -62,11 +62,11 @@ class Ensemble:
 
     @alone
     def step(self, steps: int = 1, inputs: Struct | None = None) -> None:
-        """Takes so many steps. inputs: of Machine.input(), held; their alpha is
-        that of the first step, and 0 behind it. None: those of the scene. A
-        table over time drives single motions only: Machine.run(). A state whose
-        step is refused stays where it is; see status. Where KeyboardInterrupt
-        ends it, all states have taken as many of the steps."""
+        """Takes `steps` steps. inputs are from Machine.input(), held; alpha
+        applies to the first step and is 0 afterwards. None: those of the scene.
+        Only Machine.run() takes a table over time. A state whose step is
+        refused stays where it is; see status. After KeyboardInterrupt all
+        states have taken the same number of steps."""
         steps = integer("steps", steps, 0, STEPS)
         held = None if inputs is None else self.machine._held(inputs)
         most = max(1, _core.SLICE // self.n)
@@ -78,23 +78,23 @@ class Ensemble:
                 min(tick + most, first + steps))
 
     def _columns(self):
-        """Home and name there of each quantity."""
+        """Where each quantity is stored, and its name there."""
         return {**{"omega" if name == "w" else name: (self.states, name)
                    for name in self.states.dtype.names},
                 **{name: (self.reports, name)
                    for name in self.reports.dtype.names if name != "mode"}}
 
     def __getitem__(self, name: str) -> np.ndarray:
-        """An array over the states: r [m], v [m/s], omega [rad/s], phi [rad],
-        tick, seed; F [N], M [N m], h, g [m/s], delassus [1/kg], residual [N],
-        mode (of Mode), set, choices, status (< 0: refused). Forces, slips, set,
-        choices and status are those of the last step."""
+        """Returns an array over the states: r [m], v [m/s], omega [rad/s], phi
+        [rad], tick, seed; F [N], M [N m], h, g [m/s], delassus [1/kg], residual
+        [N], mode (of Mode), set, choices, status (< 0: refused). Forces, slips,
+        set, choices and status are those of the last step."""
         known = self._columns()
         home, name = known[word("name of a quantity", name, known)]
         return home[name].reshape(-1)[:self.n].copy()
 
     def table(self) -> Table:
-        """All of them, a row for each state, which is numbered."""
+        """Returns all quantities, one numbered row for each state."""
         own = {"state": np.arange(self.n),
                **{name: self[name] for name in self._columns()}}
         return np.rec.fromarrays(own.values(), dtype=[
@@ -129,7 +129,7 @@ def _axis(name, values):
 
 
 def _point(row, scene, how, settings, stop):
-    """Fills in the row of a point. Returns: why it was refused."""
+    """Fills in the row of a point. Returns why it was refused, or None."""
     row["final"] = NO_MODE
     try:
         machine = Machine(scene, **settings)
@@ -155,7 +155,7 @@ def _point(row, scene, how, settings, stop):
 
 
 def _in_threads(work, points, jobs, progress, stop):
-    """The results of all points; the core does not hold Python's lock."""
+    """The results of all points. The core does not hold Python's lock."""
     with ThreadPoolExecutor(jobs) as pool:
         try:
             results = pool.map(work, points)
@@ -175,19 +175,16 @@ def sweep(scene: str | os.PathLike = "chaos", over: dict | None = None,
           inputs: Inputs = None, between: str | None = None,
           jobs: int | None = None, progress: bool | None = None,
           **settings) -> Table:
-    """Follows a motion from each point of a grid: what `twofold sweep` finds.
+    """Simulates one motion for each point of a grid, as `twofold sweep` does.
 
-    over: values of each axis by its name, a parameter or argument of Machine.
-    inputs, between: of each, as of Machine.run.
+    over: the values of each axis by name: a parameter or argument of Machine.
+    inputs, between: for each motion, as in Machine.run.
     jobs: points at a time; None: one for each processor.
-    progress: whether tqdm, where it is installed, shows how far the sweep is;
-      None: on a terminal.
-    Returns: a table with an axis for each; columns: those of over, t (reached),
-      the outcomes of `twofold sweep` (NaN: it did not happen), status (done,
-      flagged, stopped, refused) and the reason. to_xarray() has the axes as
-      coordinates.
-    Raises ValueError where every point is refused: that is no axis' doing.
-    """
+    progress: whether tqdm, if installed, shows it; None: on a terminal.
+    Returns a table with a column for each axis, then t (reached), the outcomes
+      of `twofold sweep` (NaN: did not happen), status (done, flagged, stopped,
+      refused) and the reason. to_xarray() makes the axes coordinates.
+    Raises ValueError if every point is refused: then no axis is the cause."""
     if not (over is None or isinstance(over, dict)):
         raise TypeError(f"over is {over!r}, not a dict of axes")
     axes = {word("name of an axis", name, (*parameters(), *OTHER_AXES)):

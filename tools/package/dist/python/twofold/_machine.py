@@ -1,4 +1,4 @@
-"""One machine in one state."""
+"""A machine and its state."""
 from __future__ import annotations
 
 import ctypes
@@ -32,14 +32,14 @@ Inputs = Union[Struct, str, os.PathLike, np.ndarray, dict, Any]
 
 
 def placed(r, omega, v, h):
-    """What of a place is given, by its name."""
+    """The given quantities of a place, by name."""
     if (v is None) == (h is None):
-        raise ValueError("either v or h is to be given")
+        raise ValueError("give either v or h")
     return {"r": r, "omega": omega, **({"h": h} if v is None else {"v": v})}
 
 
 class Futures(dict):
-    """By mode, as a member of Mode or its word."""
+    """Machines by mode; a key is a member of Mode or its word."""
 
     def __getitem__(self, mode):
         return super().__getitem__(Mode(mode))
@@ -52,7 +52,7 @@ class Futures(dict):
 
 
 class _Quantity:
-    """One of the present state."""
+    """A quantity of the present state."""
 
     def __set_name__(self, owner, name):
         self.name = name
@@ -71,8 +71,8 @@ class _Table:
         else:
             text = _csv_of(inputs)
         if between is None:
-            raise TypeError("between says what holds between two rows of "
-                            "inputs: 'held' or 'linear'")
+            raise TypeError("a table of inputs needs between='held' or "
+                            "between='linear'")
         linear = word("between", between, ("held", "linear")) == "linear"
         self.held = name, ctypes.create_string_buffer(self.core.size["table"])
         self.core.read(self.core.call_table, self.held[1],
@@ -86,7 +86,7 @@ class _Table:
 
 
 def _csv_of(inputs):
-    """The columns of a DataFrame, a dict or a structured array, t first."""
+    """A DataFrame, a dict or a structured array as CSV, t first."""
     names = getattr(getattr(inputs, "dtype", None), "names", None)
     try:
         given = columns({name: column(f"inputs: {name}", inputs[name], "iuf",
@@ -94,33 +94,32 @@ def _csv_of(inputs):
                          for name in sorted(names or inputs.keys(),
                                             key=lambda name: name != "t")})
     except AttributeError:
-        raise TypeError(f"inputs is {inputs!r}, not of input() of a machine of "
-                        "this real type, and no path, DataFrame, dict or "
-                        "structured array with the column t") from None
+        raise TypeError(f"inputs is {inputs!r}, neither from input() of a "
+                        "machine of this real type nor a path, DataFrame, dict "
+                        "or structured array with the column t") from None
     return "\n".join([",".join(map(str, given)), *(
         ",".join(map(repr, row)) for row in zip(*(
             one.tolist() for one in given.values()))), ""]).encode()
 
 
 class Machine:
-    """A prepared machine, in one state: t [s], r [m], v [m/s], omega [rad/s],
-    phi [rad], h, g [m/s], mode; and of the step to it the mean F [N] and M
-    [N m], delassus [1/kg], set (the modes that were possible), choices (how
-    many), status. state: what can be changed: r, v, w (omega), phi, tick, seed,
-    mode.
+    """A machine and its state: t [s], r [m], v [m/s], omega [rad/s], phi [rad],
+    h [m/s], g [m/s] and mode. Of the last step: F [N] and M [N m], its means,
+    delassus [1/kg], set (the modes that were possible), choices (their number)
+    and status. `state` has what can be changed: r, v, w (omega), phi, tick,
+    seed, mode.
 
-    scene: one of scenes(), or a file, whose name has a . or a / in it; gives
+    scene: one of scenes(), or a file if the name contains "." or "/". It gives
       parameters, start and inputs.
     real: "double" or "float".
-    law, rule, rest: of Law, Rule, Rest, or a name; rate [1/s] belongs to rule
-      "random".
-    with_angle: whether the angle of the disc is integrated.
-    r, v, omega, h, phi: the start; None: that of the scene. h instead of v.
-    parameters: those to be changed, by name, in SI units (parameters()).
-    Raises ValueError that names a parameter, its value and its range.
-    A method that is called while another thread, or what a signal interrupts,
-    is in one of the same machine raises RuntimeError. Each may have a copy().
-    """
+    law, rule, rest: a member of Law, Rule or Rest, or its name. The parameter
+      rate [1/s] belongs to rule "random".
+    with_angle: whether to integrate the angle of the disc.
+    r, v, omega, h, phi: the start; None: as in the scene. Give v or h.
+    parameters: those to be changed, by name, in SI units; see parameters().
+    Raises ValueError that names the parameter, its value and its range.
+    A method raises RuntimeError if another thread, or the code that a signal
+    interrupted, is inside a method of the same machine: give each a copy()."""
     _fixed = "t", *QUANTITIES.split()
     t, r, v, omega, phi, h, g, F, M, delassus = (_Quantity() for _ in _fixed)
 
@@ -153,7 +152,7 @@ class Machine:
             self._params.with_angle = flag(
                 "with_angle", True if with_angle is None else with_angle)
         if v is not None and h is not None:
-            raise ValueError("either v or h is to be given, not both")
+            raise ValueError("give either v or h, not both")
         self._start = self._given(zip(START, (r, v, omega, h, phi)))
         self._motion = core.Motion()
         offender = c_int(-1)
@@ -164,7 +163,7 @@ class Machine:
         self.start()
 
     def __getitem__(self, name: str) -> float:
-        """Value of a parameter in SI units, by its name."""
+        """Returns a parameter in SI units."""
         return getattr(self._params, word("name of a parameter", name,
                                           self.core.ranges))
 
@@ -198,26 +197,26 @@ class Machine:
     def __setattr__(self, name, value):
         if name in (*self._fixed, *CORES["double"].ranges):
             raise AttributeError(
-                f"{name} is not set so: give parameters to Machine(), and a "
-                "state by place() or in `state`")
+                f"{name} cannot be assigned: give parameters to Machine(), "
+                "and a state by place() or in `state`")
         super().__setattr__(name, value)
 
     def _given(self, values):
-        """A start; NaN where the scene gives it."""
+        """A start, with NaN for what the scene gives."""
         return tuple(math.nan if value is None else
                      number(name, value, -LIMIT, LIMIT, START[name])
                      for name, value in values)
 
     @alone
     def start(self) -> None:
-        """Returns to the start of the scene, or to that given."""
+        """Returns to the start of the scene, or to the given one."""
         self._begin(self._start, f"start of {self.name}")
 
     @alone
     def place(self, r: float, omega: float, v: float | None = None,
               h: float | None = None) -> None:
-        """Starts anew at r [m] and omega [rad/s], with the speed v [m/s] of the
-        slider or, instead, the slip speed h [m/s]."""
+        """Starts anew at r [m] and omega [rad/s], with either the speed v [m/s]
+        of the slider or the slip speed h [m/s]."""
         given = {**dict.fromkeys(START), **placed(r, omega, v, h)}
         for name in ("r", "omega"):  # which None does not leave to the scene
             number(name, given[name])
@@ -247,7 +246,7 @@ class Machine:
 
     @alone
     def copy(self) -> Machine:
-        """One in the same state, which goes its own way."""
+        """Returns an independent machine in the same state."""
         return self._copy()
 
     def _copy(self):
@@ -262,7 +261,7 @@ class Machine:
 
     @alone
     def __getstate__(self):
-        """Of a pickle, which has nothing of ctypes."""
+        """The state for pickle, without objects of ctypes."""
         return packed({**self.__dict__, "_free": [None], "scene": None, **{
             name: bytes(getattr(self, name)) for name in BUFFERS}},
             _core.SIZES)
@@ -276,7 +275,7 @@ class Machine:
                 held[name]))
 
     def input(self, **changed: float) -> Struct:
-        """The inputs of a machine that nothing drives, with changes: omega0
+        """Returns the inputs of an undriven machine, with changes: omega0
         [rad/s], r0 [m], force [N], torque [N m], alpha [rad/s^2]."""
         given = self.core.call_input_default(byref(self._motion))
         for name, value in changed.items():
@@ -286,8 +285,8 @@ class Machine:
         return given
 
     def turntable_to(self, inputs: Struct, omega0: float) -> None:
-        """Moves the turntable of inputs, of input(), on to omega0 [rad/s] at
-        the end of the next step: alpha becomes the mean over that step."""
+        """Moves the turntable in `inputs` (from input()) to omega0 [rad/s] at
+        the end of the next step. alpha becomes the mean over that step."""
         self._held(inputs)
         self.core.check_arithmetic()
         self.core.call_turntable_to(
@@ -295,9 +294,9 @@ class Machine:
             self["dt"])
 
     def _held(self, inputs):
-        """Inputs of input(), which may have been altered since."""
+        """Checks inputs from input(), which the caller may have altered."""
         if not isinstance(inputs, self.core.Input):
-            raise TypeError(f"inputs is {inputs!r}, not of input() of a "
+            raise TypeError(f"inputs is {inputs!r}, not from input() of a "
                             "machine of this real type")
         for name, unit in INPUTS.items():
             number(f"inputs: {name}", getattr(inputs, name), -LIMIT, LIMIT,
@@ -306,9 +305,9 @@ class Machine:
 
     @alone
     def two_folds(self) -> Table:
-        """Every two-fold at g != 0, under the inputs at t = 0, with its normal
-        form in the paper's time: a row each, as `twofold singularities` has
-        them; none where the machine has none."""
+        """Returns every two-fold at g != 0 under the inputs at t = 0, with its
+        normal form in the paper's time: one row each, as `twofold
+        singularities` prints them."""
         rows = np.zeros(8, self.core.fold)
         count = c_int(0)
         self.core.fail(self.core.call_folds(
@@ -317,9 +316,9 @@ class Machine:
 
     @alone
     def regions(self, r: ArrayLike, omega: ArrayLike) -> Table:
-        """The regions of h = 0 over r [m] and omega [rad/s], arrays of one
-        dimension, under the inputs at t = 0: a table of the shape (len(r),
-        len(omega)); NaN where lambda or delassus is not defined."""
+        """Returns the regions of h = 0 over r [m] and omega [rad/s], arrays of
+        one dimension, under the inputs at t = 0. The table has the shape
+        (len(r), len(omega)); lambda and delassus are NaN where undefined."""
         axes = [np.atleast_1d(column(name, values, "iuf", -LIMIT, LIMIT))
                 for name, values in (("r", r), ("omega", omega))]
         rows = np.zeros([axis.size for axis in axes], self.core.place)
@@ -331,7 +330,7 @@ class Machine:
         return rows.view(Table)
 
     def energy(self) -> float:
-        """Mechanical energy of the present state [J]."""
+        """Returns the mechanical energy of the present state [J]."""
         self.core.check_arithmetic()
         return self.core.call_energy(byref(self._motion), byref(self.state),
                                      self["r0"])
@@ -347,7 +346,8 @@ class Machine:
         return scheme
 
     def _ready(self, scheme, first=None):
-        """A start under it: compensated has the v of an h beyond rounding."""
+        """Begins under a scheme: the compensated step starts with v of the
+        given h beyond rounding."""
         start, state = self._begun
         if bytes(self.state) == state:
             self._begin(start, "start", self.state.seed, scheme, first)
@@ -356,14 +356,16 @@ class Machine:
     @alone
     def futures(self, scheme: Scheme | str | None = None,
                 inputs: Struct | None = None) -> Futures:
-        """What the next step may be: for each mode of the set that it reports,
-        and that which it takes, a machine one step on in it, whatever the rule
-        takes; never none. An escaping stick may be left at any time, so each
-        step has both slips beside it. Where a mode is possible only within the
-        step, stick or rest is left into it at the end; one that is over by then
-        (under located) is left out. scheme and inputs: those of step().
-        Returns: a dict by mode, of Mode or its word: futures()["slip+"]. Raises
-        ValueError where the step is refused."""
+        """Returns what may follow: a dict of machines one step on, by mode (a
+        member of Mode or its word): futures()["slip+"]. It has each mode of the
+        set that the step reports, and the mode that the step takes, whatever
+        the rule chooses; it is never empty.
+
+        An escaping stick may end at any time, so each of its steps offers both
+        slips as well. If a mode is possible only within the step, stick or rest
+        changes to it at the end. Under located, a mode that is over by then is
+        left out. scheme and inputs are those of step(). Raises ValueError if
+        the step is refused."""
         scheme = self._scheme(scheme)
         held = None if inputs is None else self._held(inputs)
         self._ready(scheme)
@@ -376,9 +378,9 @@ class Machine:
     @alone
     def step(self, steps: int = 1, inputs: Struct | None = None,
              scheme: Scheme | str | None = None) -> Status:
-        """Takes so many steps; what they came to is in r, mode and the others.
-        inputs: of input(), as in run(), which takes a table, too. Returns: the
-        status of the last one. Raises ValueError where a step is refused."""
+        """Takes `steps` steps; r, mode and the others then have the result.
+        inputs are from input(); run() also takes a table. Returns the status of
+        the last step. Raises ValueError if a step is refused."""
         steps = integer("steps", steps, 1, STEPS)
         self._follow(steps, steps, scheme, inputs, None)
         return self.status
@@ -387,34 +389,32 @@ class Machine:
     def run(self, t_end: float | None = None, every: int = 1,
             scheme: Scheme | str | None = None, inputs: Inputs = None,
             between: str | None = None) -> Table:
-        """Steps on for t_end [s] (default: the scene's length), the nearest
-        whole number of steps.
+        """Advances by t_end [s] (default: the length of the scene), rounded to
+        whole steps.
 
-        scheme: of Scheme, or a name; None: moreau, in float below 1 ms
-          compensated, as on the command line.
-        inputs: None: those of the scene. Of input(): held; their alpha is that
-          of the first step, behind which the turntable keeps its omega0 and
-          alpha is 0, in `inputs` too. Or a table over time, which --inputs of
-          the command line reads: a path, a DataFrame, a dict or a structured
-          array with the column t [s] and any of omega0 [rad/s], r0 [m], force
-          [N] and torque [N m]. Its t is that of the machine.
-        between: of a table, "held" (a row holds until the next one) or
-          "linear".
-        Returns: a table with a row at the beginning, one after every `every`
-          steps and one at the end; t [s], r [m], v [m/s], omega [rad/s], phi
+        scheme: a member of Scheme or its name. None: moreau, or compensated in
+          float below 1 ms, as on the command line.
+        inputs: None: those of the scene. From input(): held; alpha applies to
+          the first step, then the turntable keeps its omega0 and alpha becomes
+          0, in `inputs` too. Or a table over time, as for --inputs: a path, a
+          DataFrame, a dict or a structured array with the column t [s] and any
+          of omega0 [rad/s], r0 [m], force [N] and torque [N m]. Its t is the
+          machine's.
+        between: for a table: "held" (a row holds until the next) or "linear".
+        Returns a table: a row at the beginning, one after every `every` steps
+          and one at the end, with t [s], r [m], v [m/s], omega [rad/s], phi
           [rad], h, g [m/s], F [N], M [N m], delassus [1/kg], mode (of Mode),
-          set (bit 1 << mode of each that was possible), choices, status.
-        Raises ValueError where a step is refused, and KeyboardInterrupt at
-          once; `state` is the last one.
-        """
+          set (bit 1 << mode for each possible mode), choices, status.
+        Raises ValueError if a step is refused, and KeyboardInterrupt at once;
+          `state` is then that of the last step taken."""
         rows, done, status = self._rows(t_end, every, scheme, inputs, between)
         self.core.fail(status, f"step {done + 1}")
         return rows
 
     def _rows(self, t_end, every, scheme, inputs, between, seen=None,
               stop=None):
-        """Rows, as far as they were reached, steps taken, last status. seen:
-        room for what a sweep has of the motion."""
+        """Returns the rows that were reached, the steps taken and the last
+        status. seen: memory for the outcomes of a sweep."""
         every = integer("every", every, 1, STEPS)
         if t_end is None:
             t_end = self.scene.t_end
@@ -460,6 +460,6 @@ def simulate(scene: str | os.PathLike = "chaos", t_end: float | None = None,
              every: int = 1, scheme: Scheme | str | None = None,
              inputs: Inputs = None, between: str | None = None,
              **settings) -> Table:
-    """The rows of one motion; t_end to between are those of Machine.run(),
-    scene and settings those of Machine."""
+    """Simulates one motion and returns its rows. The arguments t_end to between
+    are those of Machine.run(), scene and settings those of Machine."""
     return Machine(scene, **settings).run(t_end, every, scheme, inputs, between)

@@ -1,5 +1,5 @@
-"""What the core numbers, as enumerations; `str` is the name that the command
-line has. A member is made of its name, too, and is equal to it."""
+"""The core's numbered names as enumerations. `str` gives the name on the
+command line; a member can be made from that name, and equals it."""
 from __future__ import annotations
 
 from enum import IntEnum
@@ -31,38 +31,39 @@ class _Named(IntEnum):
 
 
 class Mode(_Named):
-    """Of contact; + and - are the sign of h in slip, of g in stick."""
+    """Modes of contact. + and - are the sign of h in slip, of g in stick."""
     SLIP_PLUS, SLIP_MINUS, STICK_PLUS, STICK_MINUS, PINNED = range(5)
 
 
 class Law(_Named):
-    """Of friction."""
+    """Friction laws."""
     JUMP, COULOMB, TWO_PIECE, STRING, SMOOTH, NONE = range(6)
 
 
 class Rule(_Named):
-    """Which of several modes a step takes."""
+    """Rules that choose one of several modes of a step."""
     PERSIST, SLIP_PLUS, SLIP_MINUS, RANDOM = range(4)
 
 
 class Rest(_Named):
-    """The law at h = g = 0."""
+    """Laws at h = g = 0."""
     HULL, SQUARE, BOW_TIE = range(3)
 
 
 class Scheme(_Named):
-    """Of the steps; COMPENSATED keeps what rounding leaves out of a state."""
+    """Time steps. COMPENSATED carries the rounding errors of the state
+    along."""
     MOREAU, LOCATED, COMPENSATED = range(3)
 
 
 class Status(_Named):
-    """Of a step: < 0 was refused, > 0 has a reservation."""
+    """Results of a step: < 0 refused, > 0 taken with a reservation."""
     STEP_TOO_LONG, DIVERGED, BAD_STATE, BAD_PARAMETER = range(-4, 0)
     OK, DEGRADED, FELL_BACK, COARSE, STALLED = range(5)
 
 
 class Region(_Named):
-    """Of h = 0."""
+    """Regions of h = 0."""
     SLIDING, ESCAPING, CROSSING_UP, CROSSING_DOWN, CODIM2 = range(5)
 
 

@@ -1,4 +1,4 @@
-"""Rows as an array that shows itself, and that other packages read."""
+"""Rows as a numpy array that prints itself and converts to other packages."""
 from __future__ import annotations
 
 import csv
@@ -38,14 +38,14 @@ def _cell(name, value):
 
 
 class _Plain(np.ndarray):
-    """An array of which functions of numpy make plain ones, and numbers."""
+    """An array that numpy functions reduce to plain arrays and numbers."""
 
     def __array_wrap__(self, array, *_):
         return array.view(np.ndarray)[() if array.ndim == 0 else ...]
 
 
 class _Members(_Plain):
-    """Numbers of modes or the like, which may be compared with words."""
+    """Numbers of modes and the like, comparable with words."""
 
     def __array_finalize__(self, of):
         self.kind = getattr(of, "kind", None)
@@ -65,7 +65,7 @@ class _Members(_Plain):
 
 
 def _member(kind, value):
-    """The member of a number that has one."""
+    """The member with this number, if there is one."""
     return kind(int(value)) if kind and isinstance(
         value, np.integer) and value in [*kind] else value
 
@@ -75,16 +75,17 @@ def _table(held):
 
 
 class _Row(np.void):
-    """A row, whose modes and the like are members."""
+    """A row whose modes and the like are members."""
 
     def __getitem__(self, key):
         return _member(MEMBERS.get(key), super().__getitem__(key))
 
 
 class Table(_Plain):
-    """A structured array of numpy: table["r"] is a column, a plain array; one
-    of modes may be compared with words, as may table[0]["mode"]. It shows the
-    first and the last rows, with units and names; in a notebook, as a table."""
+    """A structured array of numpy. table["r"] is a column, a plain array; a
+    column of modes can be compared with words, as can table[0]["mode"]. It
+    prints its first and last rows with units and names; notebooks show a table.
+    """
 
     def __getitem__(self, key):
         if isinstance(key, str) and self.dtype.names:
@@ -141,12 +142,12 @@ class Table(_Plain):
 
     @property
     def units(self) -> dict[str, str]:
-        """Of the columns that have one."""
+        """Units of the columns that have one."""
         return {name: UNITS[name] for name in self.columns if name in UNITS}
 
     def words(self, name: str) -> np.ndarray:
-        """A column with words for the numbers of modes, status and the like; a
-        set has a word as "slip+|stick+"."""
+        """A column in words, for modes, status and the like. A set becomes one
+        word, such as "slip+|stick+"."""
         values = self[name]
         if name != "set" and name not in MEMBERS or values.dtype.kind not in \
                 "iu":
@@ -156,8 +157,8 @@ class Table(_Plain):
             at.reshape(values.shape)]
 
     def to_pandas(self):
-        """A DataFrame with a row for each: modes and the like are categories,
-        sets words; attrs["units"] has the units."""
+        """Returns a DataFrame with a line for each row. Modes and the like are
+        categories, sets are words; attrs["units"] has the units."""
         import pandas
         flat = self.reshape(-1)
         frame = pandas.DataFrame({
@@ -169,8 +170,8 @@ class Table(_Plain):
         return frame
 
     def to_xarray(self):
-        """A Dataset: the axes, t of a run and those of a grid, are coordinates,
-        modes and the like words, units attributes."""
+        """Returns a Dataset. The axes (t of a run, those of a grid) are
+        coordinates, modes and the like words, units attributes."""
         import xarray
         axes = []
         for k in range(self.ndim):
@@ -191,8 +192,8 @@ class Table(_Plain):
         return data
 
     def plot(self, x: str = "r", y: str = "omega", axes=None, **style):
-        """Draws one column over another by matplotlib, a colour for each mode
-        or region; style is that of its plot(). Returns: the axes."""
+        """Plots one column over another with matplotlib, one colour for each
+        mode or region. style goes to matplotlib's plot(). Returns the axes."""
         import matplotlib.pyplot as plt
         axes = plt.figure().add_subplot() if axes is None else axes
         by = next((name for name in ("mode", "final", "region")
@@ -210,13 +211,13 @@ class Table(_Plain):
         return axes
 
     def strips(self, title: str = ""):
-        """Draws r, v, omega and h over time by matplotlib, a colour for each
-        mode, shaded where several futures were possible. Returns: the
+        """Plots r, v, omega and h over time with matplotlib, one colour for
+        each mode, shaded where several futures were possible. Returns the
         figure."""
         import matplotlib.pyplot as plt
         from matplotlib.patches import Patch
         for name in {"t", "mode", "choices", *STRIPS}.difference(self.columns):
-            raise ValueError(f"no column {name}: strips are of rows of a run")
+            raise ValueError(f"no column {name}: strips() needs rows of a run")
         figure, strips = plt.subplots(len(STRIPS), sharex=True, figsize=(9, 8),
                                       layout="constrained")
         t, mode, several = self["t"], self["mode"], self["choices"] > 1
@@ -249,9 +250,9 @@ class Table(_Plain):
 
 
 def read_csv(path: str | os.PathLike | TextIO) -> Table:
-    """The rows of a file of the command line, every digit as it was written
-    (pandas reads them so by float_precision="round_trip"). Modes are numbers
-    of Mode, a set has its bits, an empty field is NaN."""
+    """Reads a CSV file of the command line, exact in every digit (in pandas:
+    float_precision="round_trip"). Modes become numbers of Mode, sets become
+    bits, and empty fields NaN."""
     text = Path(path).read_text("utf-8") if isinstance(
         path, (str, os.PathLike)) else path.read()
     rows = [*csv.reader(line for line in text.splitlines()
@@ -268,7 +269,7 @@ def read_csv(path: str | os.PathLike | TextIO) -> Table:
 
 
 def _column(name, texts):
-    """Of numbers where all are, else of words."""
+    """Numbers if all fields are numbers, else words."""
     bits = {str(mode): 1 << mode for mode in Mode}
     try:
         if name == "set":

@@ -31,16 +31,16 @@ from .decode import (ANSWER, DEADMAN, DESCRIBE, EVERY, EXPIRED, HEARTBEAT,
 __all__ = ["Board", "BoardError"]
 TAGGED = SCHEMA, HEARTBEAT, ANSWER, EXPIRED
 REASONS = {-1: "out of range", -2: "not finite or out of range",
-           -16: "the board does not know it", -17: "its length is wrong",
+           -16: "unknown to the board", -17: "of a wrong length",
            -19: "dated too far ahead", -20: "another host commands the board",
-           -21: "the board was restarted", -22: "the board wants its key",
+           -21: "the board was restarted", -22: "the board requires its key",
            -23: "more than the line carries"}
 TRIES = 4
 
 
 class BoardError(Exception):
-    """A command was refused (`code`, as in docs/PROTOCOL.md), or the board does
-    not answer (code None)."""
+    """A refused command (`code`, as in docs/PROTOCOL.md), or no answer (code
+    None)."""
 
     def __init__(self, what, code=None):
         super().__init__(what)
@@ -48,7 +48,7 @@ class BoardError(Exception):
 
 
 class _Device:
-    """A device by its path, as far as pyserial's objects are used here."""
+    """A device by its path, with the used methods of pyserial's objects."""
 
     def __init__(self, path, timeout, baud):
         import termios
@@ -82,7 +82,7 @@ class _Device:
     def write(self, wire):
         while wire:
             if not select.select([], [self.line], [], TRIES * self.timeout)[1]:
-                raise OSError("the line takes nothing")
+                raise OSError("the line accepts nothing")
             wire = wire[os.write(self.line, wire):]
 
     def close(self):
@@ -92,11 +92,11 @@ class _Device:
 
 
 class Board:
-    """A board at a port: a path, or an object with read, write and close, as
-    pyserial's, whose timeout is not None. baud: of a path, which keeps its
-    speed without it. key: its 16 bytes, where it has one; then answers and
-    counts are the board's, and none of a recording. `line.lost` counts the
-    frames from the board that did not come, or came broken."""
+    """A board on a serial port: a path, or an object with read, write and
+    close, such as pyserial's, whose timeout is not None. key: the 16 bytes of
+    the board's key, if it has one; answers and counts are then proved to be the
+    board's. baud: the speed, for a path; None: unchanged. `line.lost` counts
+    frames from the board that were lost or damaged."""
 
     def __init__(self, port, key=None, timeout=1.0, baud=None):
         if key is not None and len(key) != 16:
@@ -126,8 +126,8 @@ class Board:
         self._port.close()
 
     def describe(self):
-        """What the board says of itself: scene, build, real, dt, seed, deadman,
-        the hash of its parameters, whether it has a key."""
+        """Returns scene, build, real, dt, seed, deadman, the hash of the
+        parameters, and whether the board has a key."""
         self._nonce, self._trusts = os.urandom(8), False
         self._asks, = struct.unpack("I", os.urandom(4))  # for an answer to us
         self.command(DESCRIBE, bytes(4) + self._nonce if self._key else b"")
@@ -138,8 +138,8 @@ class Board:
         return self.schema
 
     def states(self, count=None, newest=False):
-        """So many states, or all that come. newest: leaves out those that were
-        overtaken, as a controller wants it that was late."""
+        """Yields `count` states, or all that arrive. newest: skips states that
+        a newer one has overtaken, for a controller that was late."""
         for _ in itertools.repeat(None) if count is None else range(count):
             until = time.monotonic() + TRIES * self._timeout
             while not self._rows:
@@ -150,7 +150,8 @@ class Board:
             yield self._rows.popleft()
 
     def record(self, count):
-        """So many states as a numpy array with the fields of a state."""
+        """Returns `count` states as a numpy array with the fields of a
+        state."""
         import numpy as np
         rows = list(self.states(count))
         return np.array(rows, np.dtype([
@@ -159,17 +160,17 @@ class Board:
 
     def setpoint(self, omega0, r0=0.0, force=0.0, torque=0.0, alpha=0.0,
                  tick=0):
-        """Inputs from a tick on; 0: from the next step on. Without an answer:
-        the newest wins, and `heartbeat` counts those superseded and late."""
+        """Sets inputs from a tick on; 0: from the next step on. No answer: the
+        newest wins; `heartbeat` counts those superseded and late."""
         data = struct.pack("<5" + self._real, omega0, r0, force, torque, alpha)
         with self._sends:
             self._send(SETPOINT, data, tick, self._number)
             self._number += 1
 
     def set(self, name, value):
-        """A parameter. Returns: its value in effect, smallest, largest."""
+        """Sets a parameter. Returns its value in effect, smallest, largest."""
         if name not in PARAMETERS:
-            raise ValueError(f"{name!r} is none of {' '.join(PARAMETERS)}")
+            raise ValueError(f"{name!r} is not one of {' '.join(PARAMETERS)}")
         payload = self.command(PARAMETER, struct.pack(
             "<B" + self._real, PARAMETERS.index(name), value))[1]
         return struct.unpack_from("<3" + self._real, payload, 8)
@@ -181,19 +182,19 @@ class Board:
         return self.command(STOP)[0]
 
     def reset(self):
-        """Back to the start of its scene."""
+        """Returns to the start of the scene."""
         return self.command(RESET)[0]
 
     def every(self, steps):
-        """From record to record."""
+        """Sets the number of steps from record to record."""
         return self.command(EVERY, struct.pack("<I", steps))[0]
 
     def deadman(self, ticks):
-        """How long inputs hold; 0: without end."""
+        """Sets for how many ticks inputs hold; 0: without end."""
         return self.command(DEADMAN, struct.pack("<I", ticks))[0]
 
     def command(self, kind, data=b"", tick=0):
-        """Sends it until it is answered. Returns: the tick at which it took
+        """Sends it until it is answered. Returns the tick at which it took
         effect, and the payload of the answer."""
         with self._sends:
             return self._command(kind, data, tick)
@@ -236,7 +237,7 @@ class Board:
             raise BoardError(f"the line fails: {error}") from error
 
     def _read(self, until=None, what=""):
-        """Takes what comes, at least something within the port's timeout."""
+        """Reads what arrives, at least something within the timeout."""
         if until is not None and time.monotonic() > until:
             raise BoardError(f"the board {what}")
         if not self._reads.acquire(timeout=0.001):
@@ -260,12 +261,12 @@ class Board:
             if len(piece) > 20 and piece[1] != 5 and \
                     piece == sealed(piece[:-5]):
                 raise BoardError(f"its protocol is version {piece[1]}, here it "
-                                 "is 5: build what sends it")
+                                 "is 5: rebuild the sender")
             return
         back = self.line.back
         try:
             if self.line.breaks(piece, frame) and self._trusts:
-                raise BoardError("frames were put in, or are of another run")
+                raise BoardError("frames were inserted, or of another run")
             if self._is_ours(frame):
                 self._take(*frame)
         except (struct.error, ValueError, LookupError) as error:
@@ -275,7 +276,7 @@ class Board:
             raise BoardError("numbers go back: somebody else sends")
 
     def _is_ours(self, frame):
-        """With a key: tagged for the nonce, or behind one that was."""
+        """With a key: tagged for the nonce, or after a frame that was."""
         kind, number, tick, payload = frame
         if not self._key or kind not in TAGGED:
             return self._trusts or not self._key
