@@ -295,7 +295,7 @@ static void judge(class_t class, unsigned n, verdict_t *sum) {
     sum->by_force += !holds_by_force(&k, joint);
     sum->unproven += is_true && is->finding == ABSENT;
     if (is->finding != SURE || is->count == ZEROS) continue;
-    bool all_sure = true, is_one = false;
+    bool all_sure = status == TF_OK, is_one = false;
     for (unsigned z = 0; z < is->count; z++) {
       const zero_t *zero = &is->zero[z];
       bool same = true;
