@@ -35,10 +35,10 @@ static inline bool tf_mode_is_slip(unsigned mode) {
 }
 
 /// Which of several consistent modes a step takes. All rules share the order:
-/// - A slip that is still consistent continues: off h = 0 the future is unique,
+/// - A slip that is still consistent goes on: off h = 0 the future is unique,
 ///   and a second consistent mode is an artefact of the finite step.
 /// - A slip never enters an escaping stick: both fields point away from it.
-/// - An attracting stick continues.
+/// - An attracting stick goes on.
 /// - Where the present mode is lost: attracting stick, pinned, slip (the
 ///   faster one if both), escaping stick, in this order.
 /// - At h = g = 0 every mode is lost, and a slip leaves along a limit

@@ -1,6 +1,6 @@
-// Location and type of two-folds (Filippov 1988, Teixeira 1990). On h = 0, h' =
-// N - A lambda, so a two-fold is A = N = 0. The header has the scheme of each
-// function.
+// Where two-folds lie and what they are (Filippov 1988, Teixeira 1990). On h =
+// 0, h' = N - A lambda, so that a two-fold is A = N = 0. See the header for the
+// scheme of each function.
 #include "twofold/singularity.h"
 
 #include <stddef.h>
@@ -30,7 +30,7 @@ TF_API const char *tf_folds_name(unsigned type) {
 TF_INLINE tf_real_t largest(tf_real_t a, tf_real_t b) { return a > b ? a : b; }
 
 // Real roots of a x^2 + b x + c, the one of larger magnitude first. A double
-// root appears once, and not if it is 0. Scaled by the largest coefficient, so
+// root is given once, and not if it is 0. Scaled by the largest coefficient, so
 // that no square overflows.
 static int quadratic_roots(tf_real_t a, tf_real_t b, tf_real_t c,
                            tf_real_t x[2]) {
@@ -104,7 +104,7 @@ static int two_folds_at(const tf_machine_t *k, const tf_input_t *input,
   return count;
 }
 
-// Why no motion of the machine has a two-fold.
+// What keeps the machine from having a two-fold in any motion.
 static tf_absence_t absence_in(const tf_machine_t *k, tf_real_t sine) {
   tf_real_t r[2];
   if (!tf_tyre_is_set_valued(k->contact.tyre.law) || !(k->contact.tyre.mu > 0))
@@ -170,8 +170,8 @@ static tf_direction_t direction_of(const tf_two_fold_t *at, tf_real_t value,
   return out;
 }
 
-// scale = sqrt|K++ K--|, formed as a product of two roots, is 0 only if one of
-// them is 0: the root of the smallest number is far larger than that number.
+// scale = sqrt|K++ K--| is 0 only where one of them is, as the product of two
+// roots: the root of the smallest number is far larger than that.
 static unsigned type_of(const tf_machine_t *k, const tf_two_fold_t *at,
                         tf_real_t scale) {
   if (within(k->sin_gamma, NO_SINE)) return TF_FOLDS_CONTINUOUS;
@@ -189,9 +189,9 @@ static unsigned paper_case_of(const tf_two_fold_t *at) {
   return at->J1 < 0 ? 1 : 2;
 }
 
-// A depends on r alone, so K-+ - K++ = K-- - K+- = 2 mu dA/dt, and the
-// eigenvalues need no square root: one is this, with (L+, L-) = (K++, K--); the
-// other is K++ - K+-, with (1, 1), along which r is constant.
+// A depends on r alone, so that K-+ - K++ = K-- - K+- = 2 mu dA/dt, and the
+// eigenvalues need no square root: that is the one of (L+, L-) = (K++, K--),
+// and K++ - K+- that of (1, 1), along which r is constant.
 static void classify(const tf_machine_t *k, tf_two_fold_t *at,
                      tf_real_t through) {
   const tf_real_t mu = k->contact.tyre.mu;
@@ -242,8 +242,8 @@ TF_API tf_status_t tf_normal_form(const tf_machine_t *machine,
   return TF_OK;
 }
 
-// kappa and k2 for a two-fold at a given point: A = 0 there gives kappa, and N
-// = 0, linear in the spring, gives k2.
+// kappa and k2 for a two-fold at a given point. There A = 0, which gives kappa,
+// and N = 0, which the spring enters linearly.
 
 static bool in_its_range(size_t offset, tf_real_t value) {
   int i = 0;
@@ -253,7 +253,7 @@ static bool in_its_range(size_t offset, tf_real_t value) {
          value <= tf_parameter_ranges[i].high;
 }
 
-// Obstacles that need no computation.
+// What can be said before anything is computed.
 static tf_design_obstacle_t obstacle_at(const tf_machine_t *k,
                                         const tf_input_t *input, tf_real_t r,
                                         tf_real_t w) {
@@ -276,8 +276,8 @@ static tf_surface_point_t stick_point(const tf_machine_t *k,
   return surface_point(k, r, z, w, g);
 }
 
-// (singKappa): s kappa from A(r, s) = 0, and (singK2): k2 from N = 0. N is its
-// value with the spring at rest, less k2 times the spring's effect on h'.
+// (singKappa): s kappa from A(r, s) = 0, and (singK2): k2 from N = 0. N is that
+// of a spring at rest less k2 times what the spring does to h'.
 static tf_design_obstacle_t solve_parameters(const tf_machine_t *k,
                                              const tf_input_t *input,
                                              const tf_surface_point_t *point,

@@ -7,9 +7,9 @@
 //            lane slips, and lane by lane where few do
 //   balance  what the step does to the energy
 //   commit   the state and the report
-// tf_step redoes the lanes that a pass marks rare (refused, out of range,
-// without a mode, a root without a series, a slip whose force turns, a balance
-// to be checked), from the state before the step.
+// Lanes that a pass marks rare (refused, out of range, without a mode, a root
+// without a series, a slip whose force turns, a balance to be checked) are
+// done by tf_step from the state that they had.
 #include "twofold/ensemble.h"
 
 #include "../friction/mode_set.h"
@@ -17,7 +17,7 @@
 #include "../moreau/report.h"
 #include "lanes_solve.h"
 
-// Up to this many slips cost less one by one than all lanes in vectors.
+// Up to so many slips cost less one by one than all lanes in vectors.
 #define FEW 3
 
 static unsigned select_lane(const tf_machine_t *k, const tf_state_block_t *b,
@@ -31,14 +31,14 @@ static unsigned select_lane(const tf_machine_t *k, const tf_state_block_t *b,
                            b->seed[i]);
 }
 
-// Whether all masks of a block are 0.
+// Of the masks of a block, whether all are 0.
 static bool none_of(const mask_t mask[TF_LANES]) {
   mask_t all = 0;
   for (int i = 0; i < TF_LANES; i++) all |= mask[i];
   return all == 0;
 }
 
-// Whether the bit of a mode is one of two bits.
+// Whether the bit of a mode is that of one of two.
 TF_INLINE mask_t is_either(mask_t bit, unsigned one, unsigned other) {
   return ~(((bit >> one | bit >> other) & 1u) - 1u);
 }
@@ -53,7 +53,7 @@ static void kinds_all(work_t *restrict work) {
   }
 }
 
-// Whether the mode of every lane continues under every rule.
+// Whether the mode of every lane goes on under every rule.
 static bool all_continue(work_t *restrict work) {
   mask_t lost = 0; // its highest bit, where one is taken from 0
   for (int i = 0; i < TF_LANES; i++)
@@ -63,7 +63,7 @@ static bool all_continue(work_t *restrict work) {
   return lost >> (8 * sizeof lost - 1) == 0;
 }
 
-// tf_step takes the slips that can reach h = g = 0: is_near_codim2().
+// Slips that have h = g = 0 within reach are left to tf_step: is_near_codim2().
 static void near_codim2_all(const tf_machine_t *restrict k,
                             const tf_state_block_t *restrict b,
                             const tf_input_t *restrict u,
@@ -311,7 +311,7 @@ static __attribute__((noinline)) void judge_stalls(const tf_machine_t *k,
   }
 }
 
-// tf_step for one lane, from its state and report before the step.
+// tf_step for one lane, from the state and the report that it had.
 static void step_lane(const tf_machine_t *k, const tf_state_block_t *before,
                       const tf_report_block_t *last, const tf_input_t *u,
                       tf_state_block_t *b, tf_report_block_t *out, size_t i) {
@@ -421,7 +421,7 @@ TF_API tf_report_t tf_ensemble_report(const tf_report_block_t *blocks,
                        .status = (tf_status_t)b->status[i]};
 }
 
-// What vectors do not cover: an incomplete block, or another law.
+// What vectors do not do: a block that is not full, or of another law.
 static size_t step_rest(const tf_machine_t *k, tf_state_block_t *b, size_t n,
                         const tf_input_t *u, tf_report_block_t *out) {
   for (size_t i = 0; i < n; i++) step_lane(k, b, out, u, b, out, i);

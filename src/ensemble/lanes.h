@@ -1,13 +1,13 @@
-// Branch-free functions of a step, for one lane of a block: every value is
-// computed, then a mask picks one, so that the compiler can vectorise over
-// lanes. The formulas are the functions of inclusion.h, tyre_law.h and
-// linear.h, hence the same bits; only the choice between them is here. A rare
-// case that needs more (a square root, a rescaling) marks the lane rare, for
-// tf_step.
+// Functions of a step without branches, for one lane of a block: every value is
+// computed, then one is picked by a mask, so that the compiler can do several
+// lanes at once. The formulas are functions of inclusion.h, tyre_law.h and
+// linear.h, hence the same bits; only the choice between them is made here.
+// Where a rare case needs more (a square root, a rescaling) the lane is marked
+// rare and left to tf_step.
 //
-// Masks, because compilers do not keep ?: free of branches: gcc moves the
-// computation of one side into a branch and cannot move it back, since every
-// operation on reals may trap.
+// Masks are used because compilers do not keep ?: free of branches: gcc moves
+// what is computed for one side into a branch and cannot move it back, since
+// every operation on reals may trap.
 #ifndef TF_LANES_H
 #define TF_LANES_H
 
@@ -94,8 +94,8 @@ TF_INLINE mask_t lane_has_signs(mask_t slips, mask_t rolls, mask_t minus,
          (~slips & on & ((rolls & forward) | (~rolls & rests)));
 }
 
-// may_vanish() without its division, and a little wider: a lane marked rare
-// needlessly has the same bits.
+// may_vanish() without its division, and a little wider: a lane that is rare in
+// vain has the same bits.
 TF_INLINE mask_t lane_may_vanish(const tf_form_t *f, tf_real_t now) {
   return when(within(now, magnitude(f->c0 - now) +
                               TF_R(1.334) * magnitude(f->cx) +

@@ -1,13 +1,13 @@
 // The first passes of a block: the motion without friction and the whole
-// solution set of each lane, in loops without a branch on data. In most lanes
-// g+ has one sign, and one root is enough. Near h = g = 0 it can have both
-// signs, which takes two more roots and the forces of rest, 7 of 12 divisions:
-// a group of lanes that fills a vector takes these passes only if one of its
-// lanes needs them. The passes communicate through memory, because compilers
-// would thread one comparison into the next, which leaves branches.
+// solution set of each lane, in loops without a branch on data. Most lanes have
+// a g+ of one sign, and one root is all that they need. Where it can have both,
+// near h = g = 0, two more roots and the forces of rest are wanted, 7 of 12
+// divisions: a group of lanes that a vector holds goes through these passes
+// only where one of them needs that. They hand on by memory what would make
+// compilers thread one comparison into the next, which leaves branches.
 //
-// Only ensemble.c includes this. As a separate source it would cost up to 4 %
-// more instructions a block (gcc, float with AVX2).
+// Only ensemble.c includes this. Compiled as a source of its own it makes a
+// block take up to 4 % more instructions (gcc, float with AVX2).
 #ifndef TF_LANES_SOLVE_H
 #define TF_LANES_SOLVE_H
 
@@ -137,8 +137,8 @@ static void modes_all(const tf_state_block_t *restrict b,
   for (int i = 0; i < TF_LANES; i++) work->bit[i] = bit[i];
 }
 
-// enumerate_one_law(). Lanes whose g+ can have both signs are treated like
-// those with g+ > 0; sticks_of() keeps their stick+.
+// enumerate_one_law(). Lanes whose g+ can have both signs are done as those
+// with g+ > 0, of which sticks_of() keeps stick+.
 static void enumerate_all(work_t *restrict work) {
   for (int i = 0; i < TF_LANES; i++) {
     const tf_real_t g = work->g.c0[i];
@@ -169,9 +169,9 @@ static void enumerate_all(work_t *restrict work) {
   }
 }
 
-// What the passes over a group whose g+ can have both signs share: at the ends
-// x = +1 (0) and x = -1 (1) whether g+ > 0 for s = +1, g+ < 0 for s = -1, and
-// whether neither holds, so that the share of the moment is a root.
+// What the passes over a group whose g+ can have both signs hand on: at the
+// ends x = +1 (0) and x = -1 (1) whether g+ > 0 for s = +1, g+ < 0 for s = -1,
+// and whether neither holds, so that the share of the moment is a root.
 typedef struct {
   mask_t plus[2][GROUP], minus[2][GROUP], open[2][GROUP];
   tf_real_t c0[GROUP], c1[GROUP], c2[GROUP]; // of that root

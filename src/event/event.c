@@ -61,13 +61,13 @@ TF_API void tf_project(trajectory_t *path) {
   path->now.z += impulse_over_m * arm / J_over_m;
 }
 
-// The first event of a segment. An event is a zero of a function of time that
-// has one sign throughout the segment: h, g, mu - |lambda|, A, or, at rest,
-// those of rest_motion.c. These are polynomials here, up to the order of the
-// motion, so their first roots are isolated by Descartes' rule on Bernstein
-// coefficients (polynomial.h). Event-driven solvers that compare signs at the
-// ends of steps, as in Piiroinen and Kuznetsov (2008), may miss a pair of
-// roots.
+// The first event of a segment. An event is where a function of time vanishes
+// that has one sign throughout the segment: h, g, mu - |lambda|, A, or where
+// the wheel rests those of rest_motion.c. These are polynomials here, up to the
+// order of the motion, so their first roots are isolated by Descartes' rule on
+// Bernstein coefficients (polynomial.h). Event-driven solvers that compare
+// signs at the ends of steps, as in Piiroinen and Kuznetsov (2008), may pass
+// over a pair of roots.
 
 // An event function that is linear in p and q: (of_p p + of_q q) / t^zeros, for
 // a sum with a zero of that order at t = 0.
@@ -123,7 +123,8 @@ TF_INLINE void magnitude_of_A(const taylor_t *motion, delassus_quadratic_t at,
 }
 
 // Whether a series that begins above 0 vanishes before *time, which then
-// becomes its first root. Most series are far from 0, which is cheap to detect.
+// becomes its first root. Most series are far from 0, which costs little to
+// see.
 TF_INLINE bool vanishes_before(const series_t *series, int order,
                                tf_real_t *time) {
   tf_real_t root;
@@ -134,8 +135,8 @@ TF_INLINE bool vanishes_before(const series_t *series, int order,
   return true;
 }
 
-// The most that the terms of p and q beyond their lines can add together within
-// a time.
+// What the terms of p and q beyond their lines together can add within a time,
+// at most.
 typedef struct {
   tf_real_t p, q;
 } beyond_t;
@@ -149,13 +150,14 @@ TF_INLINE beyond_t changes_beyond_lines(const taylor_t *motion,
     sum.p = sum.p * length + magnitude(p[i]);
     sum.q = sum.q * length + magnitude(q[i]);
   }
-  // is_rootless() would allow no more, but for its rounding.
+  // is_rootless() would see no more than that, but for its rounding.
   const tf_real_t more = (1 + 64 * TF_REAL_EPSILON) * length * length;
   return (beyond_t){sum.p * more, sum.q * more};
 }
 
-// Whether an event function keeps its sign whatever that adds; is_rootless()
-// would then agree. This settles most functions without their own terms.
+// Whether an event function keeps its sign whatever that adds: then
+// is_rootless() would find so, too. Most are settled by this, without their own
+// terms.
 TF_INLINE bool event_function_stays(const taylor_t *motion, event_function_t f,
                                     beyond_t beyond, tf_real_t length) {
   const tf_real_t change = event_term(motion, f, 1) * length;
@@ -173,8 +175,8 @@ TF_INLINE bool event_function_vanishes(const taylor_t *motion,
   return vanishes_before(&series, degree, time);
 }
 
-// Whether A keeps its sign for the largest change of r that its terms allow.
-// This settles most segments.
+// Whether A keeps its sign while r changes by what its terms can at most. Most
+// segments are settled by this.
 TF_INLINE bool delassus_stays(const taylor_t *motion, delassus_quadratic_t at,
                               tf_real_t length) {
   const tf_real_t r = motion->r.c[0];

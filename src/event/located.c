@@ -8,11 +8,11 @@
 #include "../moreau/report.h"
 #include "trajectory.h"
 
-// A slip below this many errors of a segment, and this much smaller than at the
-// start of the segment, has reached h = g = 0.
+// A slip below so many errors of a segment, and so much smaller than it was at
+// the start of the segment, has reached h = g = 0.
 #define CAPTURE_ERRORS 256
 #define CLOSE_SHARE TF_R(0x1p-6)
-// After every so many segments a slip near h = g = 0 is tested for stiffness.
+// Every so many segments a slip near h = g = 0 is tested for being stiff.
 #define STIFFNESS_EVERY 5
 
 static tf_status_t validate_located(const tf_machine_t *k,
@@ -72,9 +72,9 @@ static bool end_along_limit_direction(trajectory_t *path) {
   return at_codim2 ? tf_next_segment(path, EVENT_CODIM2) : true;
 }
 
-// The time at which a stick reaches the two-fold A = 0, if until then the
-// velocities change by less than their error, else 0. So near to it lambda =
-// N/A is a quotient of two errors, and the segments would become ever shorter.
+// The time at which a stick reaches the two-fold A = 0, if the velocities
+// change less until then than they may be off by, else 0. So near to it
+// lambda = N/A is a quotient of two errors, which ever shorter segments follow.
 static tf_real_t time_of_near_two_fold(const trajectory_t *path, span_t span) {
   const taylor_t *motion = &path->motion;
   const tf_machine_t *k = motion->machine;
@@ -94,8 +94,8 @@ static tf_real_t time_of_near_two_fold(const trajectory_t *path, span_t span) {
 }
 
 // How far the trajectory is from h = g = 0 [m/s], where either z or r becomes 0
-// (place_at_codim2). r is an integral of v over the segment, and is measured by
-// its error there.
+// (place_at_codim2): r, which is an integral of v over the segment, by what it
+// may be off by there.
 static tf_real_t distance_to_codim2(const trajectory_t *path, tf_real_t time) {
   const phase_point_t now = path->now;
   const rates_t rates = tf_trajectory_rates(path);
@@ -130,7 +130,7 @@ TF_INLINE bool integrate_segment(trajectory_t *path) {
   // Length, by the last terms of the series.
   const span_t span = tf_segment_span(path);
 
-  // Next to a singular point the series are short, and the motion is close to
+  // Next to a singular point the series are short, and the motion is near to
   // one through that point: slip to h = g = 0, stick to a two-fold.
   if (goes_along_limit_direction(path, span))
     return end_along_limit_direction(path);
@@ -168,8 +168,8 @@ static end_state_t end_of(const trajectory_t *path) {
                        z + path->omega};
 }
 
-// The name of the mode at the end. Where no event decides it, the signs there
-// do: of h without contact, of g in a stick without a moment.
+// The name of the mode at the end. Where no event decides, it goes by the signs
+// there: of h without contact, of g in a stick without a moment.
 static unsigned mode_at_end(const trajectory_t *path, tf_slip_t slip) {
   if (path->segment.kind == SEGMENT_FREE && slip.h != 0)
     return slip_with(sign_of(slip.h));
@@ -179,16 +179,16 @@ static unsigned mode_at_end(const trajectory_t *path, tf_slip_t slip) {
   return path->mode;
 }
 
-// The changes within a step, for callers that want them.
+// The changes that a step has met, for whom asks for them.
 typedef struct {
   tf_located_change_t *list;
   size_t room, count;
   unsigned mode; // before the next one
 } changes_t;
 
-// Records the contact from here on, if it is another one, a stick passes
-// through a two-fold, or a motion at h = g = 0 may continue in several modes. g
-// has the sign that follows, even where it is 0.
+// Notes the contact from here on, where it is another one, a stick passes
+// through a two-fold, or a motion comes to h = g = 0 and may go on in several
+// modes. g has the sign that follows, also where it is 0.
 static void note_change(changes_t *changes, trajectory_t *path) {
   const tf_machine_t *k = path->motion.machine;
   const bool passes = is_stick(path->mode) && path->segment.A_starts_at_zero;
@@ -247,8 +247,8 @@ TF_INLINE progress_t integrate_step(trajectory_t *path, changes_t *changes) {
   return path->remaining < k->dt ? PROGRESS_PART : PROGRESS_NONE;
 }
 
-// The whole step by tf_step. If tf_step refuses it, or finds it degraded or too
-// coarse, that status takes precedence over which scheme took the step.
+// The whole step by tf_step. What that refuses, degrades or finds too coarse,
+// it reports itself: that weighs more than which scheme took the step.
 static tf_status_t fall_back(const tf_machine_t *k, tf_state_t *state,
                              const tf_input_t *input, tf_report_t *report) {
   const tf_status_t status = tf_step(k, state, input, report);
@@ -257,7 +257,8 @@ static tf_status_t fall_back(const tf_machine_t *k, tf_state_t *state,
   return TF_FELL_BACK;
 }
 
-// One tf_step for the rest of the step, from where the segments end.
+// What is left of the step by one of tf_step, from where the segments have come
+// to.
 static tf_status_t finish_by_fixed_step(const trajectory_t *path,
                                         tf_state_t *state,
                                         tf_report_t *report) {
@@ -286,7 +287,7 @@ static tf_status_t finish_by_fixed_step(const trajectory_t *path,
   return report->status;
 }
 
-// The distance of the force at the end from the law there, by the law itself.
+// How far the force at the end is from the law there, by the law itself.
 TF_INLINE tf_real_t residual_at_end(const trajectory_t *path, tf_slip_t slip) {
   const tf_machine_t *k = path->motion.machine;
   const outcome_t stick = {.mode = path->mode};
@@ -327,8 +328,8 @@ TF_INLINE tf_status_t commit_located(trajectory_t *path,
   return stays ? tf_status_of_stall(k, input, state, report) : status;
 }
 
-// Without a moment a stick does not end where g changes its sign: its place at
-// the end decides which of both names it has.
+// Without a moment nothing ends a stick where g changes its sign: which of both
+// names it has is decided by where it is at the end.
 static void name_stick(trajectory_t *path) {
   const unsigned sticks = path->set & STICKS;
   if (path->motion.machine->contact.stick_kappa > 0 || is_slip(path->mode))

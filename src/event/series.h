@@ -46,8 +46,8 @@ TF_INLINE int highest_order(const taylor_t *motion) {
   return USUAL_ORDER + (SERIES_ORDER - USUAL_ORDER) * is_fine;
 }
 
-// An empty sum. Adding to it keeps every bit, so compilers drop the addition if
-// the first summand is a constant; 0 + x is not x where x is -0.
+// An empty sum. What is added to it keeps every bit, so that no addition is
+// left where the first summand is known; 0 + x is not x where x is -0.
 #define NO_TERMS TF_R(-0.0)
 
 // The sum of a_i a_(n-i) over 0 < i < n, or a_0^2 for n = 0. Equal products are
@@ -146,8 +146,8 @@ TF_INLINE next_terms_t next_terms(taylor_t *motion, int n) {
       torque * (motion->inverse_J * over) - r2_w * motion->m_over_J, r_w, r_z};
 }
 
-// What one unit of T or lambda, whichever the contact gives, is as F and M, and
-// adds to p', w' and z'.
+// What one unit of what a contact gives, T or lambda, is as F and M, and what
+// they add to p' and to w' and z'.
 typedef struct {
   tf_real_t F, M, p, z;
 } friction_t;
@@ -180,11 +180,11 @@ TF_INLINE void set_terms(taylor_t *motion, int n, const next_terms_t *next,
   motion->q.c[n + 1] = next->r_z + r * z;
 }
 
-// The radius of gyration turns rad/s into m/s in the norm of the kinetic
-// energy, also where r is 0. For a heavy disc it is so large that the error of
-// p could exceed p; but p also enters v and q together with z, by the lengths d
-// and r. So z is weighed by both: where p and z are off by a share of P and Z,
-// the error is no more than that share of either sum.
+// Times the radius of gyration rad/s become m/s in the norm of the kinetic
+// energy, also where r is 0. But a heavy disc has so much of that, that p could
+// be off by itself and more: p counts in what z gives v and q as well, whose
+// lengths are d and r. So z counts by both: where p and z are off by a share of
+// P and Z, by no more than that share of either sum.
 TF_INLINE void weigh_heavy_disc(taylor_t *motion) {
   const tf_real_t time = magnitude(motion->time);
   const tf_real_t arm = magnitude(motion->machine->d) +
@@ -199,16 +199,16 @@ TF_INLINE void weigh_heavy_disc(taylor_t *motion) {
 }
 
 // The sizes of the terms of the velocities at the time of a series, as shares
-// of the error allowed, and the factor that gives them from those of the last
+// of the error allowed, and the factor that makes them from those of the last
 // terms.
 typedef struct {
   tf_real_t of[SERIES_ORDER + 1], power;
 } sizes_t;
 
-// Records the terms n, and returns whether the series may end with them: over
-// its time, both the last term and the next one are within the error allowed.
-// The next one is predicted from the two before the last, so that a last term
-// which happens to be 0 does not hide it.
+// Notes the terms n, and returns whether the series may end with them: over the
+// time of the series the last term is allowed as an error, and so is the one
+// that would follow it. That one is predicted from the two before the last, so
+// that a last term which happens to be 0 does not hide it.
 TF_INLINE bool is_long_enough(taylor_t *motion, sizes_t *sizes, int n) {
   // The first call has n = 1, which sets what the others read.
   // cppcheck-suppress ctuuninitvar
@@ -223,7 +223,7 @@ TF_INLINE bool is_long_enough(taylor_t *motion, sizes_t *sizes, int n) {
   if (n == 1) {
     size[0] = term_size(motion, 0);
     if (size[0] > motion->speed) motion->speed = size[0];
-    // Friction may end the slip at once; the other forces continue.
+    // Friction may end the slip at once, the other forces go on.
     const tf_real_t tolerance = motion->machine->tolerance;
     const tf_real_t free =
         (motion->free_p + motion->length * motion->free_z) * sizes->power;

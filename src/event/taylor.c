@@ -3,18 +3,17 @@
 #include "../model/rates.h"
 #include "trajectory.h"
 
-// Each shortening takes a quarter off a segment, or leaves an eighth of it if
-// the terms exceed the error by so much that they still do then.
+// Each shortening takes a quarter off a segment, or, where the terms exceed the
+// error so long_share that they still do then, leaves an eighth of it.
 #define MAX_SHORTENINGS 64
 #define SHORTENING TF_R(0.75)
 #define MUCH_TOO_LARGE TF_R(0x1p30)
 #define LONG_SHORTENING TF_R(0.125)
 
-// Calls extend(..., n) for the terms from 1 on, until it returns that the
-// series is long enough. With a constant n the sums of a term have no loops: a
-// located run takes a fifth less time, but a series three times the code. So
-// only hosts do that, recognised by the size of their pointers. The operations
-// and their order are the same.
+// Calls extend(..., n) for the terms from 1 on, until it returns that they are
+// long enough. With a constant n the sums of a term have no loops: a fifth less
+// time of a located run, but three times the code of a series. So that is for
+// hosts, by their pointers. The operations and their order are the same.
 #define EXTEND_BY_NEED(extend, motion, sizes, a, b)                            \
   if (sizeof(void *) > 4)                                                      \
     (void)(extend(motion, sizes, a, b, 1),                                     \
@@ -96,9 +95,9 @@ TF_INLINE void extend_squares(const taylor_t *motion, slip_angle_t *angle,
   angle->T2.c[n] = square_term(&angle->T, n);
 }
 
-// Terms n - 1 of R^2, T^2 and psi', and T_n. The newest terms, p_n and q_n,
-// come last and with a factor of their own, so that little has to wait for
-// them. p_i q_(n-i) and p_(n-i) q_i have the same weight.
+// Terms n - 1 of R^2, T^2 and psi', and T_n. What hangs on the newest terms,
+// p_n and q_n, comes last, and by a factor of its own, so that little has to
+// wait for them. p_i q_(n-i) and p_(n-i) q_i have the same weight.
 TF_INLINE tf_real_t next_slip_angle(const taylor_t *motion, slip_angle_t *angle,
                                     int n) {
   const tf_real_t *p = motion->p.c, *q = motion->q.c;
@@ -153,8 +152,8 @@ static void taylor_slip(taylor_t *motion, const segment_t *segment) {
   const tf_real_t G = with_sign(segment->sign_g, slip.g);
   const tf_real_t T =
       with_signs_of(segment, cot_psi(tyre, G > 0 ? G : 0, H > 0 ? H : 0));
-  // Set term by term: clearing would cost more than the rest. No term is read
-  // before it is set, which cppcheck cannot prove.
+  // Term by term: zeros would cost more than the rest, and none is read before
+  // it is set, which cppcheck does not see.
   slip_angle_t angle;
   angle.a = tyre->T_series[0];
   angle.inverse_R2 = 1 / (p * p + q * q);
@@ -166,7 +165,7 @@ static void taylor_slip(taylor_t *motion, const segment_t *segment) {
   EXTEND_BY_NEED(extend_slip, motion, &sizes, &angle, &by_T);
 }
 
-// How much of a change of T at h = g = 0 returns through psi'. The solution
+// How much of a change of T at h = g = 0 comes back through psi'. The solution
 // there is singular: p and q begin with t, so that psi' is that of p/t and q/t.
 // A small distance from it changes as t^(gain - 1).
 static tf_real_t limit_direction_gain(const taylor_t *motion,
@@ -177,7 +176,7 @@ static tf_real_t limit_direction_gain(const taylor_t *motion,
          (by_T->p * motion->q.c[1] - motion->p.c[1] * dq) / angle->R2.c[0];
 }
 
-// At a singular point the sizes of the terms do not predict the next ones.
+// Out of a singular point the sizes of the terms do not predict the next ones.
 static void take_all_terms(taylor_t *motion) {
   sizes_t sizes;
   (void)is_long_enough(motion, &sizes, 1);

@@ -43,9 +43,9 @@ typedef enum {
 TF_API bool tf_taylor_coefficients(taylor_t *motion, const segment_t *segment,
                                    tf_real_t time);
 
-// The error allowed over a time [m/s]: a constant part, and a part proportional
-// to the time, as the change of the velocities is. A force that stops them
-// within part of the time changes them by less than it could.
+// An error that is allowed over a time [m/s]: what does not hang on the time,
+// and what goes with it, as the change of the velocities does. A force that
+// stops them within a part of the time changes them by a part of what it would.
 typedef struct {
   tf_real_t at_once, by_change;
 } series_error_t;
@@ -66,8 +66,8 @@ TF_API tf_real_t tf_angle_change(const taylor_t *motion, tf_real_t t);
 TF_API event_t tf_next_event(const taylor_t *motion, const segment_t *segment,
                              tf_real_t length, tf_real_t *time);
 
-// A located step in progress: where the trajectory is, its segment, and what
-// has happened in the step so far.
+// A located step under way: where the trajectory is, the segment it is on, and
+// what the step has met so far.
 typedef struct {
   taylor_t motion; // series of the segment, from its start
   segment_t segment;
@@ -94,18 +94,18 @@ TF_INLINE tf_slip_t trajectory_slip(const trajectory_t *path) {
 #define tf_trajectory_rates TF_LINK(tf_trajectory_rates)
 TF_API rates_t tf_trajectory_rates(const trajectory_t *path);
 
-// The rounding of h and g at a point of the step. For omega it is that of
-// omega0 at the end and of its change, which exceed omega where omega0 passes
-// 0.
+// What rounding makes of h and g at a point of the step. That of omega is one
+// of omega0 at the end and of its change: where omega0 passes 0 they are larger
+// than it is.
 TF_INLINE tf_real_t step_rounding(const trajectory_t *path, end_state_t at,
                                   tf_real_t omega) {
   return slip_rounding(path->motion.machine, at.r, at.v, at.w,
                        magnitude(omega) + path->turn);
 }
 
-// The rounding error of h and g at a point of a series [m/s]: an eighth of the
-// bound within which a state is at h = 0, because the point is the value of a
-// polynomial, not the end of a step.
+// By how much the h and g of a point of a series may be off by rounding [m/s]:
+// an eighth of the bound by which a state is at h = 0, because that point is
+// the value of a polynomial and not the end of a step.
 TF_INLINE tf_real_t trajectory_rounding(const trajectory_t *path) {
   const phase_point_t at = path->now;
   const tf_real_t v = slider_velocity(path->motion.machine, at.p, at.z);
@@ -124,10 +124,10 @@ typedef struct {
   tf_real_t length, error;
 } span_t;
 
-// The span of the series: they have as many terms as they need to reach the end
-// of the step, or end before it if all terms are not enough. The error allowed
-// is the tolerance of the machine times the velocities and their possible
-// change in the rest of the step.
+// Of the series: they have as many terms as they need to go on to the end of
+// the step, or, where all terms are not enough, end before that. The error that
+// is allowed is the tolerance of the machine times what the velocities are and
+// may change by in the rest of the step.
 #define tf_segment_span TF_LINK(tf_segment_span)
 TF_API span_t tf_segment_span(const trajectory_t *path);
 
@@ -135,8 +135,8 @@ TF_API span_t tf_segment_span(const trajectory_t *path);
 #define tf_advance TF_LINK(tf_advance)
 TF_API void tf_advance(trajectory_t *path, tf_real_t from, tf_real_t to);
 
-// Takes the force of the series at one of its times. A segment that is not the
-// last needs none, except what ends a stick.
+// Takes the force of the series at one of its times. A segment that another one
+// follows needs none, but for what ends a stick.
 #define tf_take_force TF_LINK(tf_take_force)
 TF_API void tf_take_force(trajectory_t *path, tf_real_t time);
 
@@ -147,14 +147,14 @@ TF_API void tf_project(trajectory_t *path);
 
 // Slip near h = g = 0, where the equations are stiff.
 
-// Whether a slip near h = g = 0 may be stiff: a segment of this length is much
-// shorter than the motion from or to there.
+// Whether a slip is near h = g = 0 and a segment of this length much shorter
+// than the motion from or to there: it may be stiff then.
 #define tf_may_be_stiff TF_LINK(tf_may_be_stiff)
 TF_API bool tf_may_be_stiff(const trajectory_t *path, tf_real_t length);
 
-// Moves along the limit direction that attracts the slip, at most to h = g = 0.
-// Returns false and changes nothing if the slip is further from that direction
-// than the error allowed.
+// Moves along the limit direction that attracts the slip, to h = g = 0 at most.
+// False, and nothing has changed, where the slip is further from that direction
+// than the error that is allowed.
 #define tf_follow_limit_direction TF_LINK(tf_follow_limit_direction)
 TF_API bool tf_follow_limit_direction(trajectory_t *path, tf_real_t allowed);
 

@@ -48,10 +48,10 @@ static bool leave_h_zero(trajectory_t *path) {
   return true;
 }
 
-// Whether a slip that reaches h = g = 0 within the error may have stuck just
+// Whether a slip that comes to h = g = 0 within the error may have stuck just
 // before, and that decides what follows: an attracting stick leads there, which
-// would rest where the slip continues, and no limit direction in the quadrant
-// of the slip does. The last test costs most.
+// would rest where the slip goes on, and no limit direction of the quadrant of
+// the slip does, which costs most to see.
 static bool may_have_stuck(const trajectory_t *path,
                            const codim2_field_t *field,
                            const consistent_modes_t *consistent,
@@ -99,9 +99,9 @@ static bool leave_codim2(trajectory_t *path, bool arrives) {
   return true;
 }
 
-// A stick that has left h = g = 0 but whose g is still within rounding, and may
-// have the wrong sign: it continues if its own force moves g to its side.
-// Placed at h = g = 0 in every step, it would never leave.
+// A stick whose g is still within its rounding after it left h = g = 0,
+// and may have the wrong sign: it goes on where its own force moves g to its
+// side. Placed at h = g = 0 in every step, it would never get away.
 static bool keep_leaving(trajectory_t *path) {
   const tf_machine_t *k = path->motion.machine;
   const sign_t sign_g = sign_in(path->mode);
@@ -125,8 +125,8 @@ static bool keep_leaving(trajectory_t *path) {
   return true;
 }
 
-// A stick on an attracting surface, about which the rule has nothing to decide:
-// most are. This does not apply at g = 0.
+// A stick that an attracting surface keeps, and a rule nothing to decide about:
+// most are. At g = 0 this does not apply.
 static bool keep_stick(trajectory_t *path, sign_t sign_g) {
   const tf_machine_t *k = path->motion.machine;
   const rates_t rates = rates_at(k, path->motion.input, path->now.r,
@@ -152,10 +152,10 @@ static void begin_in_slip(trajectory_t *path, tf_slip_t slip) {
   keep_largest_set(path, TF_MODE_BIT(path->mode));
 }
 
-// A wheel at rest follows the turntable. So its distance from it is the
-// difference between the turntable's speed at the end of the last step and at
-// the start of this one, by the inputs of both. A share of the change that the
-// tolerance admits is no jump.
+// A wheel at rest follows the turntable. So it is as far from that as the speed
+// at the end of the step before is from the speed at the start of this one, by
+// the inputs of both. A share of the change that the tolerance admits is no
+// jump.
 static tf_real_t rounding_at_start(const trajectory_t *path) {
   const tf_machine_t *k = path->motion.machine;
   const tf_state_t *x = path->state;
@@ -189,7 +189,7 @@ TF_API bool tf_first_segment(trajectory_t *path) {
   return (rolls && keep_stick(path, sign)) || leave_h_zero(path);
 }
 
-// Without an event the same contact continues, now away from where it began.
+// Without an event the same contact goes on, now away from where it began.
 static bool continue_segment(segment_t *segment) {
   if (segment->kind == SEGMENT_CODIM2_SLIP) segment->kind = SEGMENT_SLIP;
   if (segment->kind == SEGMENT_TWO_FOLD_STICK) segment->kind = SEGMENT_STICK;
@@ -225,7 +225,7 @@ static bool release_stick(trajectory_t *path) {
   return true;
 }
 
-// Both slips leave a two-fold as well (Teixeira 1990). The stick continues into
+// Both slips leave a two-fold as well (Teixeira 1990). The stick goes on into
 // the escaping region, where the rule may end it.
 static bool pass_two_fold(trajectory_t *path) {
   segment_t *segment = &path->segment;
@@ -258,12 +258,11 @@ TF_API bool tf_next_segment(trajectory_t *path, event_t event) {
   }
 }
 
-// Slip near h = g = 0. There the field depends on the angle of the slip alone.
-// The angle may turn to a limit direction (Antali and Stepan 2018) much faster
-// than the slip moves along it: that is stiff, and the series of the slip is
-// short. But the slip soon equals the one solution that begins or ends in h = g
-// = 0 along the limit direction, and that solution has a long series from
-// there.
+// Slip near h = g = 0. The field depends there on the angle of the slip alone,
+// which may turn to a limit direction (Antali and Stepan 2018) much faster than
+// the slip moves along it: that is stiff, and the series of the slip is short.
+// But soon the slip is as good as the one solution that begins or ends in h = g
+// = 0 along the limit direction, whose series from there is long.
 
 // The solution along a limit direction.
 typedef struct {
@@ -275,9 +274,10 @@ typedef struct {
 } limit_solution_t;
 
 // The motion to h = g = 0 takes about speed/acceleration. The search is worth
-// its cost if that is much longer than the series, but not many steps, and if
-// the slip goes nearly straight to or from there, up to the curvature of the
-// limit solution: (p, q) and (p', q') at most atan(1/2) apart.
+// its cost where that is much longer than the series reaches, but not many
+// steps, and where the slip goes straight to or from there, but for what a
+// curved limit solution turns: where (p, q) and (p', q') are at most atan(1/2)
+// apart.
 TF_API bool tf_may_be_stiff(const trajectory_t *path, tf_real_t length) {
   const taylor_t *motion = &path->motion;
   const tf_real_t speed = magnitude(motion->p.c[0]) + magnitude(motion->q.c[0]);
@@ -330,8 +330,8 @@ static tf_real_t time_along(const taylor_t *motion, tf_real_t p, tf_real_t q) {
 }
 
 // Finds the limit solution next to the slip and returns whether it is near
-// enough to replace it. Its r and time are exact to second order in the slip
-// after the first expansion and to fourth after the second.
+// enough to take its place. Its r and time are exact to second order in the
+// slip after the first expansion and to fourth after the second.
 static bool is_on_limit_solution(const trajectory_t *path, tf_real_t allowed,
                                  limit_solution_t *limit) {
   const taylor_t *motion = &limit->motion;
@@ -341,7 +341,7 @@ static bool is_on_limit_solution(const trajectory_t *path, tf_real_t allowed,
   for (int i = 0; i < 2; i++) {
     if (!series_of_limit_solution(path, limit)) return false;
     const tf_real_t t = time_along(motion, now.p, q);
-    // A distance from the solution changes as t^exponent: it must decay.
+    // A distance from the solution changes as t^exponent: it has to decay.
     if (!(t * motion->exponent < 0)) return false;
     limit->time = t;
     limit->r += now.r - value_at(&motion->r, motion->order, t);

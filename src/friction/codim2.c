@@ -84,7 +84,7 @@ TF_API unsigned tf_leave_codim2(const tf_contact_t *contact,
                                 bool arrives, uint64_t tick, uint32_t seed,
                                 const consistent_modes_t *modes) {
   tf_contact_modes_t s = modes->solutions;
-  // Where the law of stick holds the wheel, an arriving stick continues.
+  // Where the law of stick holds the wheel, a stick that arrives goes on.
   if (arrives && !is_slip(from) &&
       rests_under(TF_REST_BOW_TIE, field->pin.x, field->pin.y))
     s.attracting |= (uint8_t)TF_MODE_BIT(TF_PINNED);
@@ -101,11 +101,11 @@ TF_API unsigned tf_leave_codim2(const tf_contact_t *contact,
 // The course of a slip near h = g = 0, where its velocity (h', g') depends on
 // its angle alone.
 
-// The most quadrants that a slip crosses. It crosses h = 0 where h' has one
-// sign on both sides: from h > 0 at g > 0 if c0 < -|cx + cy|, and back at g < 0
-// if c0 > |cx - cy|. Both cannot hold, so it never goes round.
+// Through how many quadrants a slip comes at most. It crosses h = 0 where h'
+// has one sign on both sides: c0 < -|cx + cy| where g > 0 from h > 0, and c0 >
+// |cx - cy| where g < 0 back, and both cannot be. So it never goes round.
 #define QUADRANTS 4
-// Cosine of pi/64: a slip this close to its limit direction is on it.
+// Cosine of pi/64: a slip that is so near to its limit direction is on it.
 #define ALIGNED TF_R(0.9988)
 
 // A point of a quadrant, H = |h| and G = |g|, and the course up to it.
@@ -131,8 +131,8 @@ static codim2_course_t course_to(const course_point_t *at, unsigned mode,
   return (codim2_course_t){mode, slip, at->time, at->sum, leads_in, mode};
 }
 
-// Continues straight to or from h = g = 0, from a distance and at a rate, under
-// one force.
+// Goes on straight away from h = g = 0 or to it, from a distance and at a rate,
+// under one force.
 static codim2_course_t along_direction(course_point_t *at, unsigned mode,
                                        tf_slip_t direction, tf_real_t distance,
                                        tf_real_t rate, multipliers_t force) {
@@ -171,7 +171,7 @@ static bool has_come_to_codim2(const course_point_t *at) {
   return at->H == 0 && at->G == 0;
 }
 
-// Moves straight to the point nearest to h = g = 0, and treats it as h = g = 0.
+// Moves straight to where it is nearest to h = g = 0, and counts as there.
 static void come_to_codim2(course_point_t *at, tf_real_t H_rate,
                            tf_real_t G_rate, multipliers_t force) {
   const tf_real_t rate2 = H_rate * H_rate + G_rate * G_rate;
@@ -182,7 +182,7 @@ static void come_to_codim2(course_point_t *at, tf_real_t H_rate,
 }
 
 // Moves straight to the border of a cell, in the direction (C, S). Returns
-// whether the step continues from there. At h = g = 0 a slip turns in no time.
+// whether the step goes on from there. At h = g = 0 a slip turns in no time.
 static bool cross_cell(const tf_tyre_t *tyre, const quadrant_t *q, tf_real_t C,
                        tf_real_t S, course_point_t *at) {
   if (has_come_to_codim2(at)) return true;
@@ -203,7 +203,7 @@ static bool cross_cell(const tf_tyre_t *tyre, const quadrant_t *q, tf_real_t C,
     return true;
   }
   add_force(at, force, moves);
-  // The velocity in its middle may lead out of a cell the other way: the course
+  // By the velocity in its middle a cell may be left the other way: a course
   // stays in its quadrant.
   at->H = crosses ? distance * C : clip(H, 0, TF_REAL_MAX);
   at->G = crosses ? distance * S : clip(G, 0, TF_REAL_MAX);
@@ -212,7 +212,7 @@ static bool cross_cell(const tf_tyre_t *tyre, const quadrant_t *q, tf_real_t C,
 
 // Goes through the cells of a quadrant up to the one that has the limit
 // direction, and there half of the distance to it, or to the end of the
-// quadrant. Returns whether the step continues.
+// quadrant. Returns whether the step goes on.
 static bool cross_quadrant(const tf_tyre_t *tyre, const quadrant_t *q,
                            const limit_direction_t *to, bool upwards,
                            tf_real_t T, course_point_t *at) {

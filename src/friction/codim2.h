@@ -1,22 +1,22 @@
-// What follows h = g = 0: every consistent future, and the one that is taken.
-// Every step and tf_begin call this one function.
+// What follows h = g = 0: every future that is consistent there, and the one
+// that is taken. Every step calls this one function, and so does tf_begin.
 //
 // Near that point h and g are s sin(angle) and s cos(angle), and their rates
 // depend on the angle alone: s' = S(angle), s angle' = N(angle). So a motion
 // reaches or leaves the point along a zero of N, a limit direction (Antali and
-// Stepan 2018), or in stick; one with S > 0 leaves. A direction to which its
-// neighbours turn attracts, as does a stick with a positive Delassus scalar. An
-// arriving stick continues, at rest, where its law, the bow tie, holds the
-// wheel. Other motion takes an attracting direction or stick that leaves;
-// without any it comes to rest.
+// Stepan 2018), or in stick; one with S > 0 leaves. A direction to
+// which its neighbours turn attracts, as does a stick with a positive Delassus
+// scalar. Stick that arrives goes on, at rest, where its law, the bow tie,
+// holds the wheel. Other motion runs into a rest unless one of those that
+// attract leaves: then it runs there.
 #ifndef TF_CODIM2_H
 #define TF_CODIM2_H
 
 #include "inclusion.h"
 #include "quadrant.h"
 
-// The consistent modes of an instant, in the form for tf_contact_choose, and
-// how each slip leaves.
+// The consistent modes of an instant, as tf_contact_choose reads them, and how
+// each slip leaves.
 typedef struct {
   tf_contact_modes_t solutions;
   tf_real_t lambda[2]; // of stick+ and stick-, where they are in the set
@@ -75,10 +75,10 @@ TF_API codim2_course_t tf_codim2_course(const tf_contact_t *contact,
                                         const codim2_field_t *field,
                                         tf_slip_t slip, sign_t sign_h);
 
-// The consistent modes at h = g = 0 under a law with a moment. On one side of h
-// = 0 an attracting slip comes first, then the faster one. `attracting`
-// includes the attracting slips, departure has their s', and near_stick is the
-// faster stick.
+// The consistent modes at h = g = 0 under a law with a moment. Of the slips on
+// one side of h = 0 it is the one that attracts, then the one that grows
+// faster. `attracting` has the slips that attract as well, departure their s',
+// and near_stick is the faster stick.
 #define tf_codim2_modes TF_LINK(tf_codim2_modes)
 TF_API void tf_codim2_modes(const tf_contact_t *contact,
                             const codim2_field_t *field,
@@ -90,9 +90,9 @@ TF_API multipliers_t tf_codim2_multipliers(const tf_contact_t *contact,
                                            const consistent_modes_t *modes,
                                            unsigned mode);
 
-// The mode that the declared rule takes (tf_rule_t), TF_NO_MODE if there is
-// none. from: the mode of the motion. arrives: it reaches this point, and has
-// lost its mode; else it is there already, and keeps its mode as the rule says.
+// Of these modes the one that the declared rule takes (tf_rule_t), TF_NO_MODE
+// where there is none. from: the mode of the motion. arrives: it comes there,
+// and has lost its mode; else it is there, and keeps its mode as the rule says.
 #define tf_leave_codim2 TF_LINK(tf_leave_codim2)
 TF_API unsigned tf_leave_codim2(const tf_contact_t *contact,
                                 const codim2_field_t *field, unsigned from,

@@ -39,8 +39,8 @@ TF_API void tf_prepare_angle_kernel(tf_tyre_t *tyre, tf_real_t kappa) {
   tyre->inv_6_kappa = 1 / (6 * kappa);
 }
 
-// Stick carries a moment unless friction is negligible: then 1/mu is 0, and any
-// force would seem to pin the wheel.
+// Stick carries a moment unless friction counts as none: 1/mu is 0 then, and
+// any force would pass as one that pins the wheel.
 TF_API void tf_complete_contact(tf_contact_t *contact, tf_rest_law_t rest,
                                 tf_rule_t rule, tf_real_t rate_dt) {
   const tf_real_t mu = contact->tyre.mu, kappa = contact->tyre.kappa;
@@ -81,8 +81,8 @@ TF_API tf_status_t tf_contact_prepare(tf_contact_t *contact, tf_tyre_law_t law,
   return TF_OK;
 }
 
-// Enumeration and Newton's method off the common path of a step: small rather
-// than fast.
+// Enumeration and Newton's method off the common path of a step: functions that
+// are small rather than fast.
 
 TF_API void tf_enumerate(const inclusion_t *in, unsigned signs,
                          tf_contact_modes_t *out) {
@@ -111,8 +111,8 @@ TF_API multipliers_t tf_multipliers_to(const tf_form_t *h, const tf_form_t *g,
   return m;
 }
 
-// A contact of any mechanism, from the parts of tf_step: inclusion and
-// enumeration, the law of slip, what follows h = g = 0. select.c has the
+// A contact of any mechanism, by the parts of which tf_step is made: inclusion
+// and enumeration, the law of slip, what follows h = g = 0. select.c has the
 // choice.
 
 // The inclusion of a step: without a moment there is no y.
@@ -137,8 +137,8 @@ static bool is_finite(const inclusion_t *in, tf_slip_t now) {
   return within(size, TF_REAL_MAX);
 }
 
-// The zero with the least |x|, then the least |y|, among those under which the
-// wheel rests; if there is none, a point outside every law.
+// Of the zeros under which the wheel rests the one with the least |x|, and then
+// the least |y|; without any, a point that is in no law.
 static multipliers_t pin_of(const inclusion_t *in) {
   multipliers_t at[TF_MOST_ZEROS], pin = {TF_REAL_MAX, TF_REAL_MAX};
   const unsigned count = tf_common_zeros(&in->h, &in->g, at);
@@ -177,7 +177,7 @@ TF_API tf_status_t tf_contact_modes(const tf_contact_t *contact,
   return TF_OK;
 }
 
-// In slip under the force at h -> 0; those of a pinned wheel are never read.
+// In slip under the force at h -> 0; those of a pin are never read.
 static multipliers_t multipliers_of(const tf_contact_modes_t *modes,
                                     unsigned mode) {
   const sign_t s = sign_in(mode);
@@ -223,7 +223,7 @@ static codim2_field_t field_by(const tf_form_t *h, const tf_form_t *g) {
   return (codim2_field_t){of_h, of_g, balancing_multipliers(of_h, of_g)};
 }
 
-// The futures of h = g = 0, and the multipliers of the one taken.
+// The futures of h = g = 0, and the multipliers of the one that is taken.
 static unsigned futures_of(const tf_contact_t *contact,
                            const codim2_field_t *field, unsigned from,
                            bool arrives, uint64_t tick, uint32_t seed,

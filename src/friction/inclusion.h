@@ -1,4 +1,4 @@
-// The solution set of the inclusion (incl) of one step, by enumeration. Inline,
+// The solution set of the inclusion (incl) of one step, by enumeration; inline,
 // because it is a stage of the step.
 //
 // Existence is decided by the signs of h at x = +1 and x = -1 alone. For one s:
@@ -41,7 +41,7 @@ TF_INLINE tf_real_t form_value(const tf_form_t *f, tf_real_t x, tf_real_t y) {
          y * (f->cy + x * f->cxy + y * f->cyy);
 }
 
-// The form about a point: its value and slopes there.
+// The form by the way from a point: its value and slopes there.
 TF_INLINE tf_form_t form_about(const tf_form_t *f, multipliers_t at) {
   const tf_real_t x = at.x, y = at.y;
   return (tf_form_t){form_value(f, x, y),
@@ -58,8 +58,8 @@ TF_INLINE tf_real_t form_size(const tf_form_t *f, tf_real_t x, tf_real_t y) {
          y * (magnitude(f->cy) + x * magnitude(f->cxy) + y * magnitude(f->cyy));
 }
 
-// Whether a form that is `now` at the start can reach 0 within the step, by its
-// free motion and the forces of the law.
+// Whether a form that is `now` at the start can come to 0 within the step: by
+// how much it moves, free and under the forces of the law.
 TF_INLINE bool may_vanish(const tf_form_t *f, tf_real_t now) {
   return within(now, magnitude(f->c0 - now) + MAX_SLIP_FORCE(magnitude(f->cx)) +
                          magnitude(f->cy));
@@ -141,10 +141,10 @@ TF_INLINE linear_root_t linear_root(tf_real_t c0, tf_real_t c1, tf_real_t c2) {
   return (linear_root_t){x1, c2 * inverse * x1};
 }
 
-// The root of c0 + c1 x + c2 x^2 near x1 for small c2; if only one root lies in
-// [-1, 1], it is this one. It is x1 y, y = 2/(1 + sqrt(1 + 4 q)): no squares of
-// small numbers, no cancellation. q is of third order in dt. At c1 = 0 (the
-// vertical line of a two-fold) any x solves; 0 is the smallest.
+// The root of c0 + c1 x + c2 x^2 that x1 becomes where c2 is small; where only
+// one root lies in [-1, 1], it is this one. It is x1 y, y = 2/(1 + sqrt(1 + 4
+// q)): no squares of small numbers, no cancellation. q is of third order in dt.
+// At c1 = 0 (the vertical line of a two-fold) any x solves; 0 is the smallest.
 TF_INLINE tf_real_t root_within(tf_real_t c0, tf_real_t c1, tf_real_t c2) {
   if (is_negligible(c1)) return 0;
   const linear_root_t from = linear_root(c0, c1, c2);
@@ -161,8 +161,8 @@ TF_INLINE bool has_extremum_inside(const quadratic_t *f) {
   return magnitude(f->c1) < 2 * magnitude(f->c2);
 }
 
-// If only one slip solves, h either keeps its sign from x = -1 to 1, or passes
-// 0 and returns: then stick solves twice.
+// Where only one slip solves, h either keeps its sign from x = -1 to 1, or it
+// passes 0 and comes back: then stick solves twice.
 TF_INLINE bool has_two_roots(const quadratic_t *h, bool above) {
   return has_extremum_inside(h) && (h->c2 > 0) == above &&
          h->c1 * h->c1 > 4 * h->c0 * h->c2;
@@ -182,8 +182,8 @@ TF_INLINE uint8_t nearer_stick(const inclusion_t *in, unsigned signs) {
 }
 
 // Whether a stick under y = s x ends with the sign of g that s stands for.
-// Without a moment both s are one law: the sign of g only names the stick, and
-// g = 0 belongs to the present side.
+// Without a moment both s are one law: then the sign of g decides which stick
+// it is called, and g = 0 counts as the present side.
 TF_INLINE bool has_sign_of_g(tf_real_t g_end, sign_t s, bool counts_zero) {
   return (s == MINUS ? g_end < 0 : g_end > 0) || (g_end == 0 && counts_zero);
 }
@@ -257,7 +257,7 @@ TF_INLINE bool bends(tf_real_t plus, tf_real_t minus, tf_real_t bend) {
 }
 
 // A share at which g vanishes and the slip solves, or `none`. Its arguments are
-// in registers, as for every call of a step.
+// in registers, as those of all that a step calls.
 TF_RARE tf_real_t share_at_g_zero(sign_t side, slip_ends_t at, tf_real_t h_bend,
                                   tf_real_t g_bend, tf_real_t none) {
   const tf_real_t c1 = (at.g_plus - at.g_minus) / 2;
@@ -293,8 +293,8 @@ TF_INLINE void solve_slip(const inclusion_t *in, sign_t side, slip_ends_t at,
     out->set |= (uint8_t)TF_MODE_BIT(slip_with(side));
 }
 
-// For a single s: every g+ has its sign, or there is no moment and the sign of
-// g only names the stick.
+// Where one s holds: every g+ has its sign; or there is no moment, and the sign
+// of g only names the stick.
 TF_INLINE void enumerate_one_law(const inclusion_t *in, sign_t s,
                                  unsigned signs, tf_contact_modes_t *out) {
   const quadratic_t h = along(&in->h, s);
@@ -359,10 +359,10 @@ TF_API multipliers_t tf_multipliers_to(const tf_form_t *h, const tf_form_t *g,
                                        tf_slip_t to, multipliers_t guess);
 
 // All points of |x|, |y| <= 3/2 at which two forms are 0, once each. Returns
-// how many. Touching curves are one zero if a change of the coefficients by 64
-// epsilon makes it one. For forms that are 0 along a whole curve some points
-// are returned; none if both are 0 everywhere. A form whose largest coefficient
-// is below TF_REAL_MIN / epsilon is taken as 0.
+// how many. Curves that touch count as one zero if a change of the coefficients
+// by 64 epsilon makes it one. Of forms that are 0 along a whole curve some
+// points are returned, none where both are 0 everywhere. A form whose largest
+// coefficient is below TF_REAL_MIN / epsilon counts as 0.
 #define TF_MOST_ZEROS 4
 #define tf_common_zeros TF_LINK(tf_common_zeros)
 TF_API unsigned tf_common_zeros(const tf_form_t *h, const tf_form_t *g,
@@ -424,15 +424,14 @@ TF_INLINE tf_real_t force_residual(tf_real_t mu, tf_real_t F, tf_real_t h) {
   return magnitude(F - clip(F + h, -mu, mu));
 }
 
-// The distance of a moment from the segment between -M and M, which is the law
-// at g = 0.
+// From a moment to the segment between -M and M, which is the law at g = 0.
 TF_INLINE tf_real_t distance_to_segment(tf_real_t moment, tf_real_t M) {
   return magnitude(moment - clip(moment, -magnitude(M), magnitude(M)));
 }
 
-// The distance of a contact force from the law at slip (h, g), without
-// tolerance or enumeration: its zeros are the graph of the law. Natural map of
-// F in mu Sgn(h), and the distance of M from kappa F Sgn(g),
+// How far a contact force is from the law at slip (h, g), without a tolerance
+// and without the enumeration: its zeros are the graph of the law. Natural map
+// of F in mu Sgn(h), and the distance of M from kappa F Sgn(g),
 //   |F - clip(F + h, -mu, mu)| + |M - kappa F sign(g)|,
 // with 1 m/s counted as 1 N and 1 N m as 1 N; at g = 0 the nearest point of the
 // segment. kappa is 0 where no moment depends on sign(g).

@@ -42,7 +42,7 @@ TF_INLINE bool is_stick(unsigned mode) {
 
 TF_INLINE bool has(unsigned set, unsigned mode) { return (set >> mode) & 1u; }
 
-// Whether a consistent mode continues under every rule, so that
+// Whether a mode that is consistent goes on under every rule, so that
 // tf_contact_choose has nothing to decide.
 TF_INLINE bool continues(unsigned set, unsigned attracting, unsigned mode) {
   return set & TF_MODE_BIT(mode) & (SLIPS | attracting);
@@ -55,8 +55,8 @@ TF_INLINE unsigned size_of(unsigned set) {
   return sizes[set];
 }
 
-// The slip mode of an end. At h = 0, which no slip of a set-valued law has, the
-// side on which it was.
+// The slip that an end has; at h = 0, which no set-valued law lets it have in
+// slip, the side on which it was.
 TF_INLINE unsigned slip_of_sign(tf_real_t h, unsigned before) {
   return slip_with(h > 0 || h < 0 ? sign_of(h) : sign_in(before));
 }

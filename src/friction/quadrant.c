@@ -1,6 +1,6 @@
-// Brackets all limit directions of a quadrant, by anchors of T and by
-// separators between which there is at most one, and solves for those that are
-// sought.
+// All limit directions of a quadrant are bracketed, by anchors of T and by
+// separators between which there is at most one; those that are sought are
+// solved for.
 #include "quadrant.h"
 
 #define MAX_ITERATIONS 8
@@ -175,9 +175,9 @@ static limit_direction_t limit_direction_in(const tf_tyre_t *tyre,
       in.falls, true,          q->sign_g};
 }
 
-// An exit to which its neighbours turn is better than another, then a faster
-// one. Those that pass may_be_better() come by increasing T: the first from T
-// upwards is better, or the last one up to T.
+// Of two exits the one to which its neighbours turn, then the faster one. Of
+// those that may_be_better() has left, which come by increasing T, the first
+// from T upwards, or the last one up to T.
 static bool is_better(const search_t *search, const limit_direction_t *next,
                       const limit_direction_t *best) {
   if (!search->leaves)
@@ -210,8 +210,8 @@ static bool may_be_in(const search_t *search, const quadrant_t *q,
   return search->upwards ? high >= search->T : low <= search->T;
 }
 
-// Whether a limit direction there may be better, judged before it is solved
-// for.
+// Whether a limit direction there may be better, from what is known before it
+// is solved for.
 static bool may_be_better(const search_t *search, bool attracts,
                           const limit_direction_t *best) {
   if (search->leaves) return attracts || !best->is_attractor;
@@ -239,7 +239,7 @@ static tf_real_t x_at_T(const tf_tyre_t *tyre, const cell_part_t *span,
       .x;
 }
 
-// T at the lower border of a cell, the upper one of the cell before.
+// T at the border below a cell, which is that above the last one.
 static tf_real_t T_below(const tf_tyre_t *tyre, int anchor, tf_real_t u) {
   return anchor > 0 ? cot_psi_beyond(tyre->T_anchor[anchor - 1], u) : 0;
 }
@@ -285,8 +285,8 @@ static void search_cell(const tf_tyre_t *tyre, const quadrant_t *q,
 }
 
 // Limit directions lie where the angular rate changes its sign between two
-// neighbours of the borders of the cells and the separators. The first one from
-// T on lies in the first cell that has any, upwards or downwards.
+// neighbours of the borders of the cells and the separators. Of those from T on
+// the first is found in the first cell that has any, upwards or downwards.
 TF_API void tf_search_quadrant(const tf_tyre_t *tyre, const quadrant_t *q,
                                const search_t *search,
                                limit_direction_t *best) {

@@ -56,14 +56,15 @@ typedef struct {
 
 static const limit_direction_t no_direction = {0, 0, 0, 0, false, false, PLUS};
 
-// Which limit direction of a quadrant is sought: the best exit, or the first to
-// which a slip turns from T, upwards or downwards.
+// Which of the limit directions of a quadrant is sought: the best exit, or the
+// first one that a slip turns to from T towards larger or smaller ones.
 typedef struct {
   bool leaves, upwards;
   tf_real_t T;
 } search_t;
 
-// Replaces the best one so far if this quadrant has a better one.
+// Puts the one that is sought in the place of the best so far, where it is
+// better.
 #define tf_search_quadrant TF_LINK(tf_search_quadrant)
 TF_API void tf_search_quadrant(const tf_tyre_t *tyre, const quadrant_t *q,
                                const search_t *search, limit_direction_t *best);

@@ -2,8 +2,8 @@
 // x = F / mu and y = M / (kappa mu) every law is
 //   |x| <= x0 - x1 |y|,  |y| <= y0 + y1 |x|.
 // As the angle of slip turns, the limits of its force run along |x| = 4/3 -
-// |y|/3, |y| <= 1. Their convex hull is a hexagon, which contains both segments
-// of stick, y = x and y = -x with |x| <= 1.
+// |y|/3, |y| <= 1. Their convex hull is a hexagon, which holds both segments of
+// stick, y = x and y = -x with |x| <= 1.
 #ifndef TF_REST_LAW_H
 #define TF_REST_LAW_H
 
@@ -29,8 +29,8 @@ TF_INLINE bool rests_under(tf_rest_law_t law, tf_real_t x, tf_real_t y) {
   return (X <= at.x0 - at.x1 * Y) & (Y <= at.y0 + at.y1 * X);
 }
 
-// The distance of a force from those under which the wheel rests, with 1 N m
-// taken as 1 N; 0 only for those.
+// How far a force is from those under which the wheel rests, with 1 N m counted
+// as 1 N; 0 for those alone.
 TF_INLINE tf_real_t rest_residual(tf_rest_law_t law, tf_real_t mu,
                                   tf_real_t kappa, tf_force_t force) {
   const rest_bounds_t at = rest_bounds(law);

@@ -1,4 +1,4 @@
-// The choice among the consistent modes, and its random generator.
+// The choice among the modes that are consistent, and its random generator.
 #include "mode_set.h"
 #include "twofold/contact.h"
 
@@ -39,7 +39,7 @@ static bool exits_now(uint64_t exit_threshold, const uint32_t word[2]) {
 }
 
 // RANDOM draws the next mode from those that the physics allows. An escaping
-// stick ends in a slip, a pinned wheel in any other consistent mode. The low
+// stick ends by a slip; a pinned wheel by whatever else is consistent. The low
 // bits of the second word pick, because exits_now hardly uses them.
 static unsigned random_exit(uint64_t exit_threshold, unsigned set,
                             unsigned mode, uint64_t tick, uint32_t seed) {
@@ -53,8 +53,7 @@ static unsigned random_exit(uint64_t exit_threshold, unsigned set,
   return nth_mode(others, (word[1] & 0xFFFFu) * n >> 16);
 }
 
-// The mode in which the rule ends a mode left to it; the mode itself if it does
-// not end it.
+// How the rule ends a mode that is left to it; mode itself if it does not.
 static unsigned rule_exit(tf_rule_t rule, uint64_t exit_threshold, unsigned set,
                           unsigned mode, uint64_t tick, uint32_t seed) {
   switch (rule) {
@@ -71,9 +70,9 @@ static unsigned rule_exit(tf_rule_t rule, uint64_t exit_threshold, unsigned set,
   return mode;
 }
 
-// The faster slip of a non-empty set. If rounding hides which is faster, the
-// one with more of the moment, so that the mirror image takes the other. At
-// gamma = 0 beside r = 0 these may be equal, too (2 of 4e7 pairs in float).
+// The faster slip of a non-empty set; of equal ones, where rounding hides
+// which it is, the one with more of the moment: its mirror image the other. At
+// gamma = 0 beside r = 0 both are equal in that, too (2 of 4e7 pairs in float).
 static unsigned fastest_of(unsigned slips,
                            const tf_contact_modes_t *solutions) {
   const tf_real_t plus = magnitude(solutions->departure[0]),

@@ -38,7 +38,7 @@ static tf_force_t string_force(const tf_tyre_t *tyre, tf_real_t h,
                                tf_real_t g) {
   const tf_real_t a = tyre->a, sigma = tyre->sigma, delta = tyre->delta;
   if (h == 0) return (tf_force_t){0, 0}; // also h = g = 0: no angle, no force
-  // Only the ratio matters; the larger becomes 1, so that nothing underflows.
+  // Only the ratio counts; the larger becomes 1, so that nothing underflows.
   const bool steep = magnitude(g) > magnitude(h);
   const tf_real_t ratio = magnitude(steep ? h / g : g / h);
   const tf_real_t H = steep ? ratio : 1, G = steep ? 1 : ratio;

@@ -1,5 +1,5 @@
-// The paper's tyre law, evaluated twice in a step of slip; tyre.c has the other
-// laws.
+// The paper's tyre law, which is evaluated twice in a step of slip; tyre.c has
+// the other laws.
 #ifndef TF_TYRE_LAW_H
 #define TF_TYRE_LAW_H
 
@@ -31,9 +31,9 @@ TF_INLINE bool is_beyond(int n, tf_real_t low, tf_real_t high) {
 
 // tan(a w) of a small angle w by its tangent, |w| <= pi/32: a short odd series,
 // whose first left-out term is below small^16/17 = 5e-18 (double), small^8/9 =
-// 1e-9 (float) of the first, because |y| <= tan(pi/32) = 0.0985. The terms
-// after the first are summed in pairs, each computed while the sum waits for
-// the pairs before it: a step takes 5 to 9 % less time.
+// 1e-9 (float) of the first, because |y| <= tan(pi/32) = 0.0985. What
+// comes after the first term is summed in pairs, each of which is computed
+// while the sum waits for those before it: 5 to 9 % less time of a step.
 TF_INLINE tf_real_t cot_psi_near_zero(const tf_tyre_t *tyre, tf_real_t y) {
   const tf_real_t *c = tyre->T_series;
   const tf_real_t y2 = y * y, y4 = y2 * y2;

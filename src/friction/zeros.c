@@ -1,13 +1,13 @@
 // The common zeros of two forms: two conics meet in up to four points. A
 // resultant would degenerate where the forms are almost linear, as those of a
 // step are; Newton's method alone finds one zero, or none. So a box is halved
-// until each part is proven to have no zero, or at most one, which Newton's
-// method then finds. The first box settles almost linear forms.
+// until a part is proven to have no zero, or at most one, which Newton's method
+// then finds. Almost linear forms are settled by the first box.
 #include "inclusion.h"
 
-// The first box contains every law of rest.
+// The first box has every law of rest within.
 #define REACH TF_R(1.5)
-// Boxes are halved this often.
+// Boxes are halved as often as this.
 #define LEVELS 60
 // Next to a double zero, where curves touch, rounding hides that a form is not
 // 0: within LEAST always, within DOUBLE_REACH where they touch closely.
@@ -94,7 +94,7 @@ static bool misses_0(form_range_t f) {
   return f.value > f.by_slope + by_bend(f) + f.rounding;
 }
 
-// Whether the slopes change by less than half. side: the one on which the value
+// Whether the slopes change by less than half. side: that of which the value
 // depends at the centre.
 static bool has_steady_slope(form_range_t f, tf_real_t side) {
   return 4 * by_bend(f) + side * f.rounding < f.by_slope;
@@ -150,7 +150,7 @@ static void add_zero(multipliers_t m, bool is_double, zeros_t *to) {
   to->doubles += is_double;
 }
 
-// A zero within twice the box is a known one, from another box.
+// A zero that is within twice the box is the same, of another box.
 static void add_simple(const box_t *in, zeros_t *to) {
   for (unsigned i = 0; i < to->count; i++)
     if (is_in_box(to->at[i], in, 2)) return;

@@ -1,8 +1,7 @@
 // A command as a frame, and the tags of both directions: SipHash-2-4 of the
 // frame's body before COBS, header included, which is all that the board acts
 // on; behind the body of a frame from the board stands the nonce of its host.
-// Each type of frame goes one way only, so no tag of one direction fits the
-// other.
+// Types of frames go one way only, so no tag of one is a tag of the other.
 #include "parts.h"
 #include "twofold/link.h"
 
@@ -55,8 +54,8 @@ TF_API uint64_t tf_siphash(const uint8_t *key, const uint8_t *bytes,
   return s.v0 ^ s.v1 ^ s.v2 ^ s.v3;
 }
 
-// Compares all of it, so that the time does not reveal how many bytes of a
-// guess are right.
+// All of it is compared, so that the time does not betray how many bytes of a
+// guess were right.
 TF_API bool tf_has_tag(const tf_frame_t *frame, const uint8_t *key) {
   if (frame->length < TF_TAG_BYTES) return false;
   const uint8_t *body = frame->payload - TF_FRAME_HEADER;

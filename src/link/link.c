@@ -1,6 +1,6 @@
 // Commands from a line, applied between two steps. Every command is validated
-// here, by the same functions as the command line; a refused one changes
-// nothing.
+// here, by the functions that validate a command line as well; one that is
+// refused changes nothing.
 #include "twofold/link.h"
 
 #include "../model/mechanics.h"
@@ -24,8 +24,8 @@ TF_API void tf_link_add_entropy(tf_link_t *link, uint32_t noise) {
   link->noise = tf_crc32(link->noise, bytes, sizeof bytes);
 }
 
-// A Feistel network, a permutation whatever its rounds compute. Its rounds hash
-// shorter messages than tags do.
+// Feistel's network, which is a permutation whatever its rounds compute. Tags
+// are of longer messages than its rounds.
 static uint32_t permuted(uint32_t number, const uint8_t *key) {
   uint32_t left = number >> 16, right = number & 0xffffu;
   for (unsigned round = 0; round < SESSION_ROUNDS; round++) {
@@ -42,7 +42,7 @@ static uint32_t permuted(uint32_t number, const uint8_t *key) {
 TF_API void tf_link_begin_session(tf_link_t *link, uint32_t number,
                                   const uint8_t *key) {
   const uint32_t session = permuted(number, key);
-  // 0 is no session; permuted(0) is the session of no other number.
+  // 0 is no session; what 0 gives is that of no other number.
   link->session = session != 0 ? session : permuted(0, key);
   link->describe = true;
 }
@@ -59,7 +59,7 @@ static int admit(const tf_link_t *link, const tf_frame_t *frame) {
              : TF_ANSWER_DONE;
 }
 
-// An ignored command has arrived, although its number is not used up.
+// A command that is ignored has come, although its number is not used up.
 static void see_number(tf_link_t *link, uint32_t sequence) {
   if (sequence < link->seen) return;
   link->lost += sequence - link->seen;
@@ -78,8 +78,7 @@ static void keep_command(tf_command_t *command, const tf_frame_t *frame,
     command->data[i] = frame->payload[TF_SESSION_BYTES + i];
 }
 
-// A command that is complete on arrival waits for its answer in a slot of its
-// own.
+// What is done with on arrival waits in a place of its own to be answered.
 static void set_aside(tf_link_t *link, const tf_frame_t *frame, int code) {
   if (link->has_aside) {
     link->ignored++;
@@ -124,7 +123,7 @@ static int judge_setpoint(const tf_link_t *link, const tf_frame_t *frame,
   return input_in_range(&input) ? TF_ANSWER_DONE : (int)TF_BAD_STATE;
 }
 
-// They stay in the order of their ticks, then of their numbers.
+// They stay in the order of their ticks, and of their numbers as well.
 static void keep_setpoint(tf_link_t *link, const tf_frame_t *frame) {
   while (link->dated > 0 &&
          (link->dated == TF_LINK_SETPOINTS ||
@@ -147,9 +146,9 @@ static int judge_arrival(const tf_link_t *link, const tf_frame_t *frame,
   return is_clear && frame->tick != 0 ? TF_ANSWER_FAR : TF_ANSWER_DONE;
 }
 
-// Whether the same command already waits for its turn or its answer: then the
-// line has doubled a frame. One answer is due, to the first; `old` before it
-// would report an effective command as refused.
+// Whether the same command waits for its turn or its answer: then the line has
+// doubled a frame. One answer is due, that of the first; `old` before it would
+// say that a command which acts was refused.
 static bool is_waiting(const tf_link_t *link, const tf_frame_t *frame) {
   const uint8_t *data = frame->payload + TF_SESSION_BYTES;
   const size_t length = frame->length - TF_SESSION_BYTES;
@@ -242,7 +241,7 @@ static uint32_t every_of(const tf_command_t *command) {
   return (uint32_t)tf_wire_get(command->data, 4);
 }
 
-// Records beyond the line's rate would be dropped one by one.
+// What the line does not carry would be dropped, record by record.
 static int set_every(tf_link_t *link, const tf_command_t *command) {
   const uint32_t every = every_of(command);
   if (every == 0) return TF_BAD_PARAMETER;
@@ -314,8 +313,8 @@ static int restore(const tf_link_t *link, tf_simulation_t *simulation,
   return TF_ANSWER_DONE;
 }
 
-// Whether the data of a command have the length of its type. An input and a
-// state to restore may have none.
+// Whether the data of a command are as long as its type wants. Of an input and
+// a state to restore they may be missing.
 static int judge_length(const tf_link_t *link, const tf_command_t *command) {
   static const uint8_t wanted[] = {INPUT_SIZE, SET_SIZE,        5, 0, 0, 0,
                                    0,          TF_COMMAND_DATA, 0, 0, 4, 4};

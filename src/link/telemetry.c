@@ -138,7 +138,7 @@ TF_API size_t tf_send_report(uint8_t *wire, uint32_t *sequence, uint64_t tick,
   return seal(wire, TF_DOWN_REPORT, at, sequence, tick);
 }
 
-// Members in the order of the payload, without a gap.
+// Of members in the order of the payload, without a gap.
 typedef char
     heartbeat_is_as_sent[sizeof(tf_heartbeat_t) == TF_HEARTBEAT_BYTES ? 1 : -1];
 

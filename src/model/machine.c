@@ -8,8 +8,8 @@
 #include "mechanics.h"
 #include "rates.h"
 
-// From parameters to a machine: validate once, derive the constants, then trust
-// them. No step calls this.
+// From parameters to a machine: validate once, derive the constants, and trust
+// them from then on. No step calls this.
 
 #define ALL_LAWS ((1u << TF_TYRE_LAWS) - 1u)
 #define LAW(name) (1u << TF_TYRE_##name)
@@ -116,8 +116,8 @@ TF_API tf_status_t tf_prepare(tf_machine_t *machine, const tf_params_t *params,
                       params->rate * dt);
   set_step_length(machine, dt);
   tf_sine_cosine(params->gamma, &machine->sin_gamma, &machine->cos_gamma);
-  // No number is pi. On the axis A and N vanish with r only if this is 0: with
-  // the 1e-16 that rounding leaves of it no stick would pass r = 0.
+  // No number is pi. On the axis A and N vanish with r only where this is 0:
+  // with the 1e-16 that rounding leaves of it no stick would get past r = 0.
   if (within(machine->sin_gamma, TF_REAL_EPSILON * magnitude(params->gamma)))
     machine->sin_gamma = 0;
   machine->minus_sin_gamma = -machine->sin_gamma;

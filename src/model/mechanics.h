@@ -24,7 +24,7 @@ TF_INLINE tf_real_t ground_speed(const tf_machine_t *k, tf_real_t v,
   return v - k->d * w;
 }
 
-// By how much the turntable has sped up after some time of a step. A build for
+// By how much the turntable turns faster after some time of a step. A build for
 // one scene whose turntable is steady defines this as 0 (port/core.h).
 #ifndef TF_STEP_TURN
 #define TF_STEP_TURN(u, time) ((u)->alpha * (time))
@@ -63,21 +63,21 @@ TF_INLINE tf_slip_t slip_speeds(const tf_machine_t *k, tf_real_t r, tf_real_t v,
   return slip_from_pq(k, slider_speed(k, v, z), r * z);
 }
 
-// The sum of the magnitudes of the terms of h and g [m/s].
+// What the terms of h and g amount to without their signs [m/s].
 TF_INLINE tf_real_t slip_terms(const tf_machine_t *k, tf_real_t r, tf_real_t v,
                                tf_real_t w, tf_real_t omega0) {
   return magnitude(v) +
          (magnitude(k->d) + magnitude(r)) * (magnitude(w) + magnitude(omega0));
 }
 
-// The rounding of h and g at a state: below it they are 0. With u = epsilon/2,
-// and a step that moves v and w by no more than their size,
+// What rounding makes of h and g at a state: below it they count as 0. With u =
+// epsilon/2, and a step that moves v and w by no more than their size,
 //   w and omega0 are off by u |w| and u |omega0|, and v by u |v|;
 //   the sums and products that form v+ and w+ add 4 u of each;
 //   z, d z, r z, p and the two products of h or g add u each.
 // h and g are (p, q) rotated, so that this is at most 2 (1 + 4 + 3) u times the
-// sum of their terms. Every test of h = 0 or g = 0 uses this bound, so that all
-// agree on a state.
+// sum of their terms. Every test of h = 0 or g = 0 uses this bound, so that a
+// state means the same to all of them.
 #define SLIP_ROUNDINGS (32 * TF_REAL_EPSILON)
 TF_INLINE tf_real_t slip_rounding(const tf_machine_t *k, tf_real_t r,
                                   tf_real_t v, tf_real_t w, tf_real_t omega0) {
@@ -120,8 +120,8 @@ TF_INLINE tf_real_t inertia_at(const tf_machine_t *k, tf_real_t r) {
   return k->m * gyration2_at(k, r);
 }
 
-// Twice the energy of the slider, the disc and the spring from r0. The slider's
-// speed is P = v - d w, v without the disc's part.
+// Twice the energy: of the slider, the disc and the spring from r0. Of v the
+// slider's part is what is left beside the disc's, P = v - d w.
 TF_INLINE tf_real_t twice_energy(const tf_machine_t *k, tf_real_t r,
                                  tf_real_t v, tf_real_t w, tf_real_t r0) {
   const tf_real_t P = ground_speed(k, v, w), stretch = r - r0;
@@ -146,9 +146,9 @@ TF_INLINE tf_real_t disc_torque(const tf_machine_t *k, const tf_input_t *u,
   return u->torque - k->c1 * w - coriolis;
 }
 
-// The sums of the magnitudes of the terms of (2) and (3), for a stretch of the
-// spring up to s and speeds up to v and w. The rounding of (2) and (3) is a
-// share of these.
+// What the terms of (2) and (3) amount to without their signs, for a stretch of
+// the spring up to s and speeds up to v and w: a share of it is what rounding
+// makes of their sums.
 typedef struct {
   tf_real_t radial, torque;
 } force_terms_t;
@@ -303,12 +303,12 @@ TF_INLINE tf_real_t mass_times_delassus_of_force(const tf_machine_t *k,
 }
 
 // The constants of a machine that depend on its step: for tf_prepare, and for
-// the rest of a step.
+// what is left of a step.
 
 // The shortest step of a machine [s].
 #define MIN_STEP TF_R(1e-9)
 
-// The probability of an exit stays that of a whole step: one draw decides it.
+// The chance of an exit stays that of a whole step: one draw decides it.
 TF_INLINE void set_step_length(tf_machine_t *k, tf_real_t dt) {
   const tf_real_t theta_dt = k->theta * dt;
   const tf_real_t a = theta_dt * (k->c2 + theta_dt * k->k2);

@@ -68,8 +68,8 @@ TF_INLINE bool is_sliding(slip_limits_t h_rate) {
   return (h_rate.plus < 0) & (h_rate.minus > 0);
 }
 
-// The multiplier that keeps h at 0, within the law of stick, by the sign of g;
-// its A is not 0.
+// The multiplier that keeps h at 0, as far as the law of stick has it, by the
+// sign of g; its A is not 0.
 TF_INLINE tf_real_t stick_lambda(const tf_machine_t *k, const rates_t *a,
                                  sign_t s) {
   return clip(a->N / a->A[s], -k->contact.tyre.mu, k->contact.tyre.mu);
@@ -79,7 +79,7 @@ TF_INLINE tf_real_t stick_lambda(const tf_machine_t *k, const rates_t *a,
 // consistent on the surface h = 0, and the field at h = g = 0.
 
 // h = g = 0 means p = 0 and r z = 0: the wheel turns with the turntable, or the
-// slider passes the axis. Sets to 0 whichever of z and r changes r z now.
+// slider passes the axis. Set to 0 is whichever of z and r changes r z now.
 TF_INLINE void place_at_codim2(const rates_t *now, tf_real_t *r, tf_real_t *z) {
   if (now->vz > now->rz)
     *r = 0;
@@ -124,7 +124,7 @@ TF_INLINE void surface_modes(const tf_machine_t *k, const rates_t *a, sign_t s,
 // A wheel at rest on a turntable that changes its speed: the force that holds
 // it, and when the rest ends.
 
-// The force at rest has no terms beyond those of w^2.
+// No term of the force at rest is beyond those of w^2.
 #define REST_ORDER 2
 
 // The force and the moment of a wheel at rest, as polynomials in time.
@@ -142,14 +142,14 @@ typedef struct {
 TF_API rest_motion_t tf_rest_motion(const tf_machine_t *k, const tf_input_t *u,
                                     tf_real_t r, tf_real_t omega);
 
-// Whether the rest ends within a time, which then becomes the time of its end:
-// the force leaves the law, an attracting stick begins, or the slip of the exit
-// rule does.
+// Whether something ends the rest within a time, which then becomes that of the
+// first: it leaves its law, an attracting stick begins, or the slip does that
+// the exit rule names.
 #define tf_rest_ends TF_LINK(tf_rest_ends)
 TF_API bool tf_rest_ends(const rest_motion_t *rest, tf_real_t *time);
 
 // Whether within a time the rest leaves its law or an attracting stick is
-// consistent, but no longer at the end, where a test would miss it.
+// consistent, but not any more at its end: a look at the end misses it.
 #define tf_rest_is_interrupted TF_LINK(tf_rest_is_interrupted)
 TF_API bool tf_rest_is_interrupted(const rest_motion_t *rest, tf_real_t time);
 

@@ -1,8 +1,8 @@
 // What ends a rest on a turntable that changes its speed. The force that holds
-// the wheel is then a quadratic in time, because r is constant and w in m r w^2
-// linear in time. So is all that decides about a rest but one: how far F and M
-// are within the law of rest, and within which bounds a stick that attracts is
-// consistent, which takes the wheel over: g grows in it,
+// the wheel is a quadratic in time there, because r stays and omega0 goes
+// linearly into m r w^2. So is all that decides about a rest but one: how far F
+// and M are within the law of rest, and within which bounds a stick that
+// attracts is consistent, which takes the wheel over: g grows in it,
 //   s g' = r sin(gamma) (kappa F - s M) / (m J A(s)) > 0,
 // so that this ends where |M| = kappa |F|, and it needs no more than mu,
 //   A(s) lambda = A(0) F + r cos(gamma) M / J,  |lambda| <= mu.
@@ -12,8 +12,8 @@
 #include "../friction/mode_set.h"
 #include "rates.h"
 
-// An event is where a condition holds, or is broken, by this many roundings of
-// the terms that balance at rest, in every test.
+// An event is where a condition holds, or is broken, by that many roundings of
+// the terms that balance at rest, wherever it is tested.
 #define REST_ROUNDINGS (64 * TF_REAL_EPSILON)
 // Halvings of a step in which an exit begins.
 #ifdef TF_REAL_FLOAT
@@ -48,8 +48,8 @@ static bool is_positive(parabola_t y, tf_real_t t) {
   return (y.c2 * t + y.c1) * t + y.c0 > 0;
 }
 
-// The rounding of the force at rest, and of the accelerations of p and q under
-// it.
+// What rounding makes of the force at rest, and of the accelerations of p and q
+// under it.
 typedef struct {
   tf_real_t F, M, rates;
 } rest_rounding_t;

@@ -1,9 +1,9 @@
-// What a linearly implicit step does to the energy. Its rows (6) are those of a
-// step that balances energy exactly, but for linearisation. So the energy that
-// the step creates has a closed form: a sum of products of differences, in
-// which nothing large cancels. With v_t = v + theta dv, w_t alike, v_a, w_a and
-// r_a the means of the two ends, J_a the mean of m (beta^2 + r^2) and eta =
-// theta - 1/2,
+// What a linearly implicit step does to the energy. Its rows (6) are those of
+// a step that balances energy exactly, but for what linearisation leaves out.
+// So the energy that the step creates is known in closed form: a sum of
+// products of differences, in which nothing large cancels. With v_t = v +
+// theta dv, w_t alike, v_a, w_a and r_a the means of the two ends, J_a the mean
+// of m (beta^2 + r^2) and eta = theta - 1/2,
 //   E+ - E = work of inputs, dampers and friction at (v_t, w_t), arm r_t, + D
 //   D = (J_a - J(r_t)) w_t dw - eta (m dP^2 + J_a dw^2 + k2 dt^2 v_t^2)
 //       + m dt [ r_a v_t (w_a^2 + dw^2/4) - r_t v_t (w_t^2 + theta^2 dw^2)
@@ -23,18 +23,19 @@
 // balanced step of balanced.c takes the place of one that creates more.
 #define TF_GROWTH_SHARE TF_R(0x1p-20)
 
-// The most that friction may put in if h passes 0 within the step: it happens
-// once, is of second order in dt, and friction takes it out again.
+// The most that friction may put in, where h passes 0 within the step: once, of
+// second order in dt, and friction takes it out again.
 #define TF_FRICTION_SHARE TF_R(0x1p-4)
 
 // What an impulse changes, squared, as a share of the sum of both ends: more
 // than a third of the velocities.
 #define TF_IMPULSE_SHARE TF_R(0x1p-4)
 
-// What a slip may change that ends within an unsplit step, likewise squared.
+// What a slip that ends within a step that is not split may change, squared,
+// likewise.
 #define TF_ENDING_SHARE TF_R(0x1p-12)
 
-// What the turn of a force within a step may change, likewise squared.
+// What the turn of a force within a step may change, squared, likewise.
 #define TF_TURN_SHARE TF_R(0x1p-11)
 
 // How much of it a step with theta > 1/2 may damp out.
@@ -102,7 +103,7 @@ TF_INLINE balance_t balance_of(const tf_machine_t *k, bool midpoint,
 }
 
 // Whether a step needs no further check. The product is at most twice the mean
-// energy of the ends, which is then not needed.
+// energy of the ends, which need not be known then.
 TF_INLINE bool is_balanced(const balance_t *b) {
   const tf_real_t most = TF_GROWTH_SHARE / 2 * b->product;
   const tf_real_t share = TF_CREATED_SHARE / 2 * b->product;
@@ -118,10 +119,10 @@ TF_INLINE tf_real_t mean_energy(const tf_machine_t *k, const tf_input_t *u,
          4;
 }
 
-// Whether a continuing slip, or a motion without friction, creates more than it
-// may in every period of a spring, if dt times its rate is 1/45 rad or more. A
-// pass of r = 0 takes back what it creates. A slip that changes sides passes h
-// = 0 by the law, not as in the balanced step.
+// Whether a slip that goes on, or a motion without friction, creates more than
+// it may in every period of a spring: where dt times its rate is 1/45 rad or
+// more. What a pass of r = 0 creates it takes back. A slip that changes sides
+// passes h = 0 as the law says and not as the balanced step does.
 TF_INLINE bool grows(const tf_machine_t *k, const balance_t *b,
                      tf_real_t energy, bool slips_on) {
   return slips_on && b->created > TF_GROWTH_SHARE * energy &&
@@ -139,7 +140,7 @@ TF_INLINE bool ends_slip(unsigned from, unsigned mode) {
   return is_slip(from) && !is_slip(mode);
 }
 
-// Whether a slip loses its mode within a step. A consistent slip continues.
+// Whether a slip loses its mode within a step. One that is consistent goes on.
 TF_INLINE bool loses_slip(unsigned from, unsigned mode) {
   return is_slip(from) && mode != from;
 }
@@ -161,10 +162,9 @@ TF_INLINE bool is_fast(const tf_machine_t *k, end_state_t at) {
 }
 
 // Whether a step is too long for a pass of the axis: it takes the wheel across
-// by more than 2 beta, or begins or ends so fast beside the axis that one more
-// such step would turn it by 1.5 rad. Such a step misses that the inertia
-// changes by a factor of (beta^2 + r^2)/beta^2 and that the disc may turn by
-// half a turn.
+// by more than 2 beta, or begins or ends so fast beside the axis that one such
+// step more is a turn of 1.5 rad. It skips that the inertia changes by a factor
+// of (beta^2 + r^2)/beta^2 and that the disc may turn by half a turn.
 TF_INLINE bool jumps_axis(const tf_machine_t *k, const balance_t *b,
                           end_state_t from, end_state_t to) {
   const tf_real_t by = to.r - from.r, n = TF_R(0.444); // 1/1.5^2
@@ -174,7 +174,7 @@ TF_INLINE bool jumps_axis(const tf_machine_t *k, const balance_t *b,
 
 // Whether a step is too long for the motion: in the norm of the energy the
 // phase advances by more than a right angle, or theta > 1/2 damps it visibly;
-// except where outer forces do that at next to no energy.
+// and not because outer forces do that where it has next to no energy.
 TF_INLINE bool is_too_coarse(const tf_machine_t *k, const balance_t *b,
                              tf_real_t energy, end_state_t from,
                              end_state_t to) {

@@ -22,7 +22,7 @@ typedef struct {
   tf_real_t r, w, R;
 } middle_t;
 
-// What one step starts from.
+// What one step has been given.
 typedef struct {
   const tf_machine_t *machine;
   const tf_state_t *state;
@@ -73,8 +73,8 @@ static held_t hold(const given_t *x, middle_t c) {
   return b;
 }
 
-// F as a share of its largest value: it ends the slip h_t or falls short, and
-// never drives it.
+// F as a share of its largest value: it ends the slip h_t or falls short of
+// that, and never drives it.
 static tf_real_t stopping_share(const given_t *x, const held_t *b, tf_real_t r,
                                 change_t by) {
   const tf_machine_t *k = TF_STEP_MACHINE(x);
@@ -200,8 +200,8 @@ TF_API void tf_checked_end(const tf_machine_t *k, const tf_state_t *state,
   const bool slips_on = force.F == 0 || (is_slip(mode) && mode == state->mode);
   if (creates || (!coarse && grows(k, &b, energy, slips_on))) {
     const balanced_end_t end = tf_balanced_end(k, state, input, mode, force);
-    // Near h = 0 its force is not that of the slip, which then continues;
-    // beside the axis it may end on the other side, and b is that of one end.
+    // Near h = 0 its force is not that of the slip, which then goes on; beside
+    // the axis it may end on the other side, and b is that of one end.
     if (creates || (end.mode == mode && end.force.F == force.F &&
                     (end.at.r > 0) == (at.r > 0)))
       take_balanced_end(&end, to);

@@ -40,9 +40,9 @@ static unsigned possible_modes(const tf_machine_t *k, instant_t *at) {
   return at->modes.solutions.set;
 }
 
-// The preferred mode if it is in the set, else stick before slip. Preferring a
-// slip at an h below rounding, where only stick is possible, is no error: in
-// the real type that h is 0.
+// The preferred mode if it is in the set, else stick before slip. It is no
+// error to prefer a slip at an h below rounding where only stick is possible:
+// in the real type that h is 0.
 static unsigned first_mode(unsigned set, unsigned preferred) {
   static const unsigned order[4] = {TF_STICK_PLUS, TF_STICK_MINUS, TF_SLIP_PLUS,
                                     TF_SLIP_MINUS};
@@ -63,8 +63,8 @@ static tf_force_t first_force(const tf_machine_t *k, const instant_t *at,
   return (tf_force_t){lambda, signed_kappa(k, s) * lambda};
 }
 
-// At h = g = 0 the wheel rests if its law has the force for it, else the rule
-// chooses. A law without a future leaves it at rest.
+// At h = g = 0 the wheel rests where its law has the force for it, else goes
+// where the rule takes it. A law without a future leaves it at rest.
 static unsigned mode_at_codim2(const tf_machine_t *k, const tf_state_t *x,
                                instant_t *at, tf_force_t *force) {
   const codim2_field_t field = tf_codim2_field_of(k, &at->rates);

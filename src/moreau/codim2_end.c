@@ -1,21 +1,22 @@
-// Steps that begin at h = g = 0, and steps that reach it in a mode that is
-// lost. tf_leave_codim2 decides what follows. Where the step happens to end is
-// not an argument, so the branch does not depend on it.
+// Steps that begin at h = g = 0, and steps that come there in a mode that is
+// lost. tf_leave_codim2 decides what follows that point. Where a step happens
+// to end is none of its arguments, so the branch does not depend on it.
 #include "../model/rates.h"
 #include "scheme.h"
 
-// The rest of a step after h = g = 0 is at least 1/32 of it, so that rounding
-// does not lose the direction of the slip.
+// The rest of a step behind h = g = 0 is not shorter than 1/32 of it, so that
+// the direction of the slip is not lost in rounding.
 #define MAX_SHARE TF_R(0.96875)
-// A force may exceed the hull by a third, for the curvature of a path within
-// its step.
+// A force of the hull may be larger by a third, for the curvature of a path
+// within its step.
 #define HULL_SHARE TF_R(0.75)
 // A motion turns by less than 1/sqrt(5) rad in the step in which a rest ends.
 #define DEPARTURES 5
 
-// The rounding of g where forces balance, step after step: that of the state,
-// which an incremental step does not have, and that of the terms of (2) and
-// (3), whose sum enters p and q. Friction, which balances them, is no larger.
+// What rounding makes of g where forces balance, step after step: that of the
+// state, which an incremental step does not have, and that of the terms of (2)
+// and (3), whose sum goes into p and q; friction, which balances them, is no
+// larger.
 static tf_real_t rounding_of_g(const free_motion_t *c) {
   const tf_input_t *input = c->input;
   const tf_machine_t *k = TF_STEP_MACHINE(c);
@@ -44,10 +45,10 @@ static bool signs_agree(const free_motion_t *c, unsigned mode,
       slip_rounding(k, at.r, at.v, at.w, c->linear.omega0));
 }
 
-// Whether a stick ends on the other side of g = 0 by rounding alone: it rests
-// at g = 0, or tends to it, and continues. A stick that really passes g = 0
-// changes g by more than the rounding of one step, a quarter of that of
-// several, and does not decay.
+// Whether a stick that ends on the other side of g = 0 does so by rounding
+// alone: it is at rest at g = 0, or tends to it, and goes on. One that
+// passes g = 0 changes g by more than the rounding of one step, a quarter of
+// that of several, and does not decay.
 static bool rests_at_g_zero(const free_motion_t *c, const inclusion_t *in,
                             const tf_contact_modes_t *s, unsigned mode,
                             tf_real_t rounding) {
@@ -64,9 +65,9 @@ static bool rests_at_g_zero(const free_motion_t *c, const inclusion_t *in,
          signs_agree(c, mode, &end);
 }
 
-// How a stick reaches h = g = 0 in a step, as a course of a slip; only mode,
-// share, sum and from are used. It does if it solves the inclusion except for
-// the sign of g. A stick whose g is already past 0, and not by rounding, has
+// How a motion comes to h = g = 0 in a step, as the course of a slip has it:
+// mode, share, sum and from count. A stick comes there if it solves but with
+// the other sign of g. One whose g is already past 0, and not by rounding, has
 // left that point.
 static codim2_course_t arrival_of_stick(const inclusion_t *in,
                                         const tf_contact_modes_t *modes,
@@ -98,10 +99,10 @@ static codim2_field_t field_of_step(const free_motion_t *c,
   return (codim2_field_t){h, g, rests ? pin : balancing_multipliers(h, g)};
 }
 
-// The same after a slip has reached h = g = 0 within the step: the free motion
-// no longer contains the speeds of the slip, which a large friction stops in
-// less than a step. This does not hold where the slider reaches the axis: there
-// r vanishes, and the disc still turns against the turntable.
+// The same where a slip comes to h = g = 0 within the step, from there on: the
+// free motion has nothing of the speeds of the slip any more, which a large
+// friction stops in less than a step. Not where the slider reaches the axis:
+// there r vanishes, and the disc goes on turning against the turntable.
 static codim2_field_t field_behind(const free_motion_t *c,
                                    const codim2_field_t *field,
                                    tf_real_t share) {
@@ -131,9 +132,8 @@ static bool leads_to(const tf_form_t *f, tf_real_t to, multipliers_t m) {
 }
 
 // Ends the step at a slip in a mode, under multipliers that are found from a
-// guess. False if no force of the law's convex hull leads there: the path has
-// missed h = g = 0 by far, or friction cannot control both h and g (r = 0,
-// gamma = 0).
+// guess. False where no force of the law's convex hull leads there: the path
+// has missed h = g = 0 by much, or friction cannot steer (r = 0, gamma = 0).
 static bool end_at(const free_motion_t *c, const inclusion_t *in, unsigned mode,
                    tf_slip_t to, multipliers_t guess, step_end_t *out) {
   multipliers_t m = guess;
@@ -147,9 +147,9 @@ static bool end_at(const free_motion_t *c, const inclusion_t *in, unsigned mode,
   return signs_agree(c, out->outcome.mode, &out->end);
 }
 
-// A step that reaches h = g = 0 continues from there: in the rest of the step
-// it goes as far as the next mode takes it, under the mean of the forces before
-// and after, which lies in the convex hull of the law.
+// A step that comes to h = g = 0 goes on from there: in the rest of the step it
+// goes as far as the mode that follows takes it, under a mean of the forces
+// before and behind, which lies in the convex hull of the law.
 static bool continue_from_codim2(const free_motion_t *c, const inclusion_t *in,
                                  const codim2_field_t *field,
                                  const consistent_modes_t *modes,
@@ -184,10 +184,10 @@ static bool may_be_held(const tf_contact_modes_t *s, unsigned mode) {
   return has(s->set, TF_PINNED) && !has(s->set, mode);
 }
 
-// The motion passes h = g = 0. It is held there if it would come to rest there.
-// If a force of the law takes it there and no other mode is possible, it
-// arrives at the end of the step. A rest that ends has chosen its mode, but no
-// force of the law leads there: it ends in that mode if the mode solves the
+// The motion passes by h = g = 0. It is held there if it would run to a rest
+// there. If a force of the law takes it there and it has no other way, it comes
+// there at the end of the step. A rest that ends has chosen its mode, but no
+// force of the law leads there: it ends in that mode if that solves the
 // inclusion.
 static void pass_codim2(const free_motion_t *c, const inclusion_t *in,
                         const codim2_field_t *field,
@@ -227,9 +227,10 @@ static bool agrees(const codim2_course_t *course, unsigned mode, tf_slip_t end,
          off <= share * (magnitude(to.h) + magnitude(to.g));
 }
 
-// A slip ends where its course does: the order in which it reaches h = 0 and g
-// = 0 decides the next mode, not where the step happens to end. Where friction
-// cannot control both h and g, it ends under the force of the course.
+// A slip ends where its course does: which mode follows is decided by the
+// order in which it comes to h = 0 and g = 0, and not by where the step happens
+// to end. Where friction cannot steer both h and g it ends under the force of
+// the course.
 static bool follow_course(const free_motion_t *c, const inclusion_t *in,
                           const codim2_course_t *course, unsigned set,
                           step_end_t *out) {
@@ -246,10 +247,10 @@ static bool follow_course(const free_motion_t *c, const inclusion_t *in,
   return leads;
 }
 
-// Whether a slip that passes h = g = 0 may miss its future: it has several,
+// Whether a slip that passes by h = g = 0 may miss its future: it has several,
 // turns by more than 29 degrees within the step, and loses its mode or comes
-// nearer to that point by more than 29 %. The future then depends on the
-// distance at which it passes, which has the error of the steps before.
+// nearer to that point by more than 29 %. Then it depends on how far from the
+// point it passes, which is known to the error of the steps before.
 static bool may_miss(tf_slip_t now, tf_slip_t end, bool is_lost, unsigned set) {
   if (size_of(set) < 2) return false;
   const tf_real_t before = square_root(now.h * now.h + now.g * now.g);
@@ -278,10 +279,10 @@ static bool arrives_otherwise(const free_motion_t *c,
                          x->tick, x->seed, modes) != next;
 }
 
-// A slip that can reach h = g = 0. It is TF_COARSE if no force of the law's
-// convex hull leads along its course, because the step is too long; if its end
-// is a quarter off that of its course; or if the course has changed its mode,
-// and that decides what follows h = g = 0.
+// A slip that has h = g = 0 within reach. It is TF_COARSE where no force of the
+// law's convex hull leads along its course: the step is too long for that. So
+// it is where its end is a quarter off that of its course, or where a course
+// that has changed its mode decides what follows h = g = 0.
 static void end_slip_near_codim2(const free_motion_t *c, const inclusion_t *in,
                                  const codim2_field_t *field,
                                  const tf_contact_modes_t *s, step_end_t *to) {
@@ -307,8 +308,8 @@ static void end_slip_near_codim2(const free_motion_t *c, const inclusion_t *in,
   const tf_slip_t end = tf_slip_of_end(c, &to->end);
   const bool follows =
       mode != TF_NO_MODE && agrees(&course, mode, end, TF_R(0.5));
-  // On a limit direction that leads to h = g = 0, (9) makes a slip alternate
-  // between both sides; for a slip that ends in stick, (9) lacks some force.
+  // On a limit direction that leads to h = g = 0 (9) makes a slip alternate
+  // between both sides; of a slip that ends in stick it lacks some force.
   if (follows && is_slip(mode) && !course.leads_in) {
     if (!agrees(&course, mode, end, TF_R(0.25))) to->outcome.status = TF_COARSE;
     return;
@@ -320,8 +321,8 @@ static void end_slip_near_codim2(const free_motion_t *c, const inclusion_t *in,
   if (coarse) to->outcome.status = TF_COARSE;
 }
 
-// A stick that loses its mode where it can reach g = 0, or a motion at h = g =
-// 0. A rest that continues needs no solution of the inclusion.
+// A stick that loses its mode where g = 0 is within reach, or a motion that is
+// at h = g = 0. A rest that goes on needs no solution of the inclusion.
 static void end_at_codim2(const free_motion_t *c, inclusion_t *in,
                           const codim2_field_t *field, tf_contact_modes_t *s,
                           step_end_t *to) {
@@ -359,8 +360,8 @@ static bool takes_over(const free_motion_t *c, const rates_t *rates, sign_t s) {
          rounding_of_g(c);
 }
 
-// Whether a rest that continues by the mean of the forces has ended at the
-// start, or ends within the step, on a turntable that changes its speed.
+// Whether a rest that goes on by the mean of the forces has ended at the start,
+// or ends within the step, on a turntable that changes its speed.
 static bool misses_end_of_rest(const free_motion_t *c, unsigned mode) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
   const tf_real_t turn = turn_of_step(k, c->input);
@@ -379,7 +380,7 @@ static bool misses_end_of_rest(const free_motion_t *c, unsigned mode) {
 TF_API void tf_codim2_end(const free_motion_t *c, inclusion_t *in,
                           step_end_t *to) {
   tf_contact_modes_t s = {0};
-  // The hull reaches beyond the forces that signs_of() considers.
+  // The hull reaches beyond the forces by which signs_of() judges.
   if (c->state->mode != TF_PINNED) tf_enumerate(in, BOTH_SIGNS, &s);
   const codim2_field_t field = field_of_step(c, in);
   const tf_slip_t now = c->start.slip;

@@ -1,4 +1,4 @@
-// The parts of the compensated step in pairs of tf_real_t. The machine is at
+// What the compensated step computes in pairs of tf_real_t. The machine is at
 // state + compensation. The step is solved in tf_real_t, but
 // * h at the start is that of their sum: an error of epsilon there would be one
 //   of epsilon h / dt in the force that holds the stick, while one of epsilon
@@ -88,7 +88,7 @@ TF_INLINE change_t refinement(const tf_compensated_t *constants,
                       residual_t - k->d * residual_b);
 }
 
-// What M leaves out: in stick M is s kappa F, rounded.
+// What M leaves out: in stick it is s kappa F, which has to be rounded to M.
 TF_INLINE tf_real_t moment_remainder(const tf_machine_t *k, unsigned mode,
                                      tf_force_t f) {
   const pair_t M = two_product(k->contact.stick_kappa, f.F);
@@ -151,8 +151,8 @@ TF_INLINE void store_compensation(const tf_machine_t *k, tf_state_t *state,
 
 // The compensated step: its constants as pairs, and the step itself.
 
-// What a compensated step needs before it starts: the rounding errors of the
-// machine's constants, and a start whose slip is as precise.
+// What a compensated step needs before it starts: what rounding has left out of
+// the constants of a machine, and a start whose slip is as precise.
 
 static pair_t integer(int n) { return (pair_t){(tf_real_t)n, 0}; }
 
@@ -179,7 +179,7 @@ static void sine_cosine(tf_real_t x, pair_t *sine, pair_t *cosine) {
   *cosine = c;
 }
 
-// The rounding error of a constant.
+// What rounding has left out of a constant.
 static tf_real_t left_out(pair_t exact, tf_real_t constant) {
   return (exact.hi - constant) + exact.lo;
 }
@@ -217,11 +217,11 @@ TF_API tf_status_t tf_speed_for_slip_compensated(
   return TF_OK;
 }
 
-// The step that carries the rounding errors of its state: the stages of
-// tf_step, with the slip at the start and the end of the step in pairs.
+// The step that keeps the rounding of its state: the stages of tf_step, with
+// the slip at the start and the end of the step in pairs.
 
-// The balanced form starts from the leading parts; their remainders are carried
-// over.
+// Where the balanced form ends starts from the leading parts; what they leave
+// out is carried over.
 TF_INLINE state_pair_t balanced_end_in_pairs(end_state_t at,
                                              const tf_compensation_t *low) {
   return (state_pair_t){pair_plus((pair_t){at.r, 0}, low->r),
@@ -229,7 +229,7 @@ TF_INLINE state_pair_t balanced_end_in_pairs(end_state_t at,
                         pair_plus((pair_t){at.w, 0}, low->w)};
 }
 
-// What one step starts from.
+// What one step is given.
 typedef struct {
   const tf_compensated_t *constants;
   tf_state_t *state;
@@ -255,8 +255,8 @@ TF_INLINE state_pair_t pairs_at_end(const compensated_step_t *step,
 }
 
 // Commit: the end of the step in pairs, the state and the report, or the
-// refusal. It derives the inverse of (6) anew: as a separate function at the
-// end of the step, it shares no stack with the pairs of the step.
+// refusal. It derives the inverse of (6) anew: as a function of its own, which
+// a step ends with, its pairs and those of the step need no stack together.
 static __attribute__((noinline)) tf_status_t commit_pairs(
     compensated_step_t *step, const step_end_t *to, tf_report_t *report) {
   const tf_machine_t *k = &step->constants->machine;

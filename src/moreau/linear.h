@@ -2,23 +2,23 @@
 // how the velocities at the end respond to a force F and a moment M that are
 // constant over the step. Equations (1)-(8) of DESIGN.md.
 //
-// The velocities are z = w - omega0 and p = v - d z: with p the kinetic energy
-// has no cross term, so the mass matrix is diagonal and nothing cancels where
-// beta or r is small. They are relative to the turntable at the end of the
-// step; a slip at the start or at the theta point is relative to the turntable
-// at that instant, see slip_at_instant().
+// The velocities are z = w - omega0 and p = v - d z: p carries the kinetic
+// energy without a cross term, so that the mass matrix is diagonal and nothing
+// cancels where beta or r is small. They are against the turntable of the end
+// of the step; a slip at its start or at the theta point is against the
+// turntable of that instant, see slip_at_instant().
 #ifndef TF_LINEAR_H
 #define TF_LINEAR_H
 
 #include "../friction/inclusion.h"
 #include "../model/mechanics.h"
 
-// A change of the velocities p and z over the step, or the velocities.
+// A change of the velocities p and z over the step, or these themselves.
 typedef struct {
   tf_real_t p, z;
 } change_t;
 
-// The velocities of a state relative to a turntable.
+// The velocities of a state against a turntable.
 TF_INLINE change_t velocities(const tf_machine_t *k, const tf_state_t *state,
                               tf_real_t omega0) {
   const tf_real_t z = state->w - omega0;
@@ -86,7 +86,7 @@ TF_INLINE void invert(const tf_machine_t *k, tf_real_t J, tf_real_t e,
   l->definite = (definite > 0) & (scale > 0);
 }
 
-// start: the velocities at the start, relative to the turntable at the end.
+// start: the velocities at the start, against the turntable of the end.
 TF_INLINE linear_t linearise(const tf_machine_t *k, const tf_state_t *state,
                              const tf_input_t *input, change_t start) {
   const tf_real_t v = state->v, w = state->w, theta_dt = k->theta_dt;
@@ -136,8 +136,8 @@ TF_INLINE tf_real_t angle_change(const tf_machine_t *k, tf_real_t w,
   return k->explicit_dt * w + k->theta_dt * w_end;
 }
 
-// The slip at an instant of a step, from p and z relative to the turntable at
-// its end: at that instant the turntable is slower by `turn`.
+// The slip at an instant of a step, from p and z against the turntable of its
+// end: at that instant the turntable is slower by a turn.
 TF_INLINE tf_slip_t slip_at_instant(const tf_machine_t *k, tf_real_t turn,
                                     tf_real_t r, tf_real_t p, tf_real_t z) {
   return slip_from_pq(k, p - k->d * turn, r * (z + turn));
@@ -232,19 +232,19 @@ TF_INLINE tf_force_t friction_to_rest(const tf_machine_t *k,
   return (tf_force_t){F, load.t - F * l->arm};
 }
 
-// A program for one frictionless scene leaves out friction.
+// What friction does is left out of a program for one scene without.
 TF_INLINE bool has_friction(const tf_machine_t *k) {
   return k->contact.tyre.law != TF_TYRE_NONE;
 }
 
 // Without a moment no wheel is pinned: it sticks. A build for one such scene
-// defines this as false, which leaves out results that nothing reads.
+// defines this as false, and leaves out what would be found and not read.
 #ifndef TF_STEP_PINS
 #define TF_STEP_PINS true
 #endif
 
-// With sin(gamma) = 0 friction has no component along r, and the wheel cannot
-// be pinned: F would exceed any mu.
+// With sin(gamma) = 0 friction has no component along r and the wheel cannot be
+// pinned: F is larger then than any mu.
 TF_INLINE bool can_be_pinned(const tf_machine_t *k) {
   return TF_STEP_PINS && k->sin_gamma != 0;
 }

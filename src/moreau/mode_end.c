@@ -1,5 +1,5 @@
-// Ends of a step for all rare ends: in a given mode, and with no consistent
-// mode.
+// Ends of a step that any rare end may take: in a given mode, and where no mode
+// is consistent.
 #include "scheme.h"
 
 TF_API forced_end_t tf_mode_end(const free_motion_t *c,
@@ -16,7 +16,7 @@ TF_API tf_slip_t tf_slip_of_end(const free_motion_t *c,
   return end_slip(c, end);
 }
 
-// The distance of an end from the law; in slip, how far h is on the other side.
+// How far an end is from the law: in slip, how far h is on the other side.
 static tf_real_t violation_of(const tf_machine_t *k, unsigned mode,
                               tf_force_t force, tf_slip_t slip) {
   const outcome_t outcome = {.mode = mode};

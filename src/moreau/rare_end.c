@@ -1,5 +1,5 @@
-// The ends of a step off the common path that need no file of their own: under
-// a single-valued law, in no mode, and of a slip whose force turns.
+// The ends of a step that are off the common path and need no file of their
+// own: under a single-valued law, in no mode, of a slip whose force turns.
 #include "scheme.h"
 
 // The force of a single-valued law over a step, (11). No enumeration is needed,
@@ -42,8 +42,8 @@ static tf_force_t single_valued_force(const free_motion_t *c) {
   return secant_force(c, at);
 }
 
-// The end of the step, the mode of its slip, and the distance of the force from
-// the law at the theta point.
+// The end of the step, the mode that its slip has, and how far the force is
+// from the law at the theta point.
 static void single_valued_end(const free_motion_t *c, step_end_t *to) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
   const tf_force_t force = single_valued_force(c);
@@ -58,9 +58,9 @@ static void single_valued_end(const free_motion_t *c, step_end_t *to) {
   to->outcome.residual = magnitude(force.F - single_valued_law(k, at).F);
 }
 
-// Whether a turning force changes the velocities much more or less than the
-// force at the start would: over the whole step or, if the slip ends, up to h =
-// 0.
+// Whether a force that turns changes the velocities by an amount that differs
+// much from that of the force at the start: over the whole step or, of a slip
+// that ends in it, up to h = 0.
 static bool turns_much(const free_motion_t *c, const inclusion_t *in,
                        const step_end_t *to) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
@@ -80,8 +80,8 @@ static bool turns_much(const free_motion_t *c, const inclusion_t *in,
   return tf_changes_much(k, x, to->end.at, dp, dz, TF_TURN_SHARE);
 }
 
-// A reversed slip ends in a stick if it can. If an impulse reverses it and the
-// slip is kept, the step is not TF_OK. Returns: whether that is so.
+// A slip that is reversed ends in a stick where it can. It is not TF_OK where
+// an impulse reverses it and it is kept. Returns: whether that is so.
 static bool end_reversed(const free_motion_t *c, const inclusion_t *in,
                          step_end_t *to) {
   const unsigned slip = to->outcome.mode;
@@ -95,8 +95,8 @@ static bool end_reversed(const free_motion_t *c, const inclusion_t *in,
                                         to->end.at, TF_IMPULSE_SHARE));
 }
 
-// Whether a slip ends within its step, and changes the velocities so much that
-// its path matters: its force turns up to h = 0.
+// Whether a slip ends within its step and that changes the velocities by so
+// much that the way there counts: its force turns up to h = 0.
 static bool ends_by_impulse(const tf_machine_t *k, const tf_state_t *from,
                             const step_end_t *to) {
   return k->contact.stick_kappa > 0 &&
@@ -104,10 +104,10 @@ static bool ends_by_impulse(const tf_machine_t *k, const tf_state_t *from,
          tf_step_changes_much(k, from, to->end.at, TF_ENDING_SHARE);
 }
 
-// A slip whose force turns within the step, or that ends in it. If only the
-// limit at h -> 0 holds it on its side, not the force at its angle, it ends
-// where its course does, provided that end is in its mode. The step is not
-// TF_OK if ending in stick or rest changes much, or if the turn matters.
+// A slip whose force turns within the step, or that ends in it. One that the
+// limit at h -> 0 holds on its side, where the force of its angle does not,
+// ends where its course does, if that is in its mode. It is not TF_OK where it
+// ends in stick or rest and by that changes much, and where its turn counts.
 static void end_of_slip(end_kind_t kind, const free_motion_t *c,
                         const inclusion_t *in, step_end_t *to) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);

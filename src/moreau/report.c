@@ -1,5 +1,5 @@
-// How far a step can be trusted, judged from its record. These are separate
-// functions at the end of a step, so that they take none of its registers.
+// How far a step can be trusted, by what it has recorded. They are functions of
+// their own, which a step ends with, so that they need no registers of it.
 #include "report.h"
 
 #include "../model/rates.h"
@@ -9,8 +9,8 @@ typedef struct {
   tf_real_t dp, dz;
 } end_rates_t;
 
-// The sums of the magnitudes of the terms of p' and z': the rounding of an
-// equilibrium is a share of them. `speed` bounds the terms of v.
+// What the terms of p' and z' amount to without their signs: a share of it is
+// what rounding makes of an equilibrium. `speed` bounds the terms of v.
 static end_rates_t terms_of_rates(const tf_machine_t *k, const tf_input_t *u,
                                   const tf_state_t *x, tf_real_t speed,
                                   tf_force_t force) {
@@ -24,9 +24,9 @@ static end_rates_t terms_of_rates(const tf_machine_t *k, const tf_input_t *u,
                        torque / inertia_at(k, x->r) + magnitude(u->alpha)};
 }
 
-// A turntable that stands, or passes 0, may bring the wheel to rest. Then h and
-// g are off by the rounding of the balancing forces, each by its effect over
-// dt: where these nearly cancel in h, A does not measure them.
+// A turntable that stands, or passes 0, may bring the wheel to rest; then h and
+// g are off by the rounding of the forces that balance, each with what it does
+// in dt: where they nearly undo each other in h, A is no measure of them.
 TF_API tf_status_t tf_status_of_end(const tf_machine_t *k,
                                     const tf_state_t *state,
                                     const tf_input_t *u, tf_report_t *report) {
@@ -41,25 +41,26 @@ TF_API tf_status_t tf_status_of_end(const tf_machine_t *k,
   return status_by_signs(report, rounding);
 }
 
-// Stall: whether steps will keep leaving r unchanged although the machine
-// moves. Each such step is right to rounding, but a change of r or w by less
-// than half of its last digit is lost, step after step. A motion at a turning
-// point soon moves r again; one in equilibrium need not move.
+// Stall: whether a step that has left r as it was will go on like that although
+// the machine moves. Each such step is right to rounding, but where a step
+// changes r or w by less than half of its last digit the change is lost, for as
+// long as that is so. A motion that passes a turning point soon moves r again;
+// one that is in equilibrium need not move.
 
-// The most roundings of their terms by which speeds and accelerations of an
-// equilibrium are off.
+// How many roundings of their terms the speeds and the accelerations of an
+// equilibrium are off by at most.
 #define STALL_ROUNDINGS (16 * TF_REAL_EPSILON)
 // What moves by less than this share of its size in a second is at rest [1/s].
 #define STALL_SLOWEST TF_R(1e-9)
-// A motion that will move r again within this many steps does not stall.
+// A motion that is to move r again within so many steps does not stall.
 #define STALL_STEPS 32
-// Rounding does not change the direction, and so the force, of a slip of this
-// many of its roundings.
+// A slip of so many of its roundings has a direction, and with it a force, that
+// rounding does not change.
 #define STALL_DIRECTION 64
 
-// The force of the law at the end of the step, and its rounding. In stick:
-// lambda = N/A, since the slip left by rounding vanishes at once; in slip: the
-// force of the step.
+// The force of the law at the end of the step, and its share that is rounding:
+// in stick lambda = N/A, which undoes the slip that rounding has left in no
+// time at all; in slip the force of the step.
 typedef struct {
   tf_force_t force, rounding;
 } stall_force_t;
@@ -83,7 +84,7 @@ static stall_force_t force_in_slip(const tf_machine_t *k, tf_force_t force,
       force, {share * k->contact.tyre.mu, share * k->contact.kappa_mu}};
 }
 
-// How fast the machine moves, and how much of that may be rounding.
+// How fast the machine moves, and by how much rounding may be the reason.
 typedef struct {
   tf_real_t v_rate, z_rate;
   tf_real_t v_off, v_rate_off, z_rate_off;

@@ -1,6 +1,6 @@
-// The result of a step: state and report, or the refusal. The status says how
-// far the step can be trusted: whether its end has the signs of its mode, and
-// whether it stalls. Every scheme ends with this.
+// What a step leaves behind: state and report, or the refusal, and the status
+// by which they say how far the step can be trusted: whether its end has the
+// signs of its mode, and whether it stalls. Every scheme ends with it.
 #ifndef TF_REPORT_H
 #define TF_REPORT_H
 
@@ -19,7 +19,7 @@ typedef struct {
   bool is_balanced;   // it ends in the form that creates no energy
 } outcome_t;
 
-// In slip only the side is checked, not the angle. The mean force of a step
+// Of a slip only the side is checked, not the angle. The mean force of a step
 // that passes h = g = 0 is compared with the convex hull of the law.
 TF_INLINE tf_real_t mode_residual(const tf_machine_t *k,
                                   const outcome_t *outcome, tf_force_t force,
@@ -64,8 +64,8 @@ TF_INLINE void record(tf_state_t *state, end_state_t end, tf_slip_t slip,
   state->tick++;
 }
 
-// Whether h and g have the signs of the mode, but for rounding: in slip that of
-// h, in stick h = 0 and that of g.
+// Whether h and g have the signs of the mode, but for their rounding: off h = 0
+// that of h, on it h = 0 and that of g.
 TF_INLINE bool has_signs_of_mode(unsigned mode, tf_slip_t slip,
                                  tf_real_t rounding) {
   if (mode == TF_SLIP_PLUS) return slip.h >= -rounding;
@@ -76,8 +76,8 @@ TF_INLINE bool has_signs_of_mode(unsigned mode, tf_slip_t slip,
   return within(slip.g, rounding);
 }
 
-// The same for clear cases: with one term of the rounding of h and none of that
-// of g. Rest, which is rare, is left to has_signs_of_mode().
+// The same where it is plain to see: with one term of the rounding of h and
+// none of that of g. Rest, which is rare, is left to has_signs_of_mode().
 TF_INLINE bool plainly_has_signs(const tf_machine_t *k, unsigned mode,
                                  tf_slip_t slip, end_state_t at) {
   const tf_real_t least = SLIP_ROUNDINGS * magnitude(k->d * at.w);
@@ -94,14 +94,15 @@ TF_INLINE tf_status_t status_by_signs(tf_report_t *report, tf_real_t rounding) {
   return report->status;
 }
 
-// status_by_signs() for unclear signs, of a step recorded in state and report.
+// status_by_signs() where the signs are not plain to see, of a step that is
+// recorded in state and report.
 #define tf_status_of_end TF_LINK(tf_status_of_end)
 __attribute__((noinline, cold)) TF_API tf_status_t
 tf_status_of_end(const tf_machine_t *k, const tf_state_t *state,
                  const tf_input_t *u, tf_report_t *report);
 
-// The status of a recorded step that has left r unchanged: whether the motion
-// stalls.
+// The status of a step that is recorded likewise and has left r as it was:
+// whether the motion stalls.
 #define tf_status_of_stall TF_LINK(tf_status_of_stall)
 __attribute__((noinline)) TF_API tf_status_t
 tf_status_of_stall(const tf_machine_t *k, const tf_input_t *u,

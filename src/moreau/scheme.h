@@ -1,6 +1,6 @@
 // One step of the Moreau-Jean theta scheme, from its start to its end, stage by
-// stage, and its rare ends. tf_step and tf_step_compensated differ only in
-// their start and in how they store the end.
+// stage, and its rare ends. tf_step and tf_step_compensated differ in what they
+// start with and in how they store the end.
 #ifndef TF_SCHEME_H
 #define TF_SCHEME_H
 
@@ -20,9 +20,10 @@ typedef enum {
   END_TO_CHECK // a slip that is lost, or a balance of energy to be checked
 } end_kind_t;
 
-// The end of a rare step, judged by its balance of energy. to: in/out; in: its
-// end and its set, if already found. Free motion and inclusion are formed anew,
-// so that the common step need not keep them. Returns: the status of the end.
+// The end of a rare step, judged by its balance of energy. to: in/out; in are
+// its end and its set, where it has got so far. Free motion and inclusion are
+// formed anew, so that the common step need not keep them.
+// Returns: the status of the end.
 #define tf_rare_end TF_LINK(tf_rare_end)
 TF_API tf_status_t tf_rare_end(end_kind_t kind, const tf_machine_t *k,
                                const tf_state_t *state, const tf_input_t *input,
@@ -58,8 +59,8 @@ TF_API void tf_codim2_end(const free_motion_t *c, inclusion_t *in,
 TF_API bool tf_end_along_course(const free_motion_t *c, const inclusion_t *in,
                                 unsigned modes, step_end_t *to);
 
-// With no consistent mode, or none that a slip may enter: the possible end that
-// violates the law least.
+// Where no mode is consistent, or none that a slip may enter: of all ends that
+// the step may take, the one that violates the law least.
 #define tf_least_violation TF_LINK(tf_least_violation)
 TF_API void tf_least_violation(const free_motion_t *c, inclusion_t *in,
                                unsigned set, step_end_t *to);
@@ -71,15 +72,15 @@ TF_API void tf_least_violation(const free_motion_t *c, inclusion_t *in,
 TF_API bool tf_split_end(const free_motion_t *c, const inclusion_t *in,
                          step_end_t *to);
 
-// The end of a step whose balance of energy needs a check. If it creates
-// energy, it ends in the form that creates none; if it is too long for the
-// motion, it is not TF_OK.
+// The end of a step whose balance of energy needs a check: in the form that
+// creates no energy where it does, and not TF_OK where the step is too long for
+// the motion.
 #define tf_checked_end TF_LINK(tf_checked_end)
 TF_API void tf_checked_end(const tf_machine_t *k, const tf_state_t *state,
                            const tf_input_t *input, step_end_t *to);
 
 // The form that creates no energy: its end, the force of the step, and the slip
-// at the end. mode, force: those of the linear step.
+// that the end has. mode, force: what the linear step ends with.
 typedef struct {
   end_state_t at;
   tf_force_t force;
@@ -106,8 +107,8 @@ TF_INLINE balance_t balance_of_end(const tf_machine_t *k,
                     to->end.force.F);
 }
 
-// The end of a step: complete where it is a common one. The results of its
-// stages stay in registers; tf_rare_end does the rest.
+// The end of a step: complete where it is a common one. What its stages have
+// found is in registers; the rest is left to tf_rare_end.
 TF_INLINE end_kind_t end_of_step(const tf_machine_t *k, const tf_state_t *state,
                                  const tf_input_t *input, start_t start,
                                  step_end_t *to) {

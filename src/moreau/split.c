@@ -1,13 +1,13 @@
-// A step that loses its slip, in two parts: up to h = 0 and after it. Moreau's
-// step has the mean force of one mode, so it is of order 1 where a change of
-// mode makes the force jump. If the instant of the change is of order 2 and the
-// force of each part of order 1 in dt, the impulse and the end of the step are
-// of order 2. Where a stick ends, the force does not jump: a step in slip is
-// already of order 2.
+// A step that loses its slip, in two parts: up to h = 0 and behind it. Moreau's
+// step has the mean force of one mode, and so is of order 1 through a change of
+// mode at which the force jumps. With the instant of the change known to order
+// 2 and the force of either part to order 1 in dt, the impulse of the step is
+// known to order 2, and with it the end. Where a stick ends the force does not
+// jump: the step in slip is of order 2 as it is.
 #include "scheme.h"
 
-// The mean multipliers up to the change, its time as a share of the step, and
-// the mode after it.
+// The mean multipliers up to the change, which takes a share of the step, and
+// the mode behind it.
 typedef struct {
   multipliers_t mean;
   tf_real_t share;
@@ -39,14 +39,14 @@ static part_t part_of_slip(const free_motion_t *c, const inclusion_t *in,
   return part;
 }
 
-// The multipliers of the step, with `then` after the change.
+// The multipliers of the step, with `then` behind the change.
 static multipliers_t of_step(const part_t *part, multipliers_t then) {
   const tf_real_t share = part->share, rest = 1 - share;
   return (multipliers_t){share * part->mean.x + rest * then.x,
                          share * part->mean.y + rest * then.y};
 }
 
-// The multiplier of a stick after the change that ends the step at h = 0.
+// The multiplier of a stick behind the change that ends the step at h = 0.
 static tf_real_t stick_behind(const tf_form_t *h, const part_t *part,
                               sign_t sign_g) {
   tf_real_t x = 0;
@@ -58,9 +58,9 @@ static tf_real_t stick_behind(const tf_form_t *h, const part_t *part,
   return x;
 }
 
-// The end after the change: in slip under the mean of the multipliers at h -> 0
-// and at the end, in stick under those that end the step at h = 0. Returns:
-// whether that is an end in its mode.
+// The end behind the change: in slip under the mean of the multipliers at
+// h -> 0 and at the end, in stick under those that end the step at h = 0.
+// Returns: whether that is an end in its mode.
 static bool end_of_parts(const free_motion_t *c, const tf_form_t *h,
                          const part_t *part, sign_t sign_g, forced_end_t *end) {
   const sign_t side = sign_in(part->next);
@@ -76,7 +76,8 @@ static bool end_of_parts(const free_motion_t *c, const tf_form_t *h,
                : within(then.x, 1);
 }
 
-// Whether the force turns so much up to h = 0 that its mean is uncertain.
+// Whether the force turns up to h = 0 by so much that its mean is no longer
+// known.
 static bool part_turns(const free_motion_t *c, const part_t *part,
                        multipliers_t begin, end_state_t end) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);

@@ -16,11 +16,11 @@
 #define TF_STEP_MACHINE(c) ((c)->machine)
 #endif
 
-// The velocities at the start, relative to the turntable at the end, and the
-// slip at the start. An incremental step has more digits of the slip than p and
-// z store: it adds the change over the step to the slip at the start. A plain
-// step computes the slip from the state that it will store, so that the report
-// has the slip of that state.
+// The velocities that a step starts with, against the turntable of its end, and
+// its slip at the start. An incremental step has its slip to more digits than p
+// and z are stored in: it adds the change over the step to the slip at the
+// start. A plain step computes the slip from the state that it will store, so
+// that its report is the slip of that state.
 typedef struct {
   tf_real_t p, z;
   tf_slip_t slip; // where known
@@ -97,7 +97,7 @@ TF_INLINE void know_start_slip(free_motion_t *c) {
   c->start.known = true;
 }
 
-// Where a step ends under a force. In an incremental step r, v, w are what a
+// Where a step ends under a force. Of an incremental step r, v, w are what a
 // plain step would store: compensated.c computes them in pairs.
 typedef struct {
   tf_force_t force;
@@ -142,7 +142,7 @@ TF_INLINE forced_end_t end_by(const free_motion_t *c, multipliers_t m) {
   return end_under(c, force_under(&k->contact, m), change_by(c, m));
 }
 
-// Both as functions, for the many rare ends: this saves code size.
+// Both as functions of rare ends, which are many: this saves code size.
 #define tf_end_by TF_LINK(tf_end_by)
 TF_API forced_end_t tf_end_by(const free_motion_t *c, multipliers_t m);
 
@@ -158,8 +158,8 @@ TF_INLINE inclusion_t inclusion(const free_motion_t *c) {
   return in;
 }
 
-// Adds the point at which the step would end at rest; read only if g+ can have
-// both signs.
+// Adds the point at which the step would end at rest, which is read only where
+// g+ can have both signs.
 TF_INLINE void add_pinned_point(free_motion_t *c, inclusion_t *in) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
   const tf_force_t pin = pinning_force(k, &c->linear);
@@ -181,8 +181,8 @@ TF_INLINE unsigned solve_inclusion(free_motion_t *c, inclusion_t *in,
   return signs;
 }
 
-// Choice. Whether a step that does not begin at rest can reach h = g = 0;
-// codim2_end.c has what follows.
+// Choice. Whether a step that does not begin at rest has h = g = 0 within
+// reach; codim2_end.c has what follows.
 TF_INLINE bool is_near_codim2(const free_motion_t *c, const inclusion_t *in,
                               unsigned signs, unsigned set) {
   const unsigned mode = c->state->mode;
@@ -216,13 +216,13 @@ TF_INLINE unsigned choose_mode(const tf_machine_t *k, const tf_state_t *state,
 }
 
 // End in slip on one side of h = 0, (9): the force is predicted from the start,
-// then taken at the theta point. If that would carry the wheel across h = 0
+// then taken at the theta point. Where that would carry the wheel across h = 0
 // although the limit at h -> 0 holds it on its side, the true end lies between
-// the two, and the limit is taken. The limit reverses the slip if its moment
-// belongs to the other sign of g than at the start: then h and g both pass 0
-// within the step, which cannot resolve their order. The force turns if it is
-// not that of the start: the true one changes its direction within the step and
-// may differ from both.
+// the two, and the limit is taken. It reverses the slip if its moment belongs
+// to the other sign of g than that at the start: then h and g both pass 0
+// within the step, which cannot see which of them does so first. The force
+// turns if it is not that of the start: the true one changes its direction
+// within the step and may differ from both.
 TF_INLINE forced_end_t slip_end(const free_motion_t *c, sign_t side,
                                 tf_real_t tau, bool rare) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
@@ -254,7 +254,7 @@ TF_INLINE unsigned mode_after_reversal(const tf_contact_modes_t *s,
   return has(s->set & s->attracting, s->near_stick) ? s->near_stick : mode;
 }
 
-// End at rest, (10): exactly what the force was solved for.
+// End at rest, (10): what the force was solved for, without its rounding.
 TF_INLINE forced_end_t pinned_end(const free_motion_t *c) {
   const linear_t *l = &c->linear;
   const end_state_t at = {l->r_explicit, 0, l->omega0};
@@ -267,7 +267,7 @@ TF_INLINE forced_end_t mode_end(const free_motion_t *c,
                                 const tf_contact_modes_t *s, unsigned mode,
                                 bool rare) {
   if (mode == TF_PINNED) return pinned_end(c);
-  // No index from run time: the arrays stay in registers.
+  // No index that is known only at run time: the arrays stay in registers.
   if (is_slip(mode)) {
     const bool up = mode == TF_SLIP_PLUS;
     return slip_end(c, up ? PLUS : MINUS, up ? s->tau[PLUS] : s->tau[MINUS],

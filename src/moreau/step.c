@@ -21,14 +21,14 @@ TF_INLINE tf_status_t commit(const tf_machine_t *k, tf_state_t *state,
   const bool stays = state->r == at.r;
   record(state, at, slip, to->end.force, residual, outcome, report);
   tf_status_t status = outcome.status;
-  // Under a single-valued law the sign of h gives the slip.
+  // The slip of a single-valued law is that of the sign of h.
   if (!plainly_has_signs(k, outcome.mode, slip, at) &&
       tf_tyre_is_set_valued(k->contact.tyre.law))
     status = tf_status_of_end(k, state, input, report);
   return stays ? tf_status_of_stall(k, input, state, report) : status;
 }
 
-// Out of line, so that its stack and that of the end do not add.
+// A function of its own, so that its stack and that of the end do not add.
 TF_RARE tf_status_t commit_rare(const tf_machine_t *k, tf_state_t *state,
                                 const tf_input_t *input, const step_end_t *to,
                                 tf_report_t *report) {
@@ -37,14 +37,14 @@ TF_RARE tf_status_t commit_rare(const tf_machine_t *k, tf_state_t *state,
   return commit(k, state, input, to, report);
 }
 
-// What the common stages decide for a rare step.
+// What the common stages of a rare step have decided.
 typedef struct {
   uint8_t kind, mode, set;
 } decided_t;
 
-// Called at the end of the step, with arguments in registers like every call of
-// a step: anything with an address would be in memory in every step, and so
-// would a structure of three numbers (7 % of a step).
+// Its arguments are in registers, as those of all that a step calls, and it is
+// what the step ends with: what has an address would be in memory in every
+// step, and a structure of three numbers is passed there (7 % of a step).
 TF_RARE tf_status_t rare_step(const tf_machine_t *k, tf_state_t *state,
                               const tf_input_t *input, tf_report_t *report,
                               decided_t by, tf_real_t F, tf_real_t M,
@@ -74,13 +74,13 @@ TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
                    to.end.at.v, to.end.at.w, to.outcome.delassus);
 }
 
-// A step beside its two halves: the distance of both ends estimates the error.
-// No quantity of one step alone separates steps that are too long from others
-// (docs/SCHEMES.md lists what was tried).
+// A step beside two halves of it: how far both ends lie apart is the estimate
+// of its error. No quantity of one step alone separates steps that are
+// too long from others (docs/SCHEMES.md lists what was tried).
 
-// The end of two halves. Both share the draw of a random exit with the whole
-// step: set_step_length() keeps its probability, and both halves have the tick
-// of the step. False where one is refused.
+// The end of two halves. The draw of a random exit is that of the whole step:
+// set_step_length() keeps its chance, and both halves have the tick of the
+// step. False where one is refused.
 static bool halve(const tf_machine_t *k, const tf_input_t *input,
                   tf_state_t *state) {
   const uint64_t tick = state->tick;
@@ -131,7 +131,7 @@ TF_API tf_status_t tf_step_estimated(const tf_machine_t *machine,
   *error = halve(machine, input, &halves)
                ? difference(machine, input, &start, state, &halves)
                : TF_REAL_MAX;
-  // Written so that a NaN is too large.
+  // Written so that an error that is not a number counts as too large.
   if (!(*error <= accuracy) && status == TF_OK) report->status = TF_COARSE;
   return report->status;
 }

@@ -10,8 +10,8 @@
 #include "twofold/real.h"
 
 // The parts of a step are inlined into one function: passing their structs
-// through memory would double its instructions. TF_RARE keeps rarely needed
-// parts out of it.
+// through memory would double its instructions. TF_RARE keeps out of it what a
+// step hardly ever needs.
 #define TF_INLINE static inline __attribute__((always_inline))
 #define TF_RARE static __attribute__((noinline, cold))
 
@@ -44,7 +44,7 @@ TF_INLINE tf_real_t clip(tf_real_t x, tf_real_t low, tf_real_t high) {
   return x > low ? (x < high ? x : high) : low;
 }
 
-// 1/x, kept finite: 0 if |x| is below the smallest normal number.
+// 1/x, kept finite: below the smallest normal number x counts as 0.
 TF_INLINE tf_real_t inverse_or_0(tf_real_t x) {
   return x >= TF_REAL_MIN ? 1 / x : 0;
 }

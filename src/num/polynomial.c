@@ -1,9 +1,9 @@
-// First root of a polynomial in an interval. Most polynomials fall throughout:
-// their one root, or none, needs no signs of coefficients.
+// First root of a polynomial in an interval. Most fall throughout: their one
+// root, or none, is there without a look at the signs of coefficients.
 #include "polynomial.h"
 
-// How often an interval is halved: roots closer together than the last interval
-// are no crossing. In float that exceeds its digits.
+// How often an interval is halved: roots closer to each other than what is left
+// of it then are no crossing. In float that is more than its digits are.
 #ifdef TF_REAL_FLOAT
 #define MAX_INTERVALS 24
 #else

@@ -7,7 +7,7 @@
 #include "kernel.h"
 
 // Highest order of the Taylor series of tf_step_located, below FINE_TOLERANCE
-// and otherwise. DESIGN.md, section 9, compares orders.
+// and else: DESIGN.md, section 9, compares it with others.
 #ifdef TF_REAL_FLOAT
 #define SERIES_ORDER 6
 #define USUAL_ORDER 6
@@ -45,7 +45,7 @@ TF_INLINE tf_real_t value_at(const series_t *s, int degree, tf_real_t t) {
   return sum;
 }
 
-// The most that the terms beyond c0 + c1 t can add together within the length.
+// What the terms beyond c0 + c1 t together can add within the length, at most.
 TF_INLINE tf_real_t change_beyond_line(const series_t *s, int degree,
                                        tf_real_t length) {
   tf_real_t sum = magnitude(s->c[degree]);
@@ -53,8 +53,8 @@ TF_INLINE tf_real_t change_beyond_line(const series_t *s, int degree,
   return sum * length * length;
 }
 
-// Whether that line stays above that amount. Then there is no root; this
-// settles most segments. In a series on the stack no term beyond the degree,
+// Whether that line stays above as much. Then there is no root; most segments
+// are settled by this. Of a series on the stack no term beyond the degree,
 // which is not 0, is set or read.
 TF_INLINE bool is_rootless(const series_t *s, int degree, tf_real_t length) {
   // cppcheck-suppress ctuuninitvar
@@ -66,7 +66,7 @@ TF_INLINE bool is_rootless(const series_t *s, int degree, tf_real_t length) {
 // The smallest root in (0, length], by the signs of the Bernstein coefficients
 // (Descartes: no change, no root; one change, one root) on intervals that are
 // halved from the left, then by Newton's method within the bracket. c0 > 0, or
-// c0 = 0, where the root at 0 is left out. Returns whether there is one.
+// c0 = 0, and then the root at 0 does not count. Returns whether there is one.
 #define tf_first_root TF_LINK(tf_first_root)
 TF_API bool tf_first_root(const series_t *s, int degree, tf_real_t length,
                           tf_real_t *root);

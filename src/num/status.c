@@ -1,5 +1,5 @@
-// Names of the status codes; and a test of the arithmetic, in an ordinary file
-// of the core, so that its pragma and flags are those of a step.
+// Names of the status codes; and the arithmetic, tried in a unit of the core as
+// every other: pragma and flags are those of a step.
 #include "twofold/status.h"
 
 #include "kernel.h"
@@ -29,7 +29,8 @@ TF_API const char *tf_status_name(tf_status_t status) {
   }
 }
 
-// A number that the compiler cannot fold, and one that it has rounded.
+// A number that the compiler does not know, so that it folds nothing; and one
+// that it has rounded.
 static tf_real_t unknown(tf_real_t x) {
   const volatile tf_real_t kept = x;
   return kept;
@@ -52,8 +53,8 @@ static bool keeps_subnormals(void) {
   return unknown(half * 2) == TF_REAL_MIN;
 }
 
-// (1 + e)^2 = 1 + 2 e + e^2; rounding drops the last term. A product with a
-// second use would not be fused.
+// (1 + e)^2 = 1 + 2 e + e^2, of which rounding drops the last. A product that
+// had a second use would not be fused.
 static bool rounds_products(void) {
   const tf_real_t a = unknown(1 + TF_REAL_EPSILON), b = unknown(a);
   const tf_real_t c = unknown(1 + 2 * TF_REAL_EPSILON);

@@ -1,5 +1,5 @@
-// The scenes of the project: data only. No other file of the core names one.
-// C++ wants members in the order of their struct.
+// The scenes that come with the project: data only. No other file of the core
+// names one of them. C++ wants members in the order of their struct.
 #include "twofold/simulation.h"
 
 // The paper's figure 5: kappa and k2 put the two-fold at r = 0.1859,
@@ -111,8 +111,8 @@ static const tf_scene_t driven = {
     .knots = 5,
     .profile = {{0, -1}, {2, -2}, {4, -2}, {8, 1}, {10, 0}}};
 
-// In the order of their numbers. An array that is too small only warns; this
-// does not compile.
+// In the order of their numbers. An array drops what it has no room for with a
+// warning; this does not compile.
 #define EACH_SCENE(x)                                                        \
   x(chaos) x(gamma_zero) x(gamma_right) x(coulomb) x(frictionless) x(smooth) \
       x(rolling) x(string) x(driven)

@@ -24,7 +24,8 @@ static uint64_t *count_of(tf_tally_t *tally, tf_status_t status) {
 }
 
 // Whether nothing has been counted. By bytes, and with one increment below: an
-// AVR has no 64-bit words, and five of them at once take 300 B of flash.
+// AVR has no word of 64 bits, and five of them at a time take 300 B of its
+// flash.
 static bool is_empty(const tf_tally_t *tally) {
   const unsigned char *byte = (const unsigned char *)tally;
   unsigned any = 0;
@@ -32,7 +33,7 @@ static bool is_empty(const tf_tally_t *tally) {
   return any == 0;
 }
 
-// Out of line, so that a TF_OK step costs one comparison.
+// A function of its own, so that a step that is TF_OK costs one comparison.
 TF_RARE void tally_reservation(tf_tally_t *tally, uint64_t tick,
                                tf_status_t status) {
   if (is_empty(tally)) tally->first = tick;
@@ -46,14 +47,15 @@ TF_API void tf_tally_count(tf_tally_t *tally, uint64_t tick,
 
 // How a scene starts, and its inputs over time.
 
-// The time of a tick, by 32-bit halves: a 64-bit conversion takes 2 KB on a
-// processor without floating point. Up to 2^32 the rounding is the same.
+// The time of a tick, by halves: both conversions are of 32 bits, and that of
+// 64 takes 2 KB on a processor without floating point. Up to 2^32 it is rounded
+// as that.
 static tf_real_t time_of(uint64_t tick, tf_real_t dt) {
   const tf_real_t high = (tf_real_t)(uint32_t)(tick >> 32) * TF_R(0x1p32);
   return (high + (tf_real_t)(uint32_t)tick) * dt;
 }
 
-// The speed of the turntable at a time; knots up to t + off are included.
+// The speed of the turntable at a time, to which knots up to t + off belong.
 static tf_real_t speed_at(const tf_scene_t *scene, tf_real_t t, tf_real_t off) {
   const tf_knot_t *knot = scene->profile;
   int i = 0;
@@ -75,8 +77,9 @@ static tf_real_t jumps_between(const tf_scene_t *scene, tf_real_t from,
   return sum;
 }
 
-// A knot on the boundary of two steps, up to the rounding of tick dt and of the
-// decimals of both, is in neither step: a jump there acts between the two.
+// A knot that belongs to the boundary of two steps but for the rounding of tick
+// dt, and of the decimals of both, is neither within the step before nor within
+// the one behind: a jump there acts between the two.
 TF_API tf_input_t tf_scene_input(const tf_scene_t *scene,
                                  const tf_machine_t *machine, uint64_t tick) {
   tf_input_t input = tf_input_default(machine);
@@ -145,8 +148,8 @@ TF_API void tf_simulation_set_input(tf_simulation_t *simulation,
   simulation->left = simulation->deadman;
 }
 
-// Counts the ticks left instead of storing the last one: the tick jumps when a
-// state is restored.
+// A count of ticks that are left, not a tick at which the inputs end: the tick
+// jumps when a state is restored.
 static void count_down(tf_simulation_t *simulation) {
   if (simulation->deadman == 0) return;
   if (simulation->left > 0) {

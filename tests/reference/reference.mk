@@ -15,7 +15,7 @@ reference: $(BUILD)/reference/reference
 
 # Of each class of machines 2000, a process a class.
 TABLE_MACHINES ?= 2000
-TABLE_CLASSES := A A8 A\' B C D E F G H I J K
+TABLE_CLASSES := A A8 A\' B C D E F G H I J K L
 .PHONY: reference-table
 reference-table: ## runs that are silently wrong, by class (an hour)
 reference-table: $(BUILD)/reference/reference

@@ -34,7 +34,7 @@ freestanding   compiled.py freestanding
 data           compiled.py data
 stack          stack.py
 cost           cost.py
-sizes          compiled.py sizes
+sizes          ../../run bench sizes --check
 loops          loops.py
 vectors        vectors.py
 readme         readme.py

@@ -167,7 +167,7 @@ typedef struct {
 /// A machine of a row; inputs that move by half do where `moves`.
 lib_machine_t row_machine(draw_t *draw, const row_t *row, bool moves);
 
-enum { ROWS = 13 };
+enum { ROWS = 14 };
 extern const row_t rows[ROWS];
 
 #endif

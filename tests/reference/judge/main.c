@@ -14,7 +14,7 @@ static int usage(void) {
   printf(
       "usage: reference second [--machines N] [--seed S] [--first I]\n"
       "  [--t-end T]\n"
-      "       reference table [--class A|A8|A'|B|...|K|all] [--dt LIST]\n"
+      "       reference table [--class A|A8|A'|B|...|L|all] [--dt LIST]\n"
       "  [--machines N] [--seed S] [--show N]; --first I --machines 1 shows "
       "one "
       "case\n");

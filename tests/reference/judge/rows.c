@@ -87,6 +87,13 @@ static void large_kappa(draw_t *draw, lib_machine_t *q) {
   q->kappa = (float)draw_log(draw, 1, 100);
 }
 
+static void strong_friction(draw_t *draw, lib_machine_t *q) {
+  near_codim2(draw, q);
+  q->coulomb = false;
+  q->kappa = (float)draw_log(draw, 10, 100);
+  q->mu = (float)draw_log(draw, 1e2, 1e4);
+}
+
 static bool comes_through(const met_t *met) { return met->through > 0; }
 static bool is_smooth(const met_t *met) { return met->events == 0; }
 static bool rested(const met_t *met) { return met->rested; }
@@ -143,4 +150,7 @@ const row_t rows[ROWS] = {
      .takes = comes_through},
     {"I", "extreme k2, beta, mu, m, kappa", USUAL, .place = extreme},
     {"J", "kappa 1 to 100", USUAL, .place = large_kappa},
-    {"K", "dt 0.1 s and 1 s", .t_end = 2, .dt = {1, 0.1}, .located = 1}};
+    {"K", "dt 0.1 s and 1 s", .t_end = 2, .dt = {1, 0.1}, .located = 1},
+    {"L", "kappa from 10, mu from 100, through h = g = 0", .t_end = 0.1,
+     .dt = {1e-2, 1e-3, 1e-4}, .located = 1, .least = 9e-5,
+     .place = strong_friction, .takes = comes_through}};

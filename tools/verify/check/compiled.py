@@ -9,7 +9,7 @@ import sys
 
 from findings import (BUILD, DEFINES, FULL, MAKE, asked, build, checked, commit,
                       files_in, in_common, missing, need, passes, place_of,
-                      quietly, shares, version, wrong)
+                      quietly, version, wrong)
 import driven
 
 # Of the debugger's tables lines are enough, at half the time of compiling.
@@ -102,12 +102,12 @@ def data():
 
 def bits():
     """Same bits: the golden trajectory hashes hold under compilers and
-    optimisations (three settings, of which checks `clang` and `freestanding`
-    compile two; with FULL=yes twelve), and `run` writes the same bytes."""
+    optimisations (three settings, of which check `clang` has compiled one; with
+    FULL=yes twelve), and `twofold run` writes the same bytes."""
     need("gcc", "gcc")
     need("clang", "clang")
     native = "-O3 -march=native"
-    settings = [("gcc", "-Os"), ("gcc", native), ("clang", "-O0")]
+    settings = [("gcc", "-O0"), ("gcc", native), ("clang", "-O0")]
     if FULL:
         settings = [(compiler, opt) for compiler in ("gcc", "clang")
                     for opt in ("-O0", "-O1", "-O2", "-O3", "-Os", native)]
@@ -203,7 +203,7 @@ def coverage():
 
     Programs, not the command line: whoever breaks the core should hear it from
     a test that names what broke. Those of units in double, of analysis and laws
-    in float are enough, and without two that take long to reach no more."""
+    in float are enough, and without test_branch, which takes long."""
     need("gcov", "gcc")
     need("gcovr", "gcovr")
     place = BUILD / "coverage"
@@ -212,7 +212,7 @@ def coverage():
         ("double", ("unit", "line", "regress")),
         ("float", ("law", "golden", "regress", "unit/analysis")))
         for test in tests_in(*(f"tests/{room}" for room in rooms))
-        if not test.endswith(("/test_convergence.c", "/test_signs.c"))]
+        if not test.endswith("/test_branch.c")]
     if not build("CC=gcc", f"BUILD={place}", "OPT=-O0", "TEST_OPT=",
                  f"TESTS={' '.join(tests_in('tests'))}", "EXTRA=--coverage "
                  "-Dalways_inline=unused -fkeep-inline-functions", *programs):
@@ -257,16 +257,6 @@ def figures():
     passes("docs/futures.svg is of another core: make keep-futures", "cmp",
            made, "docs/futures.svg")
     checked("nine figures on small data, and the moving picture")
-
-
-def sizes():
-    """No firmware of a few needs more flash, RAM or stack than is kept."""
-    place = shares("gcc", "-O3")
-    in_common("gcc", "-O3", *(place / real / "constants" for real in DEFINES))
-    said, code = told("tools/run", "bench", "sizes", "--check")
-    if code:
-        wrong("a firmware has grown, or does not build")
-    checked(said.splitlines()[-1])
 
 
 def hostile():

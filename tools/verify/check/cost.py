@@ -13,10 +13,9 @@ import re
 import sys
 from pathlib import Path
 
-from findings import (BUILD, FULL, ROOT, checked, in_common, need,
-                      public_functions, shares, wrong)
+from findings import (BUILD, FULL, ROOT, build, checked, need,
+                      public_functions, wrong)
 
-PLACE = shares("gcc", "-O3")
 sys.path.insert(0, str(ROOT / "tools/verify/cost"))
 import bounds  # noqa: E402
 
@@ -32,6 +31,7 @@ PLAIN = re.compile(r"""tf_(?:\w+_name|wire_\w+|send_\w+|read_\w+|slip|energy|
     begin_with_slip|scene_start|
     simulation_(?:set_input|pass|start|open))""", re.X)
 EVALUATIONS = int(os.environ.get("EVALUATIONS") or (20000 if FULL else 300))
+PLACE = BUILD / "costs"
 FIGURES = bounds.kept()
 
 
@@ -64,8 +64,8 @@ need("qemu-system-arm", "qemu-system-arm")
 if platform.machine() != "x86_64":
     print("missing: a processor of type x86-64, of which the figures speak")
     sys.exit(3)
-if not in_common("gcc", "-O3", *(PLACE / real / name for real in bounds.REALS
-                                 for name in ("cost", "constants"))):
+if not build("CC=gcc", f"BUILD={PLACE}", "OPT=-O2", "EXTRA=-Werror",
+             *(PLACE / real / "cost" for real in bounds.REALS)):
     wrong("tools/verify/cost does not build")
     checked("nothing")
 functions = max(judge_real(real) for real in bounds.REALS)

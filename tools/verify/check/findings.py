@@ -89,13 +89,6 @@ def in_common(compiler, opt, *arguments):
                    "EXTRA=-Werror", *arguments)
 
 
-def shares(compiler, opt):
-    """Makes that are started without words build there, too. Returns: where."""
-    place = place_of(compiler, opt)
-    os.environ.update(BUILD=str(place), CC=compiler, OPT=opt, EXTRA="-Werror")
-    return place
-
-
 def files_in(*rooms, pattern="*"):
     """Files below folders, and those that are named."""
     for room in map(Path, rooms):

@@ -19,8 +19,6 @@ typedef struct {
   tf_state_t state, end;
 } constants_t;
 
-// Of exact subnormals gcc says that float changes their value.
-#pragma GCC diagnostic ignored "-Wfloat-conversion"
 static const constants_t calls[] = {
 #include "calls.inc"
 };

@@ -41,7 +41,8 @@ CC = os.environ.get("CC") or "gcc"
 PLACE = Path(os.environ.get("BUILD") or "build", "mutation")
 REALS = "double", "float"
 SLOW = {f"test_{name}" for name in (
-    "extremes", "ensemble", "friction", "reference", "frame")}
+    "extremes", "ensemble", "friction", "reference", "branch", "frame",
+    "physics_numbers")}
 LONG, SHORT = 200, 20  # s of the processor that a test may take, if slow or not
 # What goes beyond an array ends the program, as the checks with sanitizers
 # would report, and what is read before it is written is not 0.

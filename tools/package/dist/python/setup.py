@@ -20,5 +20,5 @@ setup(cmdclass={"build_ext": Library}, ext_modules=[Extension(
     f"twofold._{name}", SOURCES, include_dirs=["include", "tools"],
     libraries=["m"], define_macros=[("main", "twofold_main"), *macros],
     extra_compile_args=["-std=c99", "-O3", "-ffp-contract=off",
-                        "-fno-math-errno", "-g0"])
+                        "-fno-math-errno"])
     for name, macros in (("f64", []), ("f32", [("TF_REAL_FLOAT", None)]))])
