@@ -4,6 +4,7 @@ Maruyama of one length. It shares nothing with tools but the paper's equations.
 
 usage: tests/study/euler.py selected R DT   the share that leaves in slip-
        tests/study/euler.py stick R DT      of stick-: b, s^2 and c
+Behind each but c is its standard error.
 """
 import math
 import sys
@@ -53,7 +54,8 @@ def selected(r, dt):
         leaves = (motion.g > END) & (motion.h < 0)
         left += leaves.sum()
         motion.keep(~leaves & (motion.g > -20 * dt))
-    return left / SAMPLES
+    P = left / SAMPLES
+    return P, math.sqrt(P * (1 - P) / SAMPLES)
 
 
 def crosses(r, dt, begin, low, high):
@@ -78,9 +80,11 @@ def stick(r, dt):
         added += np.mean((K * (h - h_up) - g + g_up) * -motion.g)
         motion.step()
     went = FROM - motion.g
-    return went.mean() / LONG, went.var() / LONG, added / steps
+    b, s2 = went.mean() / LONG, went.var() / LONG
+    return (b, math.sqrt(s2 / LONG / SAMPLES), s2, s2 * math.sqrt(2 / SAMPLES),
+            added / steps)
 
 
 if __name__ == "__main__":
-    print({"selected": selected, "stick": stick}[sys.argv[1]](
+    print(*{"selected": selected, "stick": stick}[sys.argv[1]](
         *map(float, sys.argv[2:])))

@@ -1,4 +1,5 @@
-"""`make halfrange`: `make corner` without samples, as boundary value problems.
+"""`make halfrange`: `make corner` without samples, as boundary value problems;
+beside them steps of one length (tests/study/euler.py).
 
 Length and time are in units of the noise, n = (n_g, 1) (corner.py). No noise
 acts on u = g - n_g h, so the backward equation has a diffusion over h alone:
@@ -13,7 +14,7 @@ numbers left, the multiplier of stick+ and e/V.
 """
 import math
 from pathlib import Path
-from typing import Callable, NamedTuple
+from typing import Callable, NamedTuple, Optional
 
 import numpy as np
 import pandas as pd
@@ -34,7 +35,11 @@ LEAST = 1e-8  # g of the leading order, in V / A^2
 PLACES = 0.176, 0.178, 0.18, 0.182, 0.183
 RESTS = 0.1834, 0.1836, 0.1838, 0.184, 0.1845, 0.185
 SIZE = 1e-4  # [m/s^1.5]
+STEPPED = {"selected": ("P", "error"), "stick": (
+    "b", "error", "s2", "s2 error", "c")}  # what tests/study/euler.py says
 LAMBDAS, SLOPES = (-0.6, -0.3, 0, 0.3, 0.6), (1.7, 1.87, 2.2)
+EULER, STEPS = (0.18, 0.182, 0.183), (80, 20, 5, 1.25)
+SHORT, START = (0.176, 0.04), (1e5, 0.02)  # of stick-; g, h/g where they begin
 
 Field = Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]
 
@@ -173,9 +178,10 @@ def value(P: np.ndarray, u: np.ndarray, h: np.ndarray, at: tuple) -> float:
     return float(np.interp(at[0], u[i - 1:i + 1], rows))
 
 
-def selected(field: Field, ratio: float, n_g: float = 1, low: float = 0
-             ) -> float:
-    """P of slip-. low: of a field that is that near g > 0, its least g."""
+def selected(field: Field, ratio: float, n_g: float = 1, low: float = 0,
+             start: Optional[tuple[float, float]] = None) -> float:
+    """P of slip-. low: of a field that is that near g > 0, its least g. start:
+    g and h/g, where it is not far out on the ray of slip+."""
     of, slope = near(field, 1), arrives(field)
     begin = REACH / 4 / of.h[0] ** 2
     top = 4 * max(begin, REACH / 4 / of.h[1] ** 2)
@@ -185,9 +191,12 @@ def selected(field: Field, ratio: float, n_g: float = 1, low: float = 0
         u = low * np.exp(np.arange(0, math.log(top / low), ratio))
         P = solve(field, u, wide, 0, 1, lambda _: (0, 0))
         return value(P, u, wide, (begin, slope * begin))
-    u, x = grid(-100, top, FIRST, ratio), stick(field, n_g)
+    x = stick(field, n_g)  # which is short where s2 is small
+    u = np.r_[grid(-100, 0, FIRST, ratio / 4)[:-1],
+              grid(0, top, FIRST, ratio)]
     P = solve(field, u, wide, n_g, 1, lambda far: (
         math.exp(-2 * x.b / x.s2 * far), 0))
+    begin, slope = start or (begin, slope)
     return value(P, u, wide, (begin * (1 - n_g * slope), slope * begin))
 
 
@@ -229,6 +238,10 @@ def row(task: tuple) -> dict[str, object]:
     """What the rows of halfrange.csv have, of one kind."""
     kind, *of = task
     found = {"kind": kind, "r": of[0]}
+    if kind in STEPPED:
+        said = driven.output("tests/study/euler.py", kind, *of).split()
+        return {**found, "dt": of[1], **dict(zip(STEPPED[kind],
+                                                 map(float, said)))}
     if kind == "leading":
         return {**found, "slope": of[1], "P": refined(
             selected, leading(*of), COARSE, low=LEAST)}
@@ -241,12 +254,16 @@ def row(task: tuple) -> dict[str, object]:
     A, V = (by.h[0] - by.h[1]) / 2, (by.g[1] - by.g[0]) / 2
     multiplier, slope = -by.h.mean() / A, -by.of_h.mean() / V
     return {**found, "A": A, "multiplier": multiplier, "slope": slope,
-            "P": refined(selected, field), "first": refined(
+            "P": refined(selected, field), "one": refined(
+                selected, field, n_g=-1), "from start": refined(
+                selected, field, start=START), "first": refined(
                 selected, leading(multiplier, slope), COARSE, low=LEAST)}
 
 
 TASKS = [*(("P", r) for r in PLACES), *(("rest", r) for r in RESTS),
-         *(("leading", x, slope) for x in LAMBDAS for slope in SLOPES)]
+         *(("leading", x, slope) for x in LAMBDAS for slope in SLOPES),
+         *(("selected", r, dt) for dt in STEPS for r in EULER),
+         ("stick", *SHORT)]
 
 
 def follow(work: Path, _: str) -> None:
@@ -255,7 +272,21 @@ def follow(work: Path, _: str) -> None:
         work / "halfrange.csv", index=False)
 
 
-def count(work: Path, _: Path) -> dict[str, pd.DataFrame]:
+def stepped(kinds: dict[str, pd.DataFrame]) -> dict[str, object]:
+    """What steps of one length give, beside the equation or the formulas."""
+    P = kinds["selected"].pivot(index="r", columns="dt", values="P")
+    P.columns = [f"steps of {dt:g}" for dt in P.columns]
+    P["equation"] = kinds["P"].set_index("r")["from start"]
+    x, of = kinds["stick"].iloc[0], stick(field_at(SHORT[0]))
+    return {"steps": P.apply(lambda one: one.map("{:.3f}".format)
+                             ).reset_index(), "stick":
+            f"For stick- at r = {x.r:g} m steps of {x['dt']:g} give\nb = "
+            f"{x.b:.4f} ({x.error:.1g}), s^2 = {x.s2:.2f} ({x['s2 error']:.1g})"
+            f", c = {x.c:.4f}; the formulas give {of.b:.5f}, {of.s2:.2f}, "
+            f"{of.c:.4f}."}
+
+
+def count(work: Path, _: Path) -> dict[str, object]:
     """The tables."""
     rows = table.read(work / "halfrange.csv")
     kinds = {kind: some for kind, some in rows.groupby("kind")}
@@ -263,9 +294,10 @@ def count(work: Path, _: Path) -> dict[str, pd.DataFrame]:
     short = "{:.3g}".format
     chosen = pd.DataFrame({
         "r": places.r, "-A": places.A.map(short),
-        "multiplier": places.multiplier.map(short), "P, leading order":
-        places["first"].map("{:.4f}".format), "P": places.P.map(
-            "{:.4f}".format)})
+        "multiplier": places.multiplier.map(short), **{
+            name: places[of].map("{:.4f}".format) for name, of in (
+                ("P, leading order", "first"), ("P", "P"),
+                ("P, one Wiener process", "one"))}})
     law = kinds["leading"].round(3).pivot(index="r", columns="slope",
                                           values="P")
     law.columns = [f"e/V = {slope:g}" for slope in law.columns]
@@ -276,4 +308,4 @@ def count(work: Path, _: Path) -> dict[str, pd.DataFrame]:
                               for r in rest.r]})
     return {"selected": chosen,
             "law": law.rename_axis("multiplier").reset_index(),
-            "rest": waits}
+            "rest": waits, **stepped(kinds)}
