@@ -254,8 +254,7 @@ def count(work: Path, kept: Path) -> dict[str, pd.DataFrame]:
         **{f"on a {ground}": rows.ground == ground
            for ground in ("belt", "turntable")},
         **{f"kappa/arm {name}": rows.bin.between(*bins)
-           for name, bins in ARMS.items()},
-        **{kinds: rows.joints == kinds for kinds in KINDS}}
+           for name, bins in ARMS.items()}}
     return {"shares": pd.DataFrame([
         {"mechanisms": name, "drawn": rows[which].mechanisms.sum(), **{
             what: share(rows[which], one).text(2)
