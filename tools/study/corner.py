@@ -9,7 +9,6 @@ is nothing to compute.
 import math
 import os
 from pathlib import Path
-from typing import NamedTuple
 
 import numpy as np
 import pandas as pd
@@ -18,11 +17,9 @@ from scipy import optimize
 import driven
 import pictures
 import table
+from halfrange import COS, SIN, field_at, stick
 from pictures import LINE, SERIES, pyplot
 
-# `chaos`, at rest on the turntable.
-K2, R0, C, BETA, D, OMEGA = 2.2270992253886014, 0.1, 1e-3, 0.05, 1, -1
-KAPPA, GAMMA = 0.27241153714062028, -3 * math.pi / 4
 SAMPLES = int(os.environ.get("SAMPLES") or 10000)
 EPS = 0.2, 0.1, 0.05
 PLACES = 0.176, 0.178, 0.18, 0.182, 0.183
@@ -37,46 +34,9 @@ SOON = 3  # [s]
 COLUMNS = ["P0", "P0 error", "q", "q error", "e", "P", "P error", "b"]
 
 
-class Corner(NamedTuple):
-    """h' and g' at h = g = 0: without friction, of F and of M, both in mu."""
-    h: np.ndarray
-    g: np.ndarray
-
-    def near(self, sign_h: int, sign_g: int) -> tuple[float, float]:
-        """Both at h -> 0, where |F| = mu and |M| = kappa mu."""
-        law = np.array([1, sign_h, sign_h * sign_g * KAPPA])
-        return float(self.h @ law), float(self.g @ law)
-
-    def stick(self, n_g: float = 1,
-              n_2: float = 0) -> tuple[float, float, float]:
-        """Of stick-, averaged over h: b and c of the rate b + c / |g| of |g|,
-        and s^2. The stationary law of h has exponential sides; g - jump h has
-        the same rate b on both, and c is the mean rate due to h / g."""
-        (h_up, g_up), (h_down, g_down) = self.near(1, -1), self.near(-1, -1)
-        up = h_down / (h_down - h_up)
-        jump = (g_up - g_down) / (h_up - h_down)
-        share = 2 / math.pi * math.atan(6 * KAPPA)
-        by_h = share * (1 + 36 * KAPPA ** 2) * np.array(
-            [0, 1 / (18 * KAPPA), 1 / 6])  # of F and M at h > 0
-        c = -float((self.g - jump * self.h) @ by_h) / 2 * (
-            up / abs(h_up) - (1 - up) / abs(h_down))
-        return (-up * g_up - (1 - up) * g_down, c,
-                (n_g - jump) ** 2 + n_2 ** 2)
-
-
-def at(r: float) -> Corner:
-    """From (2) and (3), with p = v - d z and q = r z."""
-    s, c, J = math.sin(GAMMA), math.cos(GAMMA), BETA ** 2 + r * r
-    force = K2 * (R0 - r) + r * OMEGA ** 2
-    p = np.array([force, s, 0])
-    q = r / J * np.array([D * force - C * OMEGA, r * c, 1])
-    return Corner(-p * s - q * c, q * s - p * c)
-
-
 def direction(kind: str, r: float) -> tuple[float, float]:
     """n_g and n_2: noise on g with that on h, and beside it, where h has 1."""
-    s, c = math.sin(GAMMA), math.cos(GAMMA)
-    of = {"v": (-s, -c), "omega": (D * s - r * c, r * s + D * c)}
+    of = {"v": (-SIN, -COS), "omega": (SIN - r * COS, r * SIN + COS)}
     h, g = np.array([of[word] for word in kind.split(" and ")]).T
     n_g = h @ g / (h @ h)
     return float(n_g), math.sqrt(sum((g - n_g * h) ** 2) / (h @ h))
@@ -84,7 +44,7 @@ def direction(kind: str, r: float) -> tuple[float, float]:
 
 def critical() -> float:
     """r_c, below which stick- leaves."""
-    return float(optimize.brentq(lambda r: at(r).stick()[0], 0.17, 0.2))
+    return float(optimize.brentq(lambda r: stick(field_at(r)).b, 0.17, 0.2))
 
 
 def probability(program: Path, kind: str, r: float, eps: float,
@@ -134,7 +94,7 @@ def count(work: Path, kept: Path) -> dict[str, object]:
     draw(kept, drawn)
     return {
         "stick": "At r = " + ", ".join(map(str, STICKS)) + " c is " + ", ".join(
-            f"{at(r).stick()[1]:.2g}" for r in STICKS) + ".",
+            f"{stick(field_at(r)).c:.2g}" for r in STICKS) + ".",
         "selected": pd.DataFrame(found).sort_values("r", kind="stable"),
         "returns": returns(work)}
 

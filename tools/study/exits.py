@@ -121,17 +121,12 @@ def gathered(times: pd.Series) -> str:
                 f"{QUARTER * (i + 0.5):.1f}" for i in full) + " s.")
 
 
-def sides(exits: pd.DataFrame) -> str:
-    """How many first exits are by slip+."""
-    up = table.share((exits.side == "slip+").sum(), len(exits)).text(3)
-    return f"slip+ takes {up} of {len(exits)} exits."
-
-
 def count(work: Path, kept: Path) -> dict[str, object]:
     """The tables."""
     def rows(run: str, kind: str) -> pd.DataFrame:
         return table.read(work / f"{run}-{kind}.csv")
 
+    up = rows("exit-random-300", "exits").side == "slip+"
     return {
         "returns": pd.DataFrame([
             returns_of(run, table.whole(rows(run, "returns"), "sample", run))
@@ -142,7 +137,8 @@ def count(work: Path, kept: Path) -> dict[str, object]:
             {"run": a, "against": b, "of": title, **compared(*(
                 rows(run, kind)[column].dropna() for run in (a, b)))}
             for a, b, kind, column, title in COMPARED]),
-        "sides": sides(rows("exit-random-300", "exits")),
+        "sides": f"slip+ takes {table.share(sum(up), len(up)).text(3)} of "
+                 f"{len(up)} exits.",
         "machines": two_folds(MACHINES).rename(
             columns=lambda name: name.replace("two_", "two-")
             .replace("_", " "))}

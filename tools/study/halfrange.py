@@ -274,12 +274,12 @@ def follow(work: Path, _: str) -> None:
 
 def stepped(kinds: dict[str, pd.DataFrame]) -> dict[str, object]:
     """What steps of one length give, beside the equation or the formulas."""
-    P = kinds["selected"].pivot(index="r", columns="dt", values="P")
-    P.columns = [f"steps of {dt:g}" for dt in P.columns]
-    P["equation"] = kinds["P"].set_index("r")["from start"]
+    same = kinds["P"].set_index("r")["from start"].map("{:.3f}".format)
+    steps = [{"r": r, "P, steps " + ", ".join(map("{:g}".format, some.dt)):
+              ", ".join(map("{:.3f}".format, some.P)), "equation": same[r]}
+             for r, some in kinds["selected"].groupby("r")]
     x, of = kinds["stick"].iloc[0], stick(field_at(SHORT[0]))
-    return {"steps": P.apply(lambda one: one.map("{:.3f}".format)
-                             ).reset_index(), "stick":
+    return {"steps": pd.DataFrame(steps), "stick":
             f"For stick- at r = {x.r:g} m steps of {x['dt']:g} give\nb = "
             f"{x.b:.4f} ({x.error:.1g}), s^2 = {x.s2:.2f} ({x['s2 error']:.1g})"
             f", c = {x.c:.4f}; the formulas give {of.b:.5f}, {of.s2:.2f}, "
