@@ -3,8 +3,7 @@
 Maruyama of one length. It shares nothing with tools but the paper's equations.
 
 usage: tests/study/euler.py selected R DT   the share that leaves in slip-
-       tests/study/euler.py stick R DT      of stick-: b, s^2 and c
-Behind each but c is its standard error.
+       tests/study/euler.py stick R DT      of stick-: b, s^2 (errors), and c
 """
 import math
 import sys
@@ -54,8 +53,7 @@ def selected(r, dt):
         leaves = (motion.g > END) & (motion.h < 0)
         left += leaves.sum()
         motion.keep(~leaves & (motion.g > -20 * dt))
-    P = left / SAMPLES
-    return P, math.sqrt(P * (1 - P) / SAMPLES)
+    return left / SAMPLES, math.sqrt(left * (SAMPLES - left) / SAMPLES ** 3)
 
 
 def crosses(r, dt, begin, low, high):
