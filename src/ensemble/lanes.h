@@ -5,9 +5,7 @@
 // Where a rare case needs more (a square root, a rescaling) the lane is marked
 // rare and left to tf_step.
 //
-// Masks are used because compilers do not keep ?: free of branches: gcc moves
-// what is computed for one side into a branch and cannot move it back, since
-// every operation on reals may trap.
+// gcc makes branches of ?: where an operation may trap: hence masks.
 #ifndef TF_LANES_H
 #define TF_LANES_H
 

@@ -61,13 +61,8 @@ TF_API void tf_project(trajectory_t *path) {
   path->now.z += impulse_over_m * arm / J_over_m;
 }
 
-// The first event of a segment. An event is where a function of time vanishes
-// that has one sign throughout the segment: h, g, mu - |lambda|, A, or where
-// the wheel rests those of rest_motion.c. These are polynomials here, up to the
-// order of the motion, so their first roots are isolated by Descartes' rule on
-// Bernstein coefficients (polynomial.h). Event-driven solvers that compare
-// signs at the ends of steps, as in Piiroinen and Kuznetsov (2008), may pass
-// over a pair of roots.
+// The first event of a segment: where one of some polynomials vanishes, found by
+// Descartes' rule on Bernstein coefficients (polynomial.h), which misses none.
 
 // An event function that is linear in p and q: (of_p p + of_q q) / t^zeros, for
 // a sum with a zero of that order at t = 0.

@@ -129,8 +129,7 @@ static bool keep_leaving(trajectory_t *path) {
 // most are. At g = 0 this does not apply.
 static bool keep_stick(trajectory_t *path, sign_t sign_g) {
   const tf_machine_t *k = path->motion.machine;
-  const rates_t rates = rates_at(k, path->motion.input, path->now.r,
-                                 path->now.p, path->now.z, path->omega);
+  const rates_t rates = tf_trajectory_rates(path);
   if (!is_sliding(slip_limits(k, &rates, sign_g))) return false;
   path->segment =
       (segment_t){.kind = SEGMENT_STICK, .sign_g = sign_g, .h_zero_order = 1};

@@ -132,16 +132,13 @@ typedef struct {
 } separators_t;
 
 // The values of T between which there is at most one limit direction, and one
-// exactly where the angular rate changes its sign.
-//
-// The angular rate vanishes where (h0 + h1 T, g0 + g1 T) has the angle psi of
-// the slip, T = tan(a psi), or that and pi. The difference of both angles grows
-// where
-//   a (1 + T^2) (h0 g1 - g0 h1) > (h0 + h1 T)^2 + (g0 + g1 T)^2
-// and falls elsewhere, so it has its extrema at the roots of a quadratic. The
-// line of these vectors turns by pi at most in all, by half of that on either
-// side of its point next to 0. So between these three, and within pi/16 of psi,
-// the difference changes in one sense and by less than pi.
+// exactly where the angular rate changes its sign. It vanishes where
+// (h0 + h1 T, g0 + g1 T) has the angle psi of the slip, T = tan(a psi), or that
+// and pi. The difference of both angles has its extrema where
+//   a (1 + T^2) (h0 g1 - g0 h1) = (h0 + h1 T)^2 + (g0 + g1 T)^2,
+// a quadratic, and the line of these vectors turns by half of pi at most on
+// either side of its point next to 0. So between these three, and within pi/16
+// of psi, the difference changes in one sense and by less than pi.
 static separators_t find_separators(const tf_tyre_t *tyre,
                                     const quadrant_t *q) {
   const tf_real_t slope = q->h1 * q->h1 + q->g1 * q->g1;

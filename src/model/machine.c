@@ -165,6 +165,12 @@ TF_API tf_real_t tf_energy(const tf_machine_t *machine, const tf_state_t *state,
 
 // The field of the machine at h = g = 0.
 
+TF_API rates_t tf_rates_at(const tf_machine_t *k, const tf_input_t *input,
+                           tf_real_t r, tf_real_t p, tf_real_t z,
+                           tf_real_t omega) {
+  return rates_at(k, input, r, p, z, omega);
+}
+
 TF_API codim2_field_t tf_codim2_field_of(const tf_machine_t *k,
                                          const rates_t *rates) {
   const tf_slip_t free = slip_from_pq(k, rates->dp, rates->dq);

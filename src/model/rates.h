@@ -51,6 +51,11 @@ TF_INLINE rates_t rates_at(const tf_machine_t *k, const tf_input_t *input,
   return a;
 }
 
+#define tf_rates_at TF_LINK(tf_rates_at)
+TF_API rates_t tf_rates_at(const tf_machine_t *k, const tf_input_t *input,
+                           tf_real_t r, tf_real_t p, tf_real_t z,
+                           tf_real_t omega);
+
 // (slidCond): h' next to h = 0 in slip+ and in slip-, by the sign of g.
 typedef struct {
   tf_real_t plus, minus;

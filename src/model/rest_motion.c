@@ -6,9 +6,7 @@
 //   s g' = r sin(gamma) (kappa F - s M) / (m J A(s)) > 0,
 // so that this ends where |M| = kappa |F|, and it needs no more than mu,
 //   A(s) lambda = A(0) F + r cos(gamma) M / J,  |lambda| <= mu.
-// The slip that an exit rule names begins with a limit direction, which is no
-// root of a polynomial: the instant is found by halving, and one that is gone
-// again by the end of the step is passed over.
+// The slip that an exit rule names is found by halving.
 #include "../friction/mode_set.h"
 #include "rates.h"
 
@@ -183,7 +181,7 @@ static bool stick_begins(const rest_motion_t *rest, rest_rounding_t off,
 static bool has_slip_at(const rest_motion_t *rest, unsigned slip, tf_real_t t) {
   const tf_machine_t *k = rest->machine;
   const tf_real_t omega = rest->omega + rest->input->alpha * t;
-  const rates_t rates = rates_at(k, rest->input, rest->r, 0, 0, omega);
+  const rates_t rates = tf_rates_at(k, rest->input, rest->r, 0, 0, omega);
   const codim2_field_t field = tf_codim2_field_of(k, &rates);
   consistent_modes_t modes;
   tf_codim2_modes(&k->contact, &field, &modes);

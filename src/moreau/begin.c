@@ -19,13 +19,13 @@ static instant_t instant_of(const tf_machine_t *k, const tf_state_t *x,
   instant_t at = {.is_codim2 = false};
   at.slip = tf_slip(k, r, x->v, x->w, u->omega0);
   at.rounding = slip_rounding(k, r, x->v, x->w, u->omega0);
-  at.rates = rates_at(k, u, r, slider_speed(k, x->v, z), z, u->omega0);
+  at.rates = tf_rates_at(k, u, r, slider_speed(k, x->v, z), z, u->omega0);
   at.is_codim2 = tf_tyre_is_set_valued(k->contact.tyre.law) &&
                  k->contact.stick_kappa > 0 && within(at.slip.h, at.rounding) &&
                  within(at.slip.g, at.rounding);
   if (!at.is_codim2) return at;
   place_at_codim2(&at.rates, &r, &z);
-  at.rates = rates_at(k, u, r, 0, z, u->omega0);
+  at.rates = tf_rates_at(k, u, r, 0, z, u->omega0);
   return at;
 }
 

@@ -1,6 +1,5 @@
 // Steps that begin at h = g = 0, and steps that come there in a mode that is
-// lost. tf_leave_codim2 decides what follows that point. Where a step happens
-// to end is none of its arguments, so the branch does not depend on it.
+// lost. tf_leave_codim2 decides what follows, wherever the step happens to end.
 #include "../model/rates.h"
 #include "scheme.h"
 
@@ -14,9 +13,7 @@
 #define DEPARTURES 5
 
 // What rounding makes of g where forces balance, step after step: that of the
-// state, which an incremental step does not have, and that of the terms of (2)
-// and (3), whose sum goes into p and q; friction, which balances them, is no
-// larger.
+// state, unless the step is incremental, and of the terms of (2) and (3).
 static tf_real_t rounding_of_g(const free_motion_t *c) {
   const tf_input_t *input = c->input;
   const tf_machine_t *k = TF_STEP_MACHINE(c);
@@ -46,9 +43,8 @@ static bool signs_agree(const free_motion_t *c, unsigned mode,
 }
 
 // Whether a stick that ends on the other side of g = 0 does so by rounding
-// alone: it is at rest at g = 0, or tends to it, and goes on. One that
-// passes g = 0 changes g by more than the rounding of one step, a quarter of
-// that of several, and does not decay.
+// alone: it is at rest there, or tends to it. One that passes g = 0 changes g by
+// more than the rounding of one step, a quarter of that of several.
 static bool rests_at_g_zero(const free_motion_t *c, const inclusion_t *in,
                             const tf_contact_modes_t *s, unsigned mode,
                             tf_real_t rounding) {
@@ -65,10 +61,9 @@ static bool rests_at_g_zero(const free_motion_t *c, const inclusion_t *in,
          signs_agree(c, mode, &end);
 }
 
-// How a motion comes to h = g = 0 in a step, as the course of a slip has it:
-// mode, share, sum and from count. A stick comes there if it solves but with
-// the other sign of g. One whose g is already past 0, and not by rounding, has
-// left that point.
+// How a motion comes to h = g = 0 in a step, as the course of a slip has it. A
+// stick comes there if it solves but with the other sign of g. One whose g is
+// already past 0, and not by rounding, has left that point.
 static codim2_course_t arrival_of_stick(const inclusion_t *in,
                                         const tf_contact_modes_t *modes,
                                         sign_t s, tf_real_t rounding) {
@@ -86,9 +81,8 @@ static codim2_course_t arrival_of_stick(const inclusion_t *in,
                            .from = stick_with(s)};
 }
 
-// How h and g change at h = g = 0 over a whole step. Where the turntable under
-// a wheel at rest changes its speed, that is part of the change; the pin of its
-// inclusion also stops what h and g are at the start.
+// How h and g change at h = g = 0 over a whole step. The turn of the turntable
+// under a wheel at rest is part of that.
 static codim2_field_t field_of_step(const free_motion_t *c,
                                     const inclusion_t *in) {
   const bool rests = c->state->mode == TF_PINNED;
@@ -99,10 +93,9 @@ static codim2_field_t field_of_step(const free_motion_t *c,
   return (codim2_field_t){h, g, rests ? pin : balancing_multipliers(h, g)};
 }
 
-// The same where a slip comes to h = g = 0 within the step, from there on: the
-// free motion has nothing of the speeds of the slip any more, which a large
-// friction stops in less than a step. Not where the slider reaches the axis:
-// there r vanishes, and the disc goes on turning against the turntable.
+// The same where a slip comes to h = g = 0 within the step, from there on,
+// without its speeds. Not where the slider reaches the axis: there r vanishes,
+// and the disc goes on turning against the turntable.
 static codim2_field_t field_behind(const free_motion_t *c,
                                    const codim2_field_t *field,
                                    tf_real_t share) {
@@ -112,7 +105,7 @@ static codim2_field_t field_behind(const free_motion_t *c,
   codim2_field_t behind = *field;
   if (within(x->r, magnitude(moves))) return behind;
   const tf_real_t r = x->r + share * moves / 2;
-  const rates_t rates = rates_at(k, c->input, r, 0, 0, c->linear.omega0);
+  const rates_t rates = tf_rates_at(k, c->input, r, 0, 0, c->linear.omega0);
   const tf_slip_t free = slip_from_pq(k, dt * rates.dp, dt * rates.dq);
   behind.h.c0 = free.h;
   behind.g.c0 = free.g;
@@ -131,9 +124,8 @@ static bool leads_to(const tf_form_t *f, tf_real_t to, multipliers_t m) {
       64 * TF_REAL_EPSILON * form_size(f, magnitude(m.x), magnitude(m.y)));
 }
 
-// Ends the step at a slip in a mode, under multipliers that are found from a
-// guess. False where no force of the law's convex hull leads there: the path
-// has missed h = g = 0 by much, or friction cannot steer (r = 0, gamma = 0).
+// Ends the step at a slip in a mode, under multipliers found from a guess. False
+// where no force of the law's convex hull leads there.
 static bool end_at(const free_motion_t *c, const inclusion_t *in, unsigned mode,
                    tf_slip_t to, multipliers_t guess, step_end_t *out) {
   multipliers_t m = guess;
@@ -147,9 +139,8 @@ static bool end_at(const free_motion_t *c, const inclusion_t *in, unsigned mode,
   return signs_agree(c, out->outcome.mode, &out->end);
 }
 
-// A step that comes to h = g = 0 goes on from there: in the rest of the step it
-// goes as far as the mode that follows takes it, under a mean of the forces
-// before and behind, which lies in the convex hull of the law.
+// A step that comes to h = g = 0 goes on from there in the mode that follows,
+// under a mean of the forces before and behind, which lies in the hull.
 static bool continue_from_codim2(const free_motion_t *c, const inclusion_t *in,
                                  const codim2_field_t *field,
                                  const consistent_modes_t *modes,
@@ -169,13 +160,13 @@ static bool continue_from_codim2(const free_motion_t *c, const inclusion_t *in,
     return rests_under(TF_REST_HULL, HULL_SHARE * in->pin_x,
                        HULL_SHARE * in->pin_y);
   }
-  const multipliers_t leaving = tf_codim2_multipliers(&k->contact, modes, mode);
+  const multipliers_t by = tf_codim2_multipliers(&k->contact, modes, mode);
   const tf_real_t share = clip(arrival->share, 0, MAX_SHARE),
                   remaining = 1 - share;
-  const multipliers_t mean = {arrival->sum.x + remaining * leaving.x,
-                              arrival->sum.y + remaining * leaving.y};
-  const tf_slip_t to = {remaining * value_under(field->h, leaving),
-                        remaining * value_under(field->g, leaving)};
+  const multipliers_t mean = {arrival->sum.x + remaining * by.x,
+                              arrival->sum.y + remaining * by.y};
+  const tf_slip_t to = {remaining * value_under(field->h, by),
+                        remaining * value_under(field->g, by)};
   return end_at(c, in, mode, to, mean, out);
 }
 
@@ -185,10 +176,9 @@ static bool may_be_held(const tf_contact_modes_t *s, unsigned mode) {
 }
 
 // The motion passes by h = g = 0. It is held there if it would run to a rest
-// there. If a force of the law takes it there and it has no other way, it comes
-// there at the end of the step. A rest that ends has chosen its mode, but no
-// force of the law leads there: it ends in that mode if that solves the
-// inclusion.
+// there, or if a force of the law takes it there and it has no other way. A rest
+// that ends has chosen its mode, but no force of the law leads there: it ends in
+// that mode if that solves the inclusion.
 static void pass_codim2(const free_motion_t *c, const inclusion_t *in,
                         const codim2_field_t *field,
                         const consistent_modes_t *modes,
@@ -218,19 +208,15 @@ static void pass_codim2(const free_motion_t *c, const inclusion_t *in,
   }
 }
 
-// Whether a slip ends next to where its course does, by a share of its slip.
-static bool agrees(const codim2_course_t *course, unsigned mode, tf_slip_t end,
-                   tf_real_t share) {
-  const tf_slip_t to = course->slip;
+// Whether a step ends next to a slip, by a share of it.
+static bool ends_near(tf_slip_t to, tf_slip_t end, tf_real_t share) {
   const tf_real_t off = magnitude(end.h - to.h) + magnitude(end.g - to.g);
-  return course->mode == mode &&
-         off <= share * (magnitude(to.h) + magnitude(to.g));
+  return off <= share * (magnitude(to.h) + magnitude(to.g));
 }
 
-// A slip ends where its course does: which mode follows is decided by the
-// order in which it comes to h = 0 and g = 0, and not by where the step happens
-// to end. Where friction cannot steer both h and g it ends under the force of
-// the course.
+// A slip ends where its course does: the order in which it comes to h = 0 and
+// g = 0 decides what follows. Where friction cannot steer both it ends under the
+// force of the course.
 static bool follow_course(const free_motion_t *c, const inclusion_t *in,
                           const codim2_course_t *course, unsigned set,
                           step_end_t *out) {
@@ -249,8 +235,7 @@ static bool follow_course(const free_motion_t *c, const inclusion_t *in,
 
 // Whether a slip that passes by h = g = 0 may miss its future: it has several,
 // turns by more than 29 degrees within the step, and loses its mode or comes
-// nearer to that point by more than 29 %. Then it depends on how far from the
-// point it passes, which is known to the error of the steps before.
+// nearer to that point by more than 29 %.
 static bool may_miss(tf_slip_t now, tf_slip_t end, bool is_lost, unsigned set) {
   if (size_of(set) < 2) return false;
   const tf_real_t before = square_root(now.h * now.h + now.g * now.g);
@@ -280,9 +265,8 @@ static bool arrives_otherwise(const free_motion_t *c,
 }
 
 // A slip that has h = g = 0 within reach. It is TF_COARSE where no force of the
-// law's convex hull leads along its course: the step is too long for that. So
-// it is where its end is a quarter off that of its course, or where a course
-// that has changed its mode decides what follows h = g = 0.
+// hull leads along its course, where its end is a quarter off that, or where a
+// course that has changed its mode decides what follows h = g = 0.
 static void end_slip_near_codim2(const free_motion_t *c, const inclusion_t *in,
                                  const codim2_field_t *field,
                                  const tf_contact_modes_t *s, step_end_t *to) {
@@ -306,12 +290,13 @@ static void end_slip_near_codim2(const free_motion_t *c, const inclusion_t *in,
   pass_codim2(c, in, field, &modes, s, to);
   const unsigned mode = to->outcome.mode;
   const tf_slip_t end = tf_slip_of_end(c, &to->end);
-  const bool follows =
-      mode != TF_NO_MODE && agrees(&course, mode, end, TF_R(0.5));
+  const bool follows = mode != TF_NO_MODE && mode == course.mode &&
+                       ends_near(course.slip, end, TF_R(0.5));
   // On a limit direction that leads to h = g = 0 (9) makes a slip alternate
   // between both sides; of a slip that ends in stick it lacks some force.
   if (follows && is_slip(mode) && !course.leads_in) {
-    if (!agrees(&course, mode, end, TF_R(0.25))) to->outcome.status = TF_COARSE;
+    if (!ends_near(course.slip, end, TF_R(0.25)))
+      to->outcome.status = TF_COARSE;
     return;
   }
   bool coarse = comes ? size_of(modes.solutions.set) > 1 : !follows;
@@ -323,9 +308,11 @@ static void end_slip_near_codim2(const free_motion_t *c, const inclusion_t *in,
 
 // A stick that loses its mode where g = 0 is within reach, or a motion that is
 // at h = g = 0. A rest that goes on needs no solution of the inclusion.
-static void end_at_codim2(const free_motion_t *c, inclusion_t *in,
-                          const codim2_field_t *field, tf_contact_modes_t *s,
-                          step_end_t *to) {
+static __attribute__((noinline)) void end_at_codim2(const free_motion_t *c,
+                                                    inclusion_t *in,
+                                                    const codim2_field_t *field,
+                                                    tf_contact_modes_t *s,
+                                                    step_end_t *to) {
   const unsigned mode = c->state->mode;
   codim2_course_t arrival = {.mode = TF_PINNED, .from = mode};
   if (is_stick(mode)) {
@@ -351,30 +338,61 @@ static void end_at_codim2(const free_motion_t *c, inclusion_t *in,
   pass_codim2(c, in, field, &modes, s, to);
 }
 
-// Whether the stick with one sign of g attracts the wheel from a rest.
-static bool takes_over(const free_motion_t *c, const rates_t *rates, sign_t s) {
+// How h and g change at an instant of the step.
+TF_INLINE codim2_field_t field_at(const free_motion_t *c, end_state_t at,
+                                  tf_real_t omega) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
-  if (!is_sliding(slip_limits(k, rates, s))) return false;
-  const tf_real_t lambda = stick_lambda(k, rates, s);
-  return k->dt * with_sign(s, g_rate_in_stick(k, rates, s, lambda)) >
-         rounding_of_g(c);
+  const tf_real_t z = at.w - omega;
+  const rates_t rates =
+      tf_rates_at(k, c->input, at.r, slider_speed(k, at.v, z), z, omega);
+  return tf_codim2_field_of(k, &rates);
+}
+
+// Whether the stick with one sign of g attracts the wheel from a rest.
+static bool takes_over(const codim2_field_t *field, sign_t s,
+                       tf_real_t slowest) {
+  const stick_t stick = stick_at(field, s);
+  return stick.attracts && within(stick.x, 1) && stick.rate > slowest;
 }
 
 // Whether a rest that goes on by the mean of the forces has ended at the start,
-// or ends within the step, on a turntable that changes its speed.
-static bool misses_end_of_rest(const free_motion_t *c, unsigned mode) {
+// or ends within the step; also one that the step ends with.
+static bool misses_end_of_rest(const free_motion_t *c) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
   const tf_real_t turn = turn_of_step(k, c->input);
-  if (c->state->mode != TF_PINNED || mode != TF_PINNED) return false;
-  const rates_t rates =
-      rates_at(k, c->input, c->state->r, 0, 0, c->linear.omega0 - turn);
+  const tf_real_t omega = c->linear.omega0 - turn;
+  const codim2_field_t field =
+      field_at(c, (end_state_t){c->state->r, 0, omega}, omega);
+  const tf_real_t slowest = rounding_of_g(c) / k->dt;
   if (k->contact.rule != TF_RULE_RANDOM &&
-      (takes_over(c, &rates, PLUS) || takes_over(c, &rates, MINUS)))
+      (takes_over(&field, PLUS, slowest) || takes_over(&field, MINUS, slowest)))
     return true;
-  if (turn == 0) return false;
-  const rest_motion_t rest =
-      tf_rest_motion(k, c->input, c->state->r, c->linear.omega0 - turn);
+  if (c->state->mode != TF_PINNED || turn == 0) return false;
+  const rest_motion_t rest = tf_rest_motion(k, c->input, c->state->r, omega);
   return tf_rest_is_interrupted(&rest, k->dt);
+}
+
+// Whether a rest that ends goes as far as the mean of its accelerations at both
+// ends takes it: the direction of a stiff slip may turn within the step, or end.
+static __attribute__((noinline)) bool leaves_as_far(const free_motion_t *c,
+                                                    const step_end_t *to) {
+  const tf_machine_t *k = TF_STEP_MACHINE(c);
+  const unsigned mode = to->outcome.mode;
+  end_state_t at = {c->state->r, c->state->v, c->state->w};
+  tf_real_t omega = at.w;
+  tf_slip_t sum = {0, 0};
+  for (int i = 0; i < 2; i++) {
+    const codim2_field_t field = field_at(c, at, omega);
+    consistent_modes_t modes;
+    tf_codim2_modes(&k->contact, &field, &modes);
+    if (!has(modes.solutions.set, mode)) return false;
+    const multipliers_t by = tf_codim2_multipliers(&k->contact, &modes, mode);
+    sum.h += k->dt / 2 * value_under(field.h, by);
+    sum.g += k->dt / 2 * value_under(field.g, by);
+    at = to->end.at;
+    omega = c->linear.omega0;
+  }
+  return ends_near(sum, tf_slip_of_end(c, &to->end), TF_R(0.1875));
 }
 
 TF_API void tf_codim2_end(const free_motion_t *c, inclusion_t *in,
@@ -395,10 +413,11 @@ TF_API void tf_codim2_end(const free_motion_t *c, inclusion_t *in,
   }
   to->outcome.delassus = step_delassus(TF_STEP_MACHINE(c), in,
                                        sign_of(tf_slip_of_end(c, &to->end).g));
-  const bool rests = c->state->mode == TF_PINNED;
-  if (misses_end_of_rest(c, to->outcome.mode) ||
-      (rests && to->outcome.mode != TF_PINNED &&
-       turns_by_much(TF_STEP_MACHINE(c), to->end.at, DEPARTURES)))
+  if (to->outcome.mode == TF_PINNED
+          ? misses_end_of_rest(c)
+          : c->state->mode == TF_PINNED &&
+                (turns_by_much(TF_STEP_MACHINE(c), to->end.at, DEPARTURES) ||
+                 !leaves_as_far(c, to)))
     to->outcome.status = TF_COARSE;
 }
 

@@ -96,7 +96,7 @@ static stall_motion_t motion_at_end(const tf_machine_t *k, const tf_input_t *u,
   const tf_real_t d = magnitude(k->d), reach = d + magnitude(x->r);
   const tf_real_t terms_of_v = slip_terms(k, x->r, x->v, x->w, u->omega0);
   const tf_real_t v_off = STALL_ROUNDINGS * terms_of_v;
-  const rates_t rates = rates_at(k, u, x->r, p, z, u->omega0);
+  const rates_t rates = tf_rates_at(k, u, x->r, p, z, u->omega0);
   const end_rates_t terms = terms_of_rates(k, u, x, terms_of_v, force);
   const stall_force_t by =
       tf_tyre_is_set_valued(k->contact.tyre.law) && is_stick(x->mode)
