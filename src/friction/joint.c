@@ -226,6 +226,7 @@ TF_RARE bool comes_to_middle(const mechanism_t *k, const problem_t *p,
   for (unsigned turn = 0; turn < MOST_BARRIER_STEPS; turn++) {
     side_t sides[MOST_SIDES];
     tf_real_t w[ROWS][ROWS + 1], least = TF_REAL_MAX, missed = 0, most = 0;
+    tf_real_t rounding = 0;
     bool is_zero = true;
     look(k, p, point, at);
     const unsigned count = sides_at(k, p, mode, halves, point, sides);
@@ -233,6 +234,7 @@ TF_RARE bool comes_to_middle(const mechanism_t *k, const problem_t *p,
       if (sides[s].value < least) least = sides[s].value;
     for (unsigned e = 0; e < n; e++) {
       missed += magnitude(at->missed[e]);
+      rounding += at->rounding[e];
       is_zero = is_zero && within(at->missed[e], at->rounding[e]);
     }
     if (is_zero && least > 0) {
@@ -240,7 +242,7 @@ TF_RARE bool comes_to_middle(const mechanism_t *k, const problem_t *p,
       return true;
     }
     if (turn == 0) {
-      first = missed;
+      first = missed + TF_R(0x1p14) * rounding; // may begin at 0
       t = least - 1;
     }
     const bool is_close = missed <= TF_R(0x1p-10) * first;
