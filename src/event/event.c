@@ -61,8 +61,9 @@ TF_API void tf_project(trajectory_t *path) {
   path->now.z += impulse_over_m * arm / J_over_m;
 }
 
-// The first event of a segment: where one of some polynomials vanishes, found by
-// Descartes' rule on Bernstein coefficients (polynomial.h), which misses none.
+// The first event of a segment: where one of some polynomials vanishes, found
+// by Descartes' rule on Bernstein coefficients (polynomial.h), which misses
+// none.
 
 // An event function that is linear in p and q: (of_p p + of_q q) / t^zeros, for
 // a sum with a zero of that order at t = 0.

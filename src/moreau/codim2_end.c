@@ -43,8 +43,8 @@ static bool signs_agree(const free_motion_t *c, unsigned mode,
 }
 
 // Whether a stick that ends on the other side of g = 0 does so by rounding
-// alone: it is at rest there, or tends to it. One that passes g = 0 changes g by
-// more than the rounding of one step, a quarter of that of several.
+// alone: it is at rest there, or tends to it. One that passes g = 0 changes g
+// by more than the rounding of one step, a quarter of that of several.
 static bool rests_at_g_zero(const free_motion_t *c, const inclusion_t *in,
                             const tf_contact_modes_t *s, unsigned mode,
                             tf_real_t rounding) {
@@ -124,8 +124,8 @@ static bool leads_to(const tf_form_t *f, tf_real_t to, multipliers_t m) {
       64 * TF_REAL_EPSILON * form_size(f, magnitude(m.x), magnitude(m.y)));
 }
 
-// Ends the step at a slip in a mode, under multipliers found from a guess. False
-// where no force of the law's convex hull leads there.
+// Ends the step at a slip in a mode, under multipliers found from a guess.
+// False where no force of the law's convex hull leads there.
 static bool end_at(const free_motion_t *c, const inclusion_t *in, unsigned mode,
                    tf_slip_t to, multipliers_t guess, step_end_t *out) {
   multipliers_t m = guess;
@@ -176,9 +176,9 @@ static bool may_be_held(const tf_contact_modes_t *s, unsigned mode) {
 }
 
 // The motion passes by h = g = 0. It is held there if it would run to a rest
-// there, or if a force of the law takes it there and it has no other way. A rest
-// that ends has chosen its mode, but no force of the law leads there: it ends in
-// that mode if that solves the inclusion.
+// there, or if a force of the law takes it there and it has no other way. A
+// rest that ends has chosen its mode, but no force of the law leads there: it
+// ends in that mode if that solves the inclusion.
 static void pass_codim2(const free_motion_t *c, const inclusion_t *in,
                         const codim2_field_t *field,
                         const consistent_modes_t *modes,
@@ -214,8 +214,8 @@ static bool ends_near(tf_slip_t to, tf_slip_t end, tf_real_t share) {
   return off <= share * (magnitude(to.h) + magnitude(to.g));
 }
 
-// A slip ends where its course does: the order in which it comes to h = 0 and
-// g = 0 decides what follows. Where friction cannot steer both it ends under the
+// A slip ends where its course does: the order in which it comes to h = 0 and g
+// = 0 decides what follows. Where friction cannot steer both it ends under the
 // force of the course.
 static bool follow_course(const free_motion_t *c, const inclusion_t *in,
                           const codim2_course_t *course, unsigned set,
@@ -373,7 +373,7 @@ static bool misses_end_of_rest(const free_motion_t *c) {
 }
 
 // Whether a rest that ends goes as far as the mean of its accelerations at both
-// ends takes it: the direction of a stiff slip may turn within the step, or end.
+// ends takes it: a stiff slip may turn within the step, or end.
 static __attribute__((noinline)) bool leaves_as_far(const free_motion_t *c,
                                                     const step_end_t *to) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
