@@ -96,8 +96,7 @@ def keep(section: str, of: str, rows: pd.DataFrame) -> None:
 
 
 class Page:
-    """The tables, as the page shows them. What this build has not measured is
-    not found."""
+    """The tables of this build; what it has not measured is not found."""
 
     def __init__(self) -> None:
         self.results = results()
