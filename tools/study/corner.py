@@ -23,7 +23,6 @@ from pictures import LINE, SERIES, pyplot
 SAMPLES = int(os.environ.get("SAMPLES") or 10000)
 EPS = 0.2, 0.1, 0.05
 PLACES = 0.176, 0.178, 0.18, 0.182, 0.183
-STICKS = 0.176, 0.18, 0.182, 0.185, 0.195
 DIRECTIONS = "v", "omega", "v and omega"
 
 # Cycles of each sample, by 1/eps. The rate of exits from the two-fold, which is
@@ -93,8 +92,6 @@ def count(work: Path, kept: Path) -> dict[str, object]:
                       "P, eps -> 0": limit.text(3)})
     draw(kept, drawn)
     return {
-        "stick": "At r = " + ", ".join(map(str, STICKS)) + " c is " + ", ".join(
-            f"{stick(field_at(r)).c:.2g}" for r in STICKS) + ".",
         "selected": pd.DataFrame(found).sort_values("r", kind="stable"),
         "returns": returns(work)}
 

@@ -293,8 +293,7 @@ def count(work: Path, _: Path) -> dict[str, object]:
     places, rest = kinds["P"], kinds["rest"].sort_values("r")
     short = "{:.3g}".format
     chosen = pd.DataFrame({
-        "r": places.r, "-A": places.A.map(short),
-        "multiplier": places.multiplier.map(short), **{
+        "r": places.r, "multiplier": places.multiplier.map(short), **{
             name: places[of].map("{:.4f}".format) for name, of in (
                 ("P, leading order", "first"), ("P", "P"),
                 ("P, one Wiener process", "one"))}})
