@@ -308,11 +308,9 @@ static void end_slip_near_codim2(const free_motion_t *c, const inclusion_t *in,
 
 // A stick that loses its mode where g = 0 is within reach, or a motion that is
 // at h = g = 0. A rest that goes on needs no solution of the inclusion.
-static __attribute__((noinline)) void end_at_codim2(const free_motion_t *c,
-                                                    inclusion_t *in,
-                                                    const codim2_field_t *field,
-                                                    tf_contact_modes_t *s,
-                                                    step_end_t *to) {
+static void end_at_codim2(const free_motion_t *c, inclusion_t *in,
+                          const codim2_field_t *field, tf_contact_modes_t *s,
+                          step_end_t *to) {
   const unsigned mode = c->state->mode;
   codim2_course_t arrival = {.mode = TF_PINNED, .from = mode};
   if (is_stick(mode)) {
@@ -357,7 +355,7 @@ static bool takes_over(const codim2_field_t *field, sign_t s,
 
 // Whether a rest that goes on by the mean of the forces has ended at the start,
 // or ends within the step; also one that the step ends with.
-static bool misses_end_of_rest(const free_motion_t *c) {
+TF_RARE bool misses_end_of_rest(const free_motion_t *c) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
   const tf_real_t turn = turn_of_step(k, c->input);
   const tf_real_t omega = c->linear.omega0 - turn;
@@ -374,8 +372,7 @@ static bool misses_end_of_rest(const free_motion_t *c) {
 
 // Whether a rest that ends goes as far as the mean of its accelerations at both
 // ends takes it: a stiff slip may turn within the step, or end.
-static __attribute__((noinline)) bool leaves_as_far(const free_motion_t *c,
-                                                    const step_end_t *to) {
+TF_RARE bool leaves_as_far(const free_motion_t *c, const step_end_t *to) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
   const unsigned mode = to->outcome.mode;
   end_state_t at = {c->state->r, c->state->v, c->state->w};
@@ -395,8 +392,9 @@ static __attribute__((noinline)) bool leaves_as_far(const free_motion_t *c,
   return ends_near(sum, tf_slip_of_end(c, &to->end), TF_R(0.1875));
 }
 
-TF_API void tf_codim2_end(const free_motion_t *c, inclusion_t *in,
-                          step_end_t *to) {
+// In a frame of its own: what judges the end has the stack again.
+TF_RARE void end_or_least_violation(const free_motion_t *c, inclusion_t *in,
+                                    step_end_t *to) {
   tf_contact_modes_t s = {0};
   // The hull reaches beyond the forces by which signs_of() judges.
   if (c->state->mode != TF_PINNED) tf_enumerate(in, BOTH_SIGNS, &s);
@@ -407,10 +405,13 @@ TF_API void tf_codim2_end(const free_motion_t *c, inclusion_t *in,
     end_slip_near_codim2(c, in, &field, &s, to);
   else
     end_at_codim2(c, in, &field, &s, to);
-  if (to->outcome.mode == TF_NO_MODE) {
-    tf_least_violation(c, in, s.set, to);
-    return;
-  }
+  if (to->outcome.mode == TF_NO_MODE) tf_least_violation(c, in, s.set, to);
+}
+
+TF_API void tf_codim2_end(const free_motion_t *c, inclusion_t *in,
+                          step_end_t *to) {
+  end_or_least_violation(c, in, to);
+  if (to->outcome.status == TF_DEGRADED) return;
   to->outcome.delassus = step_delassus(TF_STEP_MACHINE(c), in,
                                        sign_of(tf_slip_of_end(c, &to->end).g));
   if (to->outcome.mode == TF_PINNED

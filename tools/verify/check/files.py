@@ -20,7 +20,7 @@ LARGE = {"docs/page/index.html"}
 SIZES = {name: (*map(int, numbers), 10**6)[:3] for name, *numbers in map(
     str.split, """
 room              most   goal  files
-src               11845   9700     61
+src               11850   9700     61
 include            1990   1650     17
 tools/cli         12380  10000
 tools/board        1600   1200
