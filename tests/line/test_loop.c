@@ -20,7 +20,7 @@ static struct {
   bool stalled;                        /* the line takes nothing */
   bool flooded;                        /* a byte is always there */
   bool broken;
-  uint32_t received, put, latched, stepped, records, beats, idled;
+  uint32_t received, put, latched, stepped, records, beats, idled, answers;
   uint32_t fed;              /* the watchdog */
   uint32_t last_tick, twice; /* steps in the same tick */
   uint32_t record_step[64];
@@ -86,8 +86,10 @@ unsigned app_record(uint8_t to[]) {
   return 100;
 }
 unsigned app_other(uint8_t to[]) {
-  (void)to;
-  return 0;
+  to[0] = 'a';
+  if (board.stepped != 20 || board.answers == 0) return 0;
+  board.answers--;
+  return 40;
 }
 unsigned app_heartbeat(const loop_counts_t *counts, uint8_t to[]) {
   to[0] = (uint8_t)counts->steps;
@@ -204,6 +206,15 @@ TEST(one_slow_record_does_not_end_telemetry) {
     CHECK(counted.steps == 100 && counted.dropped == 0);
     CHECK(board.records == 3 + 101);
   }
+}
+
+/* Not one a tick, however busy the line, or a full queue stays full. */
+TEST(all_answers_leave_in_their_tick) {
+  reset(300);
+  board.flooded = true;
+  board.answers = 4;
+  run_in_time(40, 1);
+  CHECK(board.answers == 0);
 }
 
 /* A run that begins at any tick has its records at steps known beforehand; a
