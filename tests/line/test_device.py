@@ -251,23 +251,20 @@ def test_answers_to_others_are_not_its_own():
 
 def test_a_keyed_board_takes_keyed_commands():
     with keyed() as board:
-        said = board.send("stop", code=3)
-        check("stop: refused, its tag is not that" in said, said)
-        said = board.send("stop", code=4, key=["--key", "wrong"])
-        check("no frame with the tag of --key" in said, said)
-        said = board.send("stop", key=["--key", "key"])
-        check("stop: took effect" in said, said)
-        said = board.send("every:20", "every:10", code=3,
-                          key=["--key", "key"])
-        says(said, r"20: took effect at step \d+; it needs 9424 of 11520 "
+        says(board.send("stop", code=3), "stop: refused, its tag is not that")
+        says(board.send("stop", code=4, key=["--key", "wrong"]),
+             "no frame with the tag of --key")
+        says(board.send("stop", key=["--key", "key"]), "stop: took effect")
+        says(board.send("every:20", "every:10", code=3, key=["--key", "key"]),
+             r"20: took effect at step \d+; it needs 9424 of 11520 "
              "bytes/s, a record every 20", "10: refused, more than the line "
              r"carries at step \d+; it needs 18174 of 11520 bytes/s, a "
              "record every 20 steps")
         call("monitor", board.name, "--send", "stop", "--key", "none", code=2)
         for mode in 0o640, 0o604, 0o620:
             Path("wrong").chmod(mode)
-            said = call("monitor", board.name, "--key", "wrong", code=2)[1]
-            check("--key wrong: others may read it" in said, said)
+            says(call("monitor", board.name, "--key", "wrong", code=2)[1],
+                 "--key wrong: others may read it")
 
 
 def played(stream, *words):
@@ -311,8 +308,8 @@ def test_a_key_is_satisfied_by_its_board_alone():
         same((code, "somebody else sends" in said, "12345" in said),
              (4, True, False))
     with Board("double") as other:
-        said = other.send("stop", code=4, key=["--key", "key"])
-        check("the board has another key or none" in said, said)
+        says(other.send("stop", code=4, key=["--key", "key"]),
+             "the board has another key or none")
     Path("stream").write_bytes(recorded)
     call("monitor", "stream", "--key", "key", code=4)
 
