@@ -34,7 +34,8 @@ def longest(board: str, real: str) -> dict[str, int]:
 
 def worst(real: str, scheme: str) -> int:
     """Of all parameters; where it was not counted on a board, here."""
-    return max(int(row[f"M7 {real}"] or row[f"x86-64 {real}"])
+    return max(int(row.get(f"M4F {real}") or row[f"M7 {real}"] or
+                   row[f"x86-64 {real}"])
                for row in rows("worst.csv")
                if row["function"] == FUNCTION[scheme])
 
