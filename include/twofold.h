@@ -1,15 +1,15 @@
 /// @file
 /// twofold: a fixed-step simulator of a machine whose friction is not always
-/// deterministic. This umbrella header is all that a user includes:
+/// deterministic. A user includes only this header. Order of use:
 /// scene -> prepare -> begin -> step(machine, state, input) -> report.
 ///
 /// For every function, unless it says otherwise: the caller owns all memory, no
 /// two arguments overlap, and only pointers marked "kept" are kept. So all are
 /// reentrant. Machines come from tf_prepare; inputs are within TF_STATE_LIMIT.
-/// Names are constant strings; names of values outside an enum begin with
-/// "unknown". "(h)" is an equation of the paper, "(1)" one of DESIGN.md, which
-/// has both. Cost and stack of each: docs/bench/worst.csv, which docs/BENCH.md
-/// explains.
+/// Functions that name a value return constant strings; for values outside an
+/// enum these begin with "unknown". A letter, "(h)", is an equation of the
+/// paper; a number, "(1)", one of DESIGN.md. Cost and stack of each function:
+/// docs/bench/worst.csv, which docs/BENCH.md explains.
 #ifndef TWOFOLD_H
 #define TWOFOLD_H
 

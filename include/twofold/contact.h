@@ -1,9 +1,9 @@
 /// @file
-/// A contact with friction force F and moment M: the core of tf_step, and of
-/// any other mechanism (castor, finger tip, clutch). The unknowns of a step are
-/// the multipliers x = F/mu and y = M/(kappa mu) of its mean force and moment.
-/// The caller gives h and g at the end of the step by x, y, and then moves by
-/// x, y. The law holds at that end: x in Sgn(h), y = s x, s in Sgn(g).
+/// A contact with friction force F and moment M: the core of tf_step, for use
+/// in other mechanisms too (castor, finger tip, clutch). The unknowns of a step
+/// are the multipliers x = F/mu and y = M/(kappa mu) of its mean force and
+/// moment. The caller gives h and g at the end of the step as forms in x and y,
+/// then moves by them. The law holds there: x in Sgn(h), y = s x, s in Sgn(g).
 #ifndef TWOFOLD_CONTACT_H
 #define TWOFOLD_CONTACT_H
 
@@ -37,18 +37,18 @@ static inline bool tf_mode_is_slip(unsigned mode) {
 /// Which of several consistent modes a step takes. All rules share the order:
 /// - A slip that is still consistent goes on: off h = 0 the future is unique,
 ///   and a second consistent mode is an artefact of the finite step.
-/// - A slip never enters an escaping stick: both fields point away from it.
+/// - A slip never enters an escaping stick: on both sides motion leads away.
 /// - An attracting stick goes on.
 /// - Where the present mode is lost: attracting stick, pinned, slip (the
 ///   faster one if both), escaping stick, in this order.
 /// - At h = g = 0 every mode is lost, and a slip leaves along a limit
-///   direction. A direction attracts if its neighbours turn to it. Its slip
-///   ranks after the attracting stick, before pinned. Of two modes of one kind
-///   the one whose slip grows faster is taken.
+///   direction. A direction attracts if neighbouring ones turn to it. Slip
+///   along it ranks after the attracting stick, before pinned. Of two modes of
+///   one kind the one whose slip grows faster is taken.
 /// The rule decides how an escaping stick ends, and what follows when a wheel
-/// comes to h = g = 0 and may rest there. RANDOM lets it rest, pinned, till its
-/// draw. The others take an attracting stick or slip where one is consistent,
-/// because rest is then unstable.
+/// comes to h = g = 0 and may rest there. RANDOM lets it rest, pinned, until a
+/// draw ends that. The others take an attracting stick or slip where one is
+/// consistent, because rest is then unstable.
 typedef enum {
   TF_RULE_PERSIST,    ///< stay while it is consistent (default)
   TF_RULE_SLIP_PLUS,  ///< slip to h > 0 as soon as that is consistent
@@ -63,7 +63,7 @@ typedef enum {
 #define tf_rule_name TF_LINK(tf_rule_name)
 TF_API const char *tf_rule_name(unsigned rule);
 
-/// The law at h = g = 0: under which F and M the wheel rests (JUMP only).
+/// The law at h = g = 0: the F and M under which the wheel rests (JUMP only).
 typedef enum {
   TF_REST_HULL,   ///< convex hull of the limits of slip, Filippov's law:
                   ///< |M| <= kappa mu, |F| <= 4 mu/3 - |M|/(3 kappa) (default)
@@ -93,7 +93,7 @@ typedef struct {
   tf_rest_law_t rest;
 } tf_contact_t;
 
-/// h or g at the end of a step by the multipliers [m/s]: c0 + cx x + cy y +
+/// h or g [m/s] at the end of a step as a form in x and y: c0 + cx x + cy y +
 /// cxx x^2 + cxy x y + cyy y^2. Without a moment the terms in y are unused.
 typedef struct {
   tf_real_t c0, cx, cy, cxx, cxy, cyy;
@@ -115,7 +115,7 @@ typedef struct {
 
 /// Derives the constants of a contact.
 /// contact: out. law: in, TF_TYRE_JUMP or TF_TYRE_COULOMB. mu: in, 0 to 1e9 N.
-/// kappa: in, 1e-9 to 1e6 m; COULOMB reads none. rest, rule: in. rate_dt: in,
+/// kappa: in, 1e-9 to 1e6 m; COULOMB ignores it. rest, rule: in. rate_dt: in,
 ///   exits of rule `random` in a step, 0 to 1e9.
 /// Returns: TF_OK; TF_BAD_PARAMETER (contact untouched).
 #define tf_contact_prepare TF_LINK(tf_contact_prepare)
@@ -128,11 +128,11 @@ TF_API tf_status_t tf_contact_prepare(tf_contact_t *contact, tf_tyre_law_t law,
 /// h, g: in. now, mode: in, before the step, or TF_NO_MODE. modes: out.
 /// reaches_codim2: out, or NULL: h = g = 0 is within reach (tf_contact_leave).
 /// Returns: TF_OK; TF_BAD_STATE: not finite, or no mode; TF_BAD_PARAMETER:
-///   COULOMB and h.cx > 0, or = 0 with cy != 0: F > 0 must lower h (untouched).
-/// Trust: all of them; may be empty. Pinned is one of up to four points where h
-///   and g vanish together. It is certain unless changing coefficients by 64
-///   epsilon moves that point out of the law of rest or removes it, or the
-///   curves h = 0 and g = 0 touch: 1 of 10,000 such pairs hides a point.
+///   COULOMB, h.cx > 0, or = 0 with cy != 0, as F > 0 must lower h (untouched).
+/// Trust: the set is complete, and may be empty. Pinned is one of up to four
+///   points where h and g vanish together. It is judged rightly unless changing
+///   coefficients by 64 epsilon moves that point out of the law of rest or ends
+///   it, or the curves h = 0 and g = 0 touch: 1 of 10,000 such pairs loses it.
 /// Cost: 0.3 us (x86-64) where the forms are almost linear, else 5 us, and at
 ///   most 1.5 ms, where the curves touch or are one.
 #define tf_contact_modes TF_LINK(tf_contact_modes)
@@ -151,13 +151,13 @@ TF_API unsigned tf_contact_choose(const tf_contact_t *contact,
                                   unsigned mode, uint64_t tick, uint32_t seed);
 
 /// The mean force of a step that ends in a mode: in slip the law's, or its
-/// limit at h -> 0 where the law would carry h across 0. Of several pinned
+/// limit at h -> 0 where that would carry h across 0. Of several pinned
 /// points it takes the one with the least |F|, then |M|.
 /// h, g, modes: in, as above. mode: in, of the set. force: out. at: in, the
-///   law's slip: the start's, or the theta point's under the start's force.
-/// Returns: TF_OK; TF_DEGRADED: TF_NO_MODE gives the law at `at`, but h leaves
-///   that side; TF_BAD_STATE: not finite, not in the set, or no pinned point
-///   (untouched).
+/// slip where the law is read: the start's, or the theta point's by its force.
+/// Returns: TF_OK; TF_DEGRADED: for TF_NO_MODE force is the law's at `at`, but
+///   h leaves that side; TF_BAD_STATE (untouched): not finite, not in the set,
+///   or no pinned point.
 #define tf_contact_force TF_LINK(tf_contact_force)
 TF_API tf_status_t tf_contact_force(const tf_contact_t *contact,
                                     const tf_form_t *h, const tf_form_t *g,
@@ -168,7 +168,7 @@ TF_API tf_status_t tf_contact_force(const tf_contact_t *contact,
 /// What follows h = g = 0: every future, and the one that the rule takes.
 /// h, g: in, their change there, in time [m/s^2] or over a step [m/s]; only c0,
 ///   cx and cy are read. from: in, the mode of the motion, or TF_NO_MODE.
-/// arrives: in, false: already there. tick, seed: in. modes, force: out.
+/// arrives: in, false if already there. tick, seed: in. modes, force: out.
 /// Returns: the mode; TF_NO_MODE (force 0, set empty): none, or not finite.
 #define tf_contact_leave TF_LINK(tf_contact_leave)
 TF_API unsigned tf_contact_leave(const tf_contact_t *contact,

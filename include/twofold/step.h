@@ -30,15 +30,15 @@ typedef struct {
   tf_status_t status; ///< as returned
 } tf_report_t;
 
-/// Finds every mode that may follow from an instant, and chooses the one in
+/// Finds every mode that may follow an instant, and chooses the one in
 /// which a motion starts:
 /// - h != 0: slip by the sign of h.
 /// - h = 0: stick where |lambda| <= mu, else slip by the sign of dh/dt; in an
 ///   escaping region all three.
-/// - h = g = 0: the exits, and rest where its law can supply the force
-///   (tf_rest_law_t).
+/// - h = g = 0: the modes that leave it, and rest where its law can supply the
+///   force (tf_rest_law_t).
 /// |h| or |g| within rounding (32 epsilon times its terms) counts as 0.
-/// machine, input: in, at that instant: its omega0 and alpha. report: out.
+/// machine, input: in, with omega0 and alpha of that instant. report: out.
 /// state: in/out. The caller sets r, v, w, within TF_STATE_LIMIT, and mode: the
 ///   one preferred where several are possible, or TF_NO_MODE. On return: the
 ///   mode taken. phi, tick and seed stay.
@@ -50,9 +50,9 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
                             const tf_input_t *input, tf_report_t *report);
 
 /// As tf_begin, for a start given by its lateral slip speed h:
-/// tf_speed_for_slip finds v. It prefers slip on h's side; none where h is 0.
+/// tf_speed_for_slip finds v. It prefers slip on h's side; if h = 0, none.
 /// state: in/out, as there, but v and mode are found. h: in [m/s].
-/// Returns: TF_OK; TF_BAD_STATE (nothing touched), also from tf_speed_for_slip.
+/// Returns: TF_OK; TF_BAD_STATE (nothing touched), also by tf_speed_for_slip.
 #define tf_begin_with_slip TF_LINK(tf_begin_with_slip)
 TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
                                       tf_state_t *state,
@@ -62,61 +62,61 @@ TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
 /// Advances the state by dt: Moreau-Jean theta method, linearly implicit in
 /// spring, dampers and gyroscopic terms, (1)-(12). The friction law holds at
 /// the end of the step. The order is 2 for theta = 1/2, also where a slip
-/// ends away from h = g = 0. It is 1 at h = g = 0 and for other theta.
+/// ends, except at h = g = 0. It is 1 there and for other theta.
 /// machine, input: in. state: in/out, from tf_begin. report: out.
 /// Returns:
 ///   TF_OK             taken
-///   TF_DEGRADED       taken, although no mode is consistent, or none that a
-///                     slip may enter (the step violates the law least); or h
-///                     and g at its end do not have the signs of the mode
+///   TF_DEGRADED       taken, although no mode is consistent, or a slip may
+///                     enter none that is (the step takes the one nearest to
+///                     the law); or h and g do not end with the mode's signs
 ///   TF_COARSE         taken, but dt is too long for the motion, see below
-///   TF_STALLED        taken, but rounding loses the change of r, now and for
-///                     32 steps, or in stick of r and w: tf_step_compensated
+///   TF_STALLED        taken, but rounding loses the change of r, now and 32
+///                     steps on, or in stick that of w: tf_step_compensated
 ///   TF_BAD_STATE      refused: state or input not finite or out of its range;
 ///                     the state is untouched, here and below
 ///   TF_DIVERGED       refused: the end would be out of the range of states
 ///   TF_STEP_TOO_LONG  refused: the effective mass would be <= 0
 /// TF_COARSE, which a smaller dt avoids, has these causes:
-///   - Energy: the step would create more than 2^-12 of it, or friction put in
-///     more than 2^-4. The step then balances energy by (18).
+///   - Energy: the step would create more than 2^-12 of the energy, or friction
+///     would add more than 2^-4. In a step not split, (18) then balances it.
 ///   - Turn: the motion turns by more than a right angle, or theta > 1/2 damps
 ///     a quarter of the energy.
 ///   - Friction: it reverses a slip and changes the velocities by more than a
 ///     third; or its force turns, which changes them by more than 3 %; or it
 ///     ends a slip and changes them by a third, or by 2 % at h = g = 0.
-///   - Slip near h = g = 0: several modes may follow where it passes; or no
-///     force of the law leads along its course; or the step ends off it by a
-///     quarter; or the mode changes earlier on it, which decides what follows.
-///   - Rest: a stick could take over at the start, but the step stays at rest;
-///     or a rest ends for only part of the step; or the motion after it turns
-///     by 0.45 rad.
-///   - Axis: the wheel crosses it by more than 2 beta; or moves or turns beside
-///     it by 1.5 sqrt(beta^2 + r^2) in a step that does not keep its energy.
+///   - Slip near h = g = 0: several modes may follow there; or no force of the
+///     law leads along its course; or the step ends off it by a quarter of the
+///     slip; or the mode changes before, which decides what follows.
+///   - Rest: a step that ends at rest may miss a stick that takes over, or an
+///     exit within it; or the motion after a rest turns by 0.45 rad, or is off
+///     the mean of the accelerations at both ends by 3/16.
+///   - Axis r = 0: a step crosses it by more than 2 beta; or moves or turns the
+///     wheel beside it by 1.5 sqrt(beta^2 + r^2) and does not keep its energy.
 /// Trust: TF_OK means that the step ends in a mode of the set, with its signs
-///   of h and g up to rounding, and creates no more energy than above. F and M
-///   lead from the start to that end by (6). On a stiff spring, 2^13 theta dt
-///   (theta dt k2 + c2) >= m, a slip or frictionless motion that would create
-///   2^-20 of its energy ends by (18); F and M by (6) then lead elsewhere. No
+///   of h and g up to rounding, and creates no more energy than above. By (6),
+///   F and M take the start to that end. Where a spring is stiff, 2^13 theta dt
+///   (theta dt k2 + c2) >= m, (18) ends a slip or frictionless motion that
+///   would create 2^-20 of its energy; F and M by (6) then lead elsewhere. No
 ///   truncation error is bounded: see tf_step_estimated and docs/SCHEMES.md.
 ///   If omega0 changes while alpha is 0, it jumps at the start of the step.
 #define tf_step TF_LINK(tf_step)
 TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
                            const tf_input_t *input, tf_report_t *report);
 
-/// tf_step, to the bit, and an estimate of its error by two steps of dt/2.
+/// Steps as tf_step, to the bit, and estimates the error by two steps of dt/2.
 /// machine, input: in. state: in/out, from tf_begin. report: out.
 /// accuracy: in, the largest error that is OK, dimensionless.
 /// error: out; the difference of the two ends in p = v - d z, R z and r/dt, as
-///   a share of |p| + R |z| and of their change in the step, where R is the
-///   radius of gyration, R^2 = beta^2 + r^2. `tolerance` of the located step is
-///   a share of the same. What rounding may contribute is subtracted.
-///   TF_REAL_MAX where a half is refused, 0 where the step is.
+///   a share of |p| + R |z| and of their change in the step; z = w - omega0,
+///   R^2 = beta^2 + r^2. `tolerance` of the located step is a share of the
+///   same. What rounding may contribute is subtracted. TF_REAL_MAX where a half
+///   is refused, 0 where the step is.
 /// Returns: as tf_step; TF_COARSE too where error > accuracy. Under rule RANDOM
 ///   one draw decides the step and its halves.
 /// Trust: an estimate: it misses what the step and its halves have in common.
-///   Of 450,652 OK steps of moderate machines none had an error above 1e-2 and
-///   100 times the estimate; near h = g = 0, 87 of 444,618 (docs/SCHEMES.md,
-///   "An estimate"). In float the rounding of r/dt is not part of the estimate.
+///   Errors exceeded both 1e-2 and 100 times the estimate in 0 of 450,652 OK
+///   steps of moderate machines, and near h = g = 0 in 87 of 444,618
+///   (docs/SCHEMES.md). In float the rounding of r/dt is not in the estimate.
 #define tf_step_estimated TF_LINK(tf_step_estimated)
 TF_API tf_status_t tf_step_estimated(const tf_machine_t *machine,
                                      tf_state_t *state, const tf_input_t *input,

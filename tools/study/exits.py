@@ -116,8 +116,8 @@ def gathered(times: pd.Series) -> str:
     found = (times // QUARTER).astype(int).value_counts()
     full = [i for i in sorted(found.index) if found[i] > len(times) / 100
             and found[i] == max(found.get(j, 0) for j in range(i - 4, i + 5))]
-    return ("Times of return of `long` gather about 2 s apart; the fullest "
-            "quarters of a second:\n" + ", ".join(
+    return ("Times of return of `long` gather about 2 s apart; the "
+            "centres of the fullest bins of 0.25 s:\n" + ", ".join(
                 f"{QUARTER * (i + 0.5):.1f}" for i in full) + " s.")
 
 
