@@ -1,9 +1,9 @@
 """`make fold`: to which side noise leaves a two-fold that stick passes, in the
 layer where noise and the rates of h are of one size.
 
-Near the two-fold h' = N - mu A sgn(h), mu A' = -a, and N' is a nu+ or a nu- in slip
-of either sign. White noise sigma dW on h leaves only nu+ and nu- in units of
-t_c = (sigma/a)^(2/3) and h_c = sigma sqrt(t_c):
+Near the two-fold h' = N - mu A sgn(h), mu A' = -a, and N' is a nu+ or a nu-
+in slip of either sign. White noise sigma dW on h leaves only nu+ and nu- in
+units of t_c = (sigma/a)^(2/3) and h_c = sigma sqrt(t_c):
 
     dh = (N + t sgn(h)) dt + dW,   dN = nu(sgn(h)) dt
 
