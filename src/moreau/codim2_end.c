@@ -392,9 +392,8 @@ TF_RARE bool leaves_as_far(const free_motion_t *c, const step_end_t *to) {
   return ends_near(sum, tf_slip_of_end(c, &to->end), TF_R(0.1875));
 }
 
-// In a frame of its own: what judges the end has the stack again.
-TF_RARE void end_or_least_violation(const free_motion_t *c, inclusion_t *in,
-                                    step_end_t *to) {
+TF_API void tf_codim2_end(const free_motion_t *c, inclusion_t *in,
+                          step_end_t *to) {
   tf_contact_modes_t s = {0};
   // The hull reaches beyond the forces by which signs_of() judges.
   if (c->state->mode != TF_PINNED) tf_enumerate(in, BOTH_SIGNS, &s);
@@ -405,13 +404,10 @@ TF_RARE void end_or_least_violation(const free_motion_t *c, inclusion_t *in,
     end_slip_near_codim2(c, in, &field, &s, to);
   else
     end_at_codim2(c, in, &field, &s, to);
-  if (to->outcome.mode == TF_NO_MODE) tf_least_violation(c, in, s.set, to);
-}
-
-TF_API void tf_codim2_end(const free_motion_t *c, inclusion_t *in,
-                          step_end_t *to) {
-  end_or_least_violation(c, in, to);
-  if (to->outcome.status == TF_DEGRADED) return;
+  if (to->outcome.mode == TF_NO_MODE) {
+    tf_least_violation(c, in, s.set, to);
+    return;
+  }
   to->outcome.delassus = step_delassus(TF_STEP_MACHINE(c), in,
                                        sign_of(tf_slip_of_end(c, &to->end).g));
   if (to->outcome.mode == TF_PINNED

@@ -76,10 +76,8 @@ TF_API bool tf_split_end(const free_motion_t *c, const inclusion_t *in,
 // creates no energy where it does, and not TF_OK where the step is too long for
 // the motion.
 #define tf_checked_end TF_LINK(tf_checked_end)
-__attribute__((noinline)) TF_API void tf_checked_end(const tf_machine_t *k,
-                                                     const tf_state_t *state,
-                                                     const tf_input_t *input,
-                                                     step_end_t *to);
+TF_API void tf_checked_end(const tf_machine_t *k, const tf_state_t *state,
+                           const tf_input_t *input, step_end_t *to);
 
 // The form that creates no energy: its end, the force of the step, and the slip
 // that the end has. mode, force: what the linear step ends with.
