@@ -1,4 +1,3 @@
-/// @file
 /// The consistent modes of an instant; see reference.h. A motion reaches or
 /// leaves h = g = 0 along a zero of turn, a limit direction, or in stick.
 #include <string.h>

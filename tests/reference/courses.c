@@ -1,4 +1,3 @@
-/// @file
 /// The courses of the reference problems; see problems.h.
 #include <stdlib.h>
 

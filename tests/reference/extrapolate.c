@@ -1,4 +1,3 @@
-/// @file
 /// The one integrator; see extrapolate.h.
 #include "extrapolate.h"
 

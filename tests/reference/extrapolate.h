@@ -1,4 +1,3 @@
-/// @file
 /// Steps by extrapolation of the midpoint rule (Gragg, Bulirsch, Stoer): it has
 /// no table of coefficients, so it is as exact as its numbers.
 #ifndef REFERENCE_EXTRAPOLATE_H

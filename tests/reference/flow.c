@@ -1,4 +1,3 @@
-/// @file
 /// One step within a mode. An event is a sign change of a watched function; the
 /// step is taken again with a smaller length to end on it, which costs no
 /// accuracy.

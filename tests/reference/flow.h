@@ -1,4 +1,3 @@
-/// @file
 /// One step of the reference within a mode, up to the first event in it.
 #ifndef REFERENCE_FLOW_H
 #define REFERENCE_FLOW_H

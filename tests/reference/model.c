@@ -1,4 +1,3 @@
-/// @file
 /// Equations of motion, slip, tyre laws and surface; see reference.h.
 #include "reference.h"
 

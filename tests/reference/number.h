@@ -1,4 +1,3 @@
-/// @file
 /// The reference's number, by its bits: long double, which needs no library but
 /// libm. Laws without a jump (tools/study/finer.c) take float and double, too,
 /// 24 and 53, and with -DREF_BITS=113 quadruple precision by gcc and

@@ -1,4 +1,3 @@
-/// @file
 /// The motion from event to event: what each switch leads to; see reference.h.
 #include "flow.h"
 

@@ -1,4 +1,3 @@
-/// @file
 /// The reference problems: the scenes of the core and two benchmarks, in
 /// decimals of their own. gamma is -3 pi/4 or pi/2. `smooth` and `string` are
 /// stiff: they are followed for 2.5 s; `chaos` reaches its two-fold at 2.05 s.

@@ -1,4 +1,3 @@
-/// @file
 /// The reference: the motion of the machine from event to event, from the
 /// paper's equations alone. Nothing here is shared with the simulator, so that
 /// the two can disagree. It needs gcc and libm; see number.h for its number.

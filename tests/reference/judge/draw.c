@@ -1,4 +1,3 @@
-/// @file
 /// Random machines from wide ranges, and how to run one again.
 #include <math.h>
 #include <stddef.h>

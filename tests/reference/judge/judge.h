@@ -1,4 +1,3 @@
-/// @file
 /// What the commands of the judge share: a machine as it is drawn, the library
 /// that runs it, and the reference's view of it.
 #ifndef REFERENCE_JUDGE_H

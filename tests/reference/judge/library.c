@@ -1,4 +1,3 @@
-/// @file
 /// The simulator behind one function, once in double and once in float.
 #include <math.h>
 #include <string.h>

@@ -1,4 +1,3 @@
-/// @file
 /// reference COMMAND [OPTION VALUE]...: the options.
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,4 +1,3 @@
-/// @file
 /// Inputs that move: how they are drawn, and what a step gets of them.
 #include <math.h>
 

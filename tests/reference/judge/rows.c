@@ -1,4 +1,3 @@
-/// @file
 /// The rows of the table: how the machines of a class are drawn, and which of
 /// them belong to it.
 #include <math.h>

@@ -1,4 +1,3 @@
-/// @file
 /// A second integration of the same motion, to judge the reference: the paper's
 /// equations as they are printed, in (r, v, w), stepped and its events found by
 /// CVODE of SUNDIALS, which others wrote. Of the reference it uses the

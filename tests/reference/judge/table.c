@@ -1,4 +1,3 @@
-/// @file
 /// `reference table`: of each class of machines, how many runs of the library
 /// end far from the reference with every step OK. The reference follows the
 /// inputs of the steps, from event to event; where it is not sure

@@ -1,4 +1,3 @@
-/// @file
 /// The reference judged before it judges: its equations against the paper's at
 /// random states, and its courses at two tolerances.
 #include <math.h>

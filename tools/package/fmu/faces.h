@@ -1,4 +1,3 @@
-/// @file
 /// What both versions of the interface do alike. Importers look functions up by
 /// their names, and nothing of the FMU calls one, so each is declared where it
 /// is defined. A file of a version defines before it includes this one:

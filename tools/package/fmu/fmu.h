@@ -1,4 +1,3 @@
-/// @file
 /// The FMU behind both versions of the interface: its variables, an instance,
 /// what it may be asked in which phase, its motion, and copies of its state.
 /// The two versions (fmi2.c, fmi3.c) only translate. Instances and copies live

@@ -1,4 +1,3 @@
-/// @file
 /// Which scene an FMU begins with, a const tf_scene_t *, and the token that its
 /// model description and its binary share. package.py puts a header of its own
 /// into every FMU in the place of this one.
