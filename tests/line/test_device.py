@@ -19,8 +19,8 @@ from pathlib import Path
 
 import starts
 from boards import RUN, Board, Line, program, relayed, says
-from decode import (ANSWER, DESCRIBE, INPUT, STATE, STOP, breaks, framed,
-                    frames, tagged)
+from decode import (ANSWER, DESCRIBE, HEARTBEAT, INPUT, STATE, STOP, breaks,
+                    framed, frames, tagged)
 from starts import KEY, keyed
 from tap import ROOT, TWOFOLD, call, check, main, output, same, until
 
@@ -312,6 +312,16 @@ def test_a_key_is_satisfied_by_its_board_alone():
              "the board has another key or none")
     Path("stream").write_bytes(recorded)
     call("monitor", "stream", "--key", "key", code=4)
+
+
+def test_a_key_gives_no_row_without_heartbeats():
+    """Not before the first, with which rows come within a second."""
+    with keyed() as board:
+        code, said = relayed(lambda _, frame: frame, board, TWOFOLD, "monitor",
+                             "LINE", "--key", "key", "--format", "csv",
+                             lose=lambda kind: kind == HEARTBEAT)
+        same((code, "no heartbeat with the tag of --key for 5 s" in said,
+              re.findall("^[0-9].*", said, re.M)), (4, True, []))
 
 
 def test_parts_of_two_starts_are_told():

@@ -330,7 +330,7 @@ const char *cli_read_key(const char *path, uint8_t key[TF_KEY_BYTES]) {
 }
 
 bool cli_guard_begin(cli_guard_t *guard, const uint8_t *key) {
-  *guard = (cli_guard_t){.key = key};
+  *guard = (cli_guard_t){.key = key, .mute = key != NULL};
   if (key == NULL) return true;
   FILE *file = fopen("/dev/urandom", "rb");
   if (file == NULL) return false;
@@ -345,5 +345,9 @@ bool cli_guard_takes(cli_guard_t *guard, const tf_frame_t *frame) {
       frame, guard->key, tf_wire_get(guard->nonce, TF_NONCE_BYTES));
   guard->forged |= guard->vouched && !right;
   guard->vouched |= right;
+  if (right && frame->type == TF_DOWN_HEARTBEAT) {
+    guard->silent = 0;
+    guard->mute = false;
+  }
   return right;
 }

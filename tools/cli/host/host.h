@@ -119,6 +119,8 @@ typedef struct {
   uint8_t nonce[TF_NONCE_BYTES]; ///< the data of TF_UP_DESCRIBE
   bool vouched;                  ///< a frame with the right tag has come
   bool forged;                   ///< ... and then one without
+  bool mute;     ///< no heartbeat with the right tag: no chain tells of rows
+  double silent; ///< for how long [s], since one or the first right frame
 } cli_guard_t;
 
 /// Draws a nonce. Returns: whether the system has random numbers.
@@ -131,6 +133,7 @@ bool cli_guard_takes(cli_guard_t *guard, const tf_frame_t *frame);
 #define CLI_NOT_VOUCHED                                                      \
   "no frame with the tag of --key: the board has another key or none, or a " \
   "recording is played"
+#define CLI_SILENT "no heartbeat with the tag of --key for 5 s"
 #define CLI_FORGED                                                           \
   "a frame without the tag of --key: somebody else sends, or the board was " \
   "restarted"

@@ -6,11 +6,14 @@
 #include "board_command.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #define PATIENCE 3.0    // for an answer [s]
+#define SILENCE 5.0     // of heartbeats, which come each second [s]
+#define LOOK 0.2        // more between two looks is a pause of this program [s]
 #define ANSWER_BYTES 8u // of every answer; one about a parameter has more
 
 static void add(cli_session_row_t *row, uint64_t value, size_t bytes) {
@@ -187,8 +190,13 @@ int cli_board_commands_send(cli_board_commands_t *commands,
                             cli_source_t *source) {
   uint8_t wire[TF_FRAME_SIZE(TF_FRAME_PAYLOAD)];
   const double now = cli_now();
+  if (commands->guard.vouched)
+    commands->guard.silent += fmin(now - commands->looked, LOOK);
+  commands->looked = now;
   if (commands->guard.forged)
     return cli_message(CLI_STOPPED, "%s: " CLI_FORGED, source->name);
+  if (commands->guard.silent > SILENCE)
+    return cli_message(CLI_STOPPED, "%s: " CLI_SILENT, source->name);
   if (commands->next == commands->count) return CLI_DONE;
   const cli_board_command_t *command = &commands->list[commands->next];
   const cli_session_row_t *row = &command->row[receiver->is_float];

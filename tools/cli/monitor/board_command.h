@@ -15,6 +15,7 @@ typedef struct {
   cli_board_command_t list[CLI_SENDS + 1]; ///< the first is `describe`
   size_t count;
   size_t next;       ///< to be sent, or waiting for its answer
+  double looked;     ///< cli_now() of the last cli_board_commands_send()
   bool waiting;      ///< for the answer to list[next]
   double deadline;   ///< cli_now() by which answer and schema must have come
   uint32_t session;  ///< that the last command named
@@ -36,8 +37,8 @@ int cli_board_commands_open(cli_board_commands_t *commands,
 int cli_board_commands_again(cli_board_commands_t *commands);
 
 /// Sends the next command, if there is one and no answer is awaited. Refuses to
-/// go on where an answer, or the schema that was asked for, has not come in
-/// time.
+/// go on where an answer, the schema that was asked for, or with a key a
+/// heartbeat, has not come in time.
 int cli_board_commands_send(cli_board_commands_t *commands,
                             const cli_receiver_t *receiver,
                             cli_source_t *source);

@@ -102,10 +102,11 @@ static void take_block(monitor_t *monitor, size_t length) {
   while (tf_decoder_block(&receiver->decoder, at, length, &taken, &frame)) {
     at += taken;
     length -= taken;
-    if (!cli_guard_takes(&monitor->commands.guard, &frame)) continue;
+    cli_guard_t *guard = &monitor->commands.guard;
+    const bool tagged = guard->key != NULL && tf_is_vouched_for(frame.type);
+    if (!cli_guard_takes(guard, &frame) || (guard->mute && !tagged)) continue;
     const bool completes = cli_receiver_take(receiver, &frame, &row);
-    if (monitor->commands.guard.key != NULL && tf_is_vouched_for(frame.type))
-      frame.length = (uint8_t)(frame.length - TF_TAG_BYTES);
+    if (tagged) frame.length = (uint8_t)(frame.length - TF_TAG_BYTES);
     cli_board_commands_answer(&monitor->commands, &frame, receiver,
                               &monitor->record);
     cli_session_frame(&monitor->record, &frame);
