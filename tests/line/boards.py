@@ -75,10 +75,10 @@ class Board:
         words = [word for one in commands for word in ("--send", one)]
         return call("monitor", self.name, *words, *key, code=code)[1]
 
-    def stop_a_while(self):
-        """For 80 ms, of the next 100."""
+    def stop_a_while(self, seconds=0.08):
+        """And lets it go on for 20 ms."""
         self.run.send_signal(signal.SIGSTOP)
-        time.sleep(0.08)
+        time.sleep(seconds)
         self.run.send_signal(signal.SIGCONT)
         time.sleep(0.02)
 

@@ -68,8 +68,8 @@ def test_either_side_may_stand_still():
     """It goes on: states come, setpoints act, commands are answered."""
     with Firmware("float") as firmware, Board(firmware.name) as board:
         board.every(1)
-        for pause in lambda: time.sleep(0.2), firmware.stop_a_while:
-            pause()
+        for pause in time.sleep, firmware.stop_a_while:
+            pause(0.2)
             before = next(board.states(newest=True)).tick
             for state in board.states(500, newest=True):
                 board.setpoint(-1, tick=state.tick + 2)
@@ -229,7 +229,7 @@ def test_loop_in_c():
         process.send_signal(signal.SIGSTOP)
         time.sleep(0.2)
         process.send_signal(signal.SIGCONT)
-        firmware.stop_a_while()
+        firmware.stop_a_while(0.2)
         said = process.communicate()[0]
     same(process.returncode, 0)
     check(re.match(r"setpoints  3000 sent; 0 lost, \d+ superseded, ", said),
