@@ -14,8 +14,8 @@ import time
 import types
 from concurrent.futures import ThreadPoolExecutor
 
-from boards import BUILD, Board as Firmware
-from decode import decode, framed, sealed, stuffed
+from boards import BUILD, Board as Firmware, says
+from decode import HEARTBEAT, decode, framed, sealed, stuffed
 from starts import KEY, keyed
 from tap import ROOT, check, main, same
 
@@ -48,19 +48,18 @@ def test_setpoints_act_at_their_ticks():
     with Firmware("double") as firmware, Board(firmware.name) as board:
         board.every(1)
         board.stop()
+        board.describe()  # which forgets earlier rows
         board.reset()
         for tick, force in (5, 0.5), (10, 0.25), (20, -0.5):
             board.setpoint(-1, force=force, tick=tick)
         board.setpoint(-1, force=0.125, tick=15)  # replaces that of 20
         board.start()
-        rows = []
-        while not rows or rows[-1].tick < 40:
+        rows = [*board.states(1)]
+        while rows[-1].tick < 40 or board.heartbeat.get("superseded") != 1:
             rows += board.states(1)
         of = {row.tick: row for row in rows if row.tick > 0}
         same([(tick, of[tick].input) for tick in range(1, 41) if tick in of],
              [(tick, int(tick > 5)) for tick in range(1, 41) if tick in of])
-        while board.heartbeat.get("superseded") != 1:
-            board.record(1)
         same((board.heartbeat["late"], board.heartbeat["lost"]), (0, 0))
 
 
@@ -188,6 +187,17 @@ def test_what_is_put_between_is_told():
                     same((len(board.record(99)), board.line.lost > 0), (99, 1))
 
 
+def test_a_key_gives_no_row_without_heartbeats():
+    """None before the first one; 5 s after the last one an error."""
+    rows = []
+    with keyed() as firmware, Board(Port(
+            firmware.name, lambda wire, kind, *_: wire if not rows
+            or kind != HEARTBEAT else b""), key=KEY, timeout=0.2) as board:
+        rows += board.states(1)
+        check(board.heartbeat, "a row before a heartbeat")
+        refused(lambda: board.record(9999), "no heartbeat with the tag")
+
+
 def test_a_path_has_a_speed():
     with Firmware("float") as firmware, \
             Board(firmware.name, baud=1000000) as board:
@@ -232,8 +242,7 @@ def test_loop_in_c():
         firmware.stop_a_while(0.2)
         said = process.communicate()[0]
     same(process.returncode, 0)
-    check(re.match(r"setpoints  3000 sent; 0 lost, \d+ superseded, ", said),
-          said)
+    says(said, r"^setpoints  3000 sent; 0 lost, \d+ superseded, ")
     counts = [(int(ticks), int(count)) for ticks, count in
               re.findall(r"(\d+): (\d+)", said.splitlines()[1])]
     check(sum(count for _, count in counts) > 100, said)

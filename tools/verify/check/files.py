@@ -24,7 +24,7 @@ src               11850   9700     61
 include            1990   1650     17
 tools/cli         12397  10000
 tools/board        1600   1200
-tools/package      6495   5200
+tools/package      6503   5200
 tools/page         4235   4000
 tools/bench        3530   3200
 tools/study        4930   3800

@@ -36,6 +36,7 @@ REASONS = {-1: "out of range", -2: "not finite or out of range",
            -21: "the board was restarted", -22: "the board requires its key",
            -23: "more than the line carries"}
 TRIES = 4
+SILENCE = 5.0  # of heartbeats, which come each second [s]
 
 
 class BoardError(Exception):
@@ -129,6 +130,7 @@ class Board:
         """Returns scene, build, real, dt, seed, deadman, the hash of the
         parameters, and whether the board has a key."""
         self._nonce, self._trusts = os.urandom(8), False
+        self._mute, self._silent, self._looked = bool(self._key), 0.0, 0.0
         self._asks, = struct.unpack("I", os.urandom(4))  # for an answer to us
         self.command(DESCRIBE, bytes(4) + self._nonce if self._key else b"")
         self._rows.clear()
@@ -141,7 +143,8 @@ class Board:
         """Yields `count` states, or all that arrive. newest: skips states that
         a newer one has overtaken, for a controller that was late."""
         for _ in itertools.repeat(None) if count is None else range(count):
-            until = time.monotonic() + TRIES * self._timeout
+            until = time.monotonic() + max(TRIES * self._timeout,
+                                           2 * SILENCE * self._mute)
             while not self._rows:
                 self._read(until, "sends no state")
             if newest:
@@ -243,10 +246,16 @@ class Board:
         if not self._reads.acquire(timeout=0.001):
             return  # another thread takes it
         try:
+            # More than 0.2 s between two reads is a pause of the caller.
+            began = max(self._looked, time.monotonic() - 0.2)
             came = self._port.read(max(1, getattr(self._port, "in_waiting", 1)))
+            self._looked = time.monotonic()
+            self._silent += self._trusts and self._looked - began
             *pieces, self._rest = (self._rest + came).split(b"\0")
             for piece in filter(None, pieces):
                 self._take_piece(piece)
+            if self._silent > SILENCE:
+                raise BoardError("no heartbeat with the tag of the key")
         except OSError as error:
             raise BoardError(f"the line fails: {error}") from error
         finally:
@@ -276,16 +285,19 @@ class Board:
             raise BoardError("numbers go back: somebody else sends")
 
     def _is_ours(self, frame):
-        """With a key: tagged for the nonce, or after a frame that was."""
+        """With a key: tagged for the nonce; a row after a heartbeat that was,
+        for its chain tells of rows; a layout after any frame that was."""
         kind, number, tick, payload = frame
         if not self._key or kind not in TAGGED:
-            return self._trusts or not self._key
+            return not self._mute or (self._trusts and kind == LAYOUT)
         right = payload == tagged(self._key, kind, number, tick, payload[:-8],
                                   self._nonce)
         if self._trusts and not right:
             raise BoardError("a frame without the tag of the key: somebody "
                              "else sends, or the board was restarted")
         self._trusts |= right
+        if right and kind == HEARTBEAT:
+            self._mute, self._silent = False, 0.0
         return right
 
     def _take(self, kind, _, tick, payload):
