@@ -3,7 +3,7 @@
 /// in other mechanisms too (castor, finger tip, clutch). The unknowns of a step
 /// are the multipliers x = F/mu and y = M/(kappa mu) of its mean force and
 /// moment. The caller gives h and g at the end of the step as forms in x and y,
-/// then moves by them. The law holds there: x in Sgn(h), y = s x, s in Sgn(g).
+/// then moves by F and M. The law there: x in Sgn(h), y = s x, s in Sgn(g).
 #ifndef TWOFOLD_CONTACT_H
 #define TWOFOLD_CONTACT_H
 
@@ -128,11 +128,11 @@ TF_API tf_status_t tf_contact_prepare(tf_contact_t *contact, tf_tyre_law_t law,
 /// h, g: in. now, mode: in, before the step, or TF_NO_MODE. modes: out.
 /// reaches_codim2: out, or NULL: h = g = 0 is within reach (tf_contact_leave).
 /// Returns: TF_OK; TF_BAD_STATE: not finite, or no mode; TF_BAD_PARAMETER:
-///   COULOMB, h.cx > 0, or = 0 with cy != 0, as F > 0 must lower h (untouched).
+///   COULOMB with h.cx > 0, or h.cx = 0 != cy: F > 0 must lower h (untouched).
 /// Trust: the set is complete, and may be empty. Pinned is one of up to four
-///   points where h and g vanish together. It is judged rightly unless changing
-///   coefficients by 64 epsilon moves that point out of the law of rest or ends
-///   it, or the curves h = 0 and g = 0 touch: 1 of 10,000 such pairs loses it.
+///   points where h and g vanish together. It is judged rightly unless 64
+///   epsilon in the forms move that point out of the law of rest or remove it,
+///   or the curves h = 0 and g = 0 touch (1 of 10,000 such pairs loses it).
 /// Cost: 0.3 us (x86-64) where the forms are almost linear, else 5 us, and at
 ///   most 1.5 ms, where the curves touch or are one.
 #define tf_contact_modes TF_LINK(tf_contact_modes)
@@ -154,7 +154,7 @@ TF_API unsigned tf_contact_choose(const tf_contact_t *contact,
 /// limit at h -> 0 where that would carry h across 0. Of several pinned
 /// points it takes the one with the least |F|, then |M|.
 /// h, g, modes: in, as above. mode: in, of the set. force: out. at: in, the
-/// slip where the law is read: the start's, or the theta point's by its force.
+///   slip where the law is read: at the start, or at theta under its force.
 /// Returns: TF_OK; TF_DEGRADED: for TF_NO_MODE force is the law's at `at`, but
 ///   h leaves that side; TF_BAD_STATE (untouched): not finite, not in the set,
 ///   or no pinned point.

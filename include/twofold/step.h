@@ -66,36 +66,36 @@ TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
 /// machine, input: in. state: in/out, from tf_begin. report: out.
 /// Returns:
 ///   TF_OK             taken
-///   TF_DEGRADED       taken, although no mode is consistent, or a slip may
-///                     enter none that is (the step takes the one nearest to
-///                     the law); or h and g do not end with the mode's signs
+///   TF_DEGRADED       taken, although no mode is consistent, or none that a
+///                     slip may enter (the step takes the one nearest to the
+///                     law); or h and g do not end with the mode's signs
 ///   TF_COARSE         taken, but dt is too long for the motion, see below
 ///   TF_STALLED        taken, but rounding loses the change of r, now and 32
-///                     steps on, or in stick that of w: tf_step_compensated
+///                     steps on, or of w in stick: use tf_step_compensated
 ///   TF_BAD_STATE      refused: state or input not finite or out of its range;
 ///                     the state is untouched, here and below
 ///   TF_DIVERGED       refused: the end would be out of the range of states
 ///   TF_STEP_TOO_LONG  refused: the effective mass would be <= 0
 /// TF_COARSE, which a smaller dt avoids, has these causes:
 ///   - Energy: the step would create more than 2^-12 of the energy, or friction
-///     would add more than 2^-4. In a step not split, (18) then balances it.
+///     would add more than 2^-4. Unless the step is split, (18) balances it.
 ///   - Turn: the motion turns by more than a right angle, or theta > 1/2 damps
 ///     a quarter of the energy.
 ///   - Friction: it reverses a slip and changes the velocities by more than a
 ///     third; or its force turns, which changes them by more than 3 %; or it
 ///     ends a slip and changes them by a third, or by 2 % at h = g = 0.
 ///   - Slip near h = g = 0: several modes may follow there; or no force of the
-///     law leads along its course; or the step ends off it by a quarter of the
-///     slip; or the mode changes before, which decides what follows.
-///   - Rest: a step that ends at rest may miss a stick that takes over, or an
-///     exit within it; or the motion after a rest turns by 0.45 rad, or is off
-///     the mean of the accelerations at both ends by 3/16.
+///     law leads along its course; or the step ends a quarter of the slip off
+///     it; or an earlier change of mode decides what follows.
+///   - Rest: a step that ends at rest may miss an exit within the step, or a
+///     stick that takes over; or the motion after a rest turns by 0.45 rad, or
+///     is off the mean of the accelerations at both ends by 3/16.
 ///   - Axis r = 0: a step crosses it by more than 2 beta; or moves or turns the
 ///     wheel beside it by 1.5 sqrt(beta^2 + r^2) and does not keep its energy.
 /// Trust: TF_OK means that the step ends in a mode of the set, with its signs
 ///   of h and g up to rounding, and creates no more energy than above. By (6),
-///   F and M take the start to that end. Where a spring is stiff, 2^13 theta dt
-///   (theta dt k2 + c2) >= m, (18) ends a slip or frictionless motion that
+///   F and M take the start to that end. If a spring is stiff (2^13 theta dt
+///   (theta dt k2 + c2) >= m), (18) replaces a slip or frictionless motion that
 ///   would create 2^-20 of its energy; F and M by (6) then lead elsewhere. No
 ///   truncation error is bounded: see tf_step_estimated and docs/SCHEMES.md.
 ///   If omega0 changes while alpha is 0, it jumps at the start of the step.
@@ -107,10 +107,10 @@ TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
 /// machine, input: in. state: in/out, from tf_begin. report: out.
 /// accuracy: in, the largest error that is OK, dimensionless.
 /// error: out; the difference of the two ends in p = v - d z, R z and r/dt, as
-///   a share of |p| + R |z| and of their change in the step; z = w - omega0,
+///   a share of |p| + R |z| plus that of their change; z = w - omega0,
 ///   R^2 = beta^2 + r^2. `tolerance` of the located step is a share of the
-///   same. What rounding may contribute is subtracted. TF_REAL_MAX where a half
-///   is refused, 0 where the step is.
+///   same. What rounding may contribute is subtracted. TF_REAL_MAX if a half
+///   step is refused, 0 if the whole is.
 /// Returns: as tf_step; TF_COARSE too where error > accuracy. Under rule RANDOM
 ///   one draw decides the step and its halves.
 /// Trust: an estimate: it misses what the step and its halves have in common.
