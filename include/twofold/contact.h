@@ -68,7 +68,7 @@ typedef enum {
   TF_REST_HULL,   ///< convex hull of the limits of slip, Filippov's law:
                   ///< |M| <= kappa mu, |F| <= 4 mu/3 - |M|/(3 kappa) (default)
   TF_REST_SQUARE, ///< that of stick: |M| <= kappa mu, |F| <= mu
-  TF_REST_BOW_TIE ///< the paper's: |M| <= kappa |F|, |F| <= mu. Not convex: at
+  TF_REST_BOW_TIE ///< the paper's: |M| <= kappa |F|, |F| <= mu. Not convex; at
                   ///< some points h = g = 0 it leaves no future
 } tf_rest_law_t;
 #define TF_REST_LAWS 3
@@ -129,8 +129,8 @@ TF_API tf_status_t tf_contact_prepare(tf_contact_t *contact, tf_tyre_law_t law,
 /// reaches_codim2: out, or NULL: h = g = 0 is within reach (tf_contact_leave).
 /// Returns: TF_OK; TF_BAD_STATE: not finite, or no mode; TF_BAD_PARAMETER:
 ///   COULOMB with h.cx > 0, or h.cx = 0 != cy: F > 0 must lower h (untouched).
-/// Trust: the set is complete, and may be empty. Pinned is one of up to four
-///   points where h and g vanish together. It is judged rightly unless 64
+/// Trust: the set is complete, may be empty. Pinned is one of up to four points
+///   where h and g vanish together. It alone may be missed or false: where 64
 ///   epsilon in the forms move that point out of the law of rest or remove it,
 ///   or the curves h = 0 and g = 0 touch (1 of 10,000 such pairs loses it).
 /// Cost: 0.3 us (x86-64) where the forms are almost linear, else 5 us, and at

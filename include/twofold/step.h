@@ -60,7 +60,7 @@ TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
                                       tf_report_t *report);
 
 /// Advances the state by dt: Moreau-Jean theta method, linearly implicit in
-/// spring, dampers and gyroscopic terms, (1)-(12). The friction law holds at
+/// spring, dampers and gyroscopic terms, (1)-(12). The contact mode holds at
 /// the end of the step. The order is 2 for theta = 1/2, also where a slip
 /// ends, except at h = g = 0. It is 1 there and for other theta.
 /// machine, input: in. state: in/out, from tf_begin. report: out.
@@ -83,7 +83,7 @@ TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
 ///     a quarter of the energy.
 ///   - Friction: it reverses a slip and changes the velocities by more than a
 ///     third; or its force turns, which changes them by more than 3 %; or it
-///     ends a slip and changes them by a third, or by 2 % at h = g = 0.
+///     ends a slip and changes them by a third, or by 2 % if not split.
 ///   - Slip near h = g = 0: several modes may follow there; or no force of the
 ///     law leads along its course; or the step ends a quarter of the slip off
 ///     it; or an earlier change of mode decides what follows.
@@ -95,7 +95,7 @@ TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
 /// Trust: TF_OK means that the step ends in a mode of the set, with its signs
 ///   of h and g up to rounding, and creates no more energy than above. By (6),
 ///   F and M take the start to that end. If a spring is stiff (2^13 theta dt
-///   (theta dt k2 + c2) >= m), (18) replaces a slip or frictionless motion that
+///   (theta dt k2 + c2) >= m), (18) replaces a slip or frictionless step that
 ///   would create 2^-20 of its energy; F and M by (6) then lead elsewhere. No
 ///   truncation error is bounded: see tf_step_estimated and docs/SCHEMES.md.
 ///   If omega0 changes while alpha is 0, it jumps at the start of the step.
