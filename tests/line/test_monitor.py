@@ -398,8 +398,7 @@ def test_no_command_writes_what_it_reads_or_writes_twice():
         for end in "", ".part":
             given = words.replace("SCENE", "own.scene" + end).replace(
                 "TABLE", "table" + end).replace("STAND", "stand" + end)
-            said = call(*given.split(), code=2)[1]
-            check("two files are needed" in said, f"{given}: {said}")
+            says(call(*given.split(), code=2)[1], "two files are needed")
     same({path: path.read_bytes() for path in Path(".").iterdir()}, before)
     for _ in range(2):  # a scene of the program, not a file
         output(*RUN, "--out", "chaos")

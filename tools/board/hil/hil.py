@@ -5,7 +5,8 @@ the other end of the serial line, and compares with a pure host run:
 
 The emulator's serial line is a pseudo-terminal. A real board is driven by
 BUILD/REAL/hil itself: see docs/PORTS.md. Environment: MAKE BUILD REAL SCENE
-RATE EVERY. The line has the board's highest rate. Exit code: that of `hil`."""
+RATE EVERY; WITH=loop runs that instead. The line has the board's highest rate.
+Exit code: that of `hil`."""
 import os
 import re
 import subprocess
@@ -54,7 +55,7 @@ def main():
         sys.exit("usage: tools/run hil BOARD [OPTION...]")
     board, *options = sys.argv[1:]
     real, scene = given("REAL", "float"), given("SCENE", "chaos")
-    every = given("EVERY", "10")
+    every, program = given("EVERY", "10"), given("WITH", "hil")
     line, loads, baud = line_of(board)
     if not line:
         print(f"hil: {board} has no room for commands, or no serial line",
@@ -62,17 +63,17 @@ def main():
         sys.exit(3)
     make(f"BOARD={board}", "elf", f"SCENE={scene}", f"REAL={real}",
          f"RATE={given('RATE', '1000')}", f"EVERY={every}",
-         f"BAUD={''.join(baud)}", "FORMAT=frames", "UPLINK=yes", "NAMED=-hil",
-         stdout=sys.stderr)
-    make(f"{BUILD}/{real}/hil", stdout=sys.stderr)
-    firmware = f"{BUILD}/boards/{board}/{scene}-{real}/firmware-hil.elf"
-    with subprocess.Popen([*line, *loads, firmware], text=True,
+         f"BAUD={''.join(baud)}", "FORMAT=frames", "UPLINK=yes",
+         f"NAMED=-{program}", stdout=sys.stderr)
+    make(f"{BUILD}/{real}/{program}", stdout=sys.stderr)
+    elf = f"{BUILD}/boards/{board}/{scene}-{real}/firmware-{program}.elf"
+    with subprocess.Popen([*line, *loads, elf], text=True,
                           stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT) as emulator:
         try:
-            done = subprocess.run(
-                [f"{BUILD}/{real}/hil", device_of(emulator, board), "--every",
-                 every, *options], check=False)
+            code = subprocess.call([
+                f"{BUILD}/{real}/{program}", device_of(emulator, board),
+                *["--every", every] * (program == "hil"), *options])
         finally:
             emulator.kill()
-    sys.exit(done.returncode)
+    sys.exit(code)
