@@ -1,7 +1,7 @@
 /// @file
-/// Several contacts of one mechanism: every joint future of a step. For one
-/// contact, contact.h is faster. Do not call it for one after another: the
-/// force of one changes the modes of others, and futures are missed.
+/// Several contacts of one mechanism: every joint future of a step. contact.h
+/// for one after another misses futures: the force of one changes the modes of
+/// others. For one contact it is faster.
 #ifndef TWOFOLD_CONTACTS_H
 #define TWOFOLD_CONTACTS_H
 
@@ -54,16 +54,17 @@ typedef struct {
 /// Several solutions may have the same modes. The one in `found` keeps the
 ///   present side of g in slip; of those, it has the least sum of |x| + |y|.
 /// Redundant contacts: the motion is unique, the forces are not. `found` has
-///   those of the least sum of squares, or else some well inside the law.
-/// Trust: with TF_REST_HULL there is always a joint mode. One is certainly
-///   found unless a change of the coefficients by 64 epsilon removes it. In
-///   float one of 1,000 is lost where contacts are redundant, or almost.
+///   those of the least sum of squares, or else some well inside the law. What
+///   rests but for 256 epsilon in h_i or g_i rests, unless there are products.
+/// Trust: with TF_REST_HULL a joint mode exists. One is certainly found unless
+///   a change of the coefficients by 64 epsilon removes it, or TF_COARSE says
+///   so: `found` may be empty. In float one of 1,000 redundant ones is lost.
 /// Cost: for n = 2 a Cortex-M4F takes 1e5 instructions on average, and up to
 ///   2e7 were found (docs/BENCH.md): no step is promised to end in 1 ms.
 /// h_i = g_i = 0: tf_contact_leave has no counterpart. The next step finds how
 ///   contact i leaves by the limits at h_i -> 0, which may differ. For the law
-///   itself hold the others in the modes of a joint mode, eliminate their
-///   multipliers from h_i and g_i, and call tf_contact_leave for contact i.
+///   itself eliminate from h_i and g_i the multipliers of the others in a joint
+///   mode, and call tf_contact_leave.
 #define tf_contacts_modes TF_LINK(tf_contacts_modes)
 TF_API tf_status_t tf_contacts_modes(unsigned n, const tf_contact_t *contacts,
                                      const tf_real_t *forms,
@@ -74,9 +75,8 @@ TF_API tf_status_t tf_contacts_modes(unsigned n, const tf_contact_t *contacts,
 /// Takes one joint mode. Contact 0 chooses first, by tf_contact_choose and its
 /// own rule; then contact 1 among the joint modes that are left, and so on. No
 /// slip enters a stick that does not attract.
-/// found, count: in, all joint modes. modes: in, [n], before the step, or
-///   TF_NO_MODE. tick, seed: in, counter and key of the draw; contact i draws
-///   with the key seed + i.
+/// found, count: in, all joint modes; count <= room. modes: in, [n], before the
+///   step, <= TF_NO_MODE. tick, seed: in, counter and key of a draw (seed + i).
 /// Returns: the index in found; count where none is admissible.
 #define tf_contacts_choose TF_LINK(tf_contacts_choose)
 TF_API unsigned tf_contacts_choose(unsigned n, const tf_contact_t *contacts,
@@ -88,10 +88,10 @@ TF_API unsigned tf_contacts_choose(unsigned n, const tf_contact_t *contacts,
 /// has the force of the law at `at`, but the limit at h -> 0 where that would
 /// carry h across 0. One that sticks or is pinned has the force that keeps h,
 /// or h and g, at 0 while those forces act.
-/// joint: in, of found; NULL: none was admissible. at: in, [n], slips at which
+/// joint: in, of found by these forms; NULL: none. at: in, [n], slips at which
 ///   the law is read: at the theta point, or at the start. force: out, [n].
 /// Returns: TF_OK; TF_DEGRADED: joint is NULL: the law of slip at `at`;
-///   TF_BAD_PARAMETER: n; TF_BAD_STATE: not finite (force untouched).
+///   TF_BAD_PARAMETER: n; TF_BAD_STATE: not finite, no joint (force untouched).
 #define tf_contacts_force TF_LINK(tf_contacts_force)
 TF_API tf_status_t tf_contacts_force(unsigned n, const tf_contact_t *contacts,
                                      const tf_real_t *forms,

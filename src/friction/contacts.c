@@ -19,20 +19,16 @@ static bool set_up(mechanism_t *k, unsigned n, const tf_contact_t *contacts,
 }
 
 // One contact, by contact.h.
-
-static tf_form_t form_of_one(const tf_real_t f[]) {
-  return (tf_form_t){f[0], f[1], f[2], f[3], f[4], f[5]};
-}
-
 static void modes_of_one(const mechanism_t *k, tf_slip_t now,
                          tf_joint_mode_t found[], unsigned room,
                          unsigned *count) {
-  const tf_form_t h = form_of_one(k->forms), g = form_of_one(k->forms + 6);
+  const tf_real_t *f = k->forms;
+  const tf_form_t h = {f[0], f[1], f[2], f[3], f[4], f[5]},
+                  g = {f[6], f[7], f[8], f[9], f[10], f[11]};
   tf_contact_modes_t modes;
   (void)tf_contact_modes(k->contacts, &h, &g, now, TF_NO_MODE, &modes, NULL);
   *count = size_of(modes.set);
   for (unsigned mode = 0, at = 0; mode < TF_MODES && at < room; mode++) {
-    const sign_t s = sign_in(mode);
     if (!has(modes.set, mode)) continue;
     const multipliers_t m =
         tf_mode_multipliers(k->contacts, &h, &g, &modes, mode);
@@ -43,7 +39,7 @@ static void modes_of_one(const mechanism_t *k, tf_slip_t now,
         .points = 1,
         .x = {m.x},
         .y = {has_moment(k, 0) ? m.y : 0},
-        .h = {is_slip(mode) ? modes.departure[s] : 0},
+        .h = {is_slip(mode) ? modes.departure[sign_in(mode)] : 0},
         .g = {mode == TF_PINNED ? 0 : form_value(&g, m.x, m.y)}};
     at++;
   }
@@ -95,6 +91,7 @@ TF_API unsigned tf_contacts_choose(unsigned n, const tf_contact_t *contacts,
   unsigned chosen[TF_CONTACTS], choice = 0;
   for (unsigned i = 0; i < n; i++) {
     tf_contact_modes_t left = {.set = 0};
+    if (modes[i] > TF_NO_MODE) return count;
     for (unsigned j = 0; j < count; j++) {
       const unsigned mode = found[j].mode[i];
       const sign_t s = sign_in(mode);
@@ -151,6 +148,9 @@ TF_API tf_status_t tf_contacts_force(unsigned n, const tf_contact_t *contacts,
   if (n - 1 >= TF_CONTACTS) return TF_BAD_PARAMETER;
   if (!set_up(&k, n, contacts, forms, at)) return TF_BAD_STATE;
   for (unsigned i = 0; i < n; i++) {
+    if (joint != NULL && (joint->mode[i] >= TF_MODES ||
+                          !within(joint->x[i], 2) || !within(joint->y[i], 2)))
+      return TF_BAD_STATE;
     slip_with_law(&k, i, sign_of(at[i].h), at[i]);
     if (joint != NULL && is_slip(joint->mode[i])) limited = 0;
   }

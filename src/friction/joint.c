@@ -273,16 +273,14 @@ TF_RARE bool comes_to_middle(const mechanism_t *k, const problem_t *p,
 static bool comes_to_a_middle(const mechanism_t *k, const problem_t *p,
                               const unsigned mode[], joint_box_t *point,
                               outlook_t *at) {
+  unsigned may = 0;
   bool holds = false;
-  for (unsigned halves = 0; halves < 1u << (k->count / 2) && !holds; halves++) {
-    bool is_one = true;
-    for (unsigned i = 0; i < k->count / 2; i++)
-      is_one =
-          is_one &&
-          (((halves >> i) & 1u) == 0 ||
-           (mode[i] == TF_PINNED && rest_bounds(k->contacts[i].rest).y1 > 0));
-    holds = is_one && comes_to_middle(k, p, mode, halves, point, at);
-  }
+  for (unsigned i = 0; i < k->count / 2; i++)
+    if (mode[i] == TF_PINNED && rest_bounds(k->contacts[i].rest).y1 > 0)
+      may |= 1u << i;
+  for (unsigned halves = 0; halves <= may && !holds; halves++)
+    holds =
+        (halves & ~may) == 0 && comes_to_middle(k, p, mode, halves, point, at);
   return holds;
 }
 
@@ -337,10 +335,8 @@ static bool add_zeros(const mechanism_t *k, const unsigned mode[],
       }
       const tf_real_t step = newton_step(&at, k->count, a);
       const tf_real_t off = bent + softened + 2 * rounded;
-      const tf_real_t low =
-          step - off > -box.half[a] ? step - off : -box.half[a];
-      const tf_real_t high =
-          step + off < box.half[a] ? step + off : box.half[a];
+      const tf_real_t low = clip(step - off, -box.half[a], box.half[a]);
+      const tf_real_t high = -clip(-step - off, -box.half[a], box.half[a]);
       misses = misses || magnitude(step) > box.half[a] + off;
       rest_of_box.box.middle[a] = box.middle[a] + (low + high) / 2;
       rest_of_box.box.half[a] = (high - low) / 2;
@@ -371,6 +367,35 @@ static bool add_zeros(const mechanism_t *k, const unsigned mode[],
   }
   if (joint->points == 0 && least < TF_REAL_MAX) joint->points = 1;
   return depth == 0;
+}
+
+static bool is_0(const mechanism_t *k, size_t f, tf_real_t value) {
+  return within(value, 16 * k->bend[f]);
+}
+
+// Whether a motion without products rests but for rounding: h = g = 0, or h = 0
+// and a stick attracts, else a slip is another future. p: in, of the motion.
+static bool rests_too(const mechanism_t *k, const tf_joint_mode_t *motion,
+                      problem_t p) {
+  unsigned mode[TF_CONTACTS];
+  tf_joint_mode_t rest = {.points = 0};
+  bool same = false;
+  for (unsigned i = 0; i < k->count / 2; i++) {
+    mode[i] = motion->mode[i];
+    if (slips_by_law(k, i) || !is_0(k, X_OF(i), motion->h[i])) continue;
+    mode[i] = stick_with(sign_of(motion->g[i]));
+    if (has_moment(k, i) && is_0(k, Y_OF(i), motion->g[i])) mode[i] = TF_PINNED;
+    if (mode[i] == motion->mode[i]) continue;
+    pose(k, i, mode[i], OPEN, &p);
+    same = k->is_affine;
+  }
+  same = same && add_zeros(k, mode, &p, &rest) && rest.points > 0;
+  for (unsigned i = 0; i < k->count / 2 && same; i++)
+    same = is_0(k, X_OF(i), rest.h[i] - motion->h[i]) &&
+           is_0(k, Y_OF(i), rest.g[i] - motion->g[i]) &&
+           (mode[i] == motion->mode[i] || mode[i] == TF_PINNED ||
+            (rest.attracting >> i) & 1u);
+  return same;
 }
 
 // How many shares a contact tries in a mode; 0: it cannot be in that mode.
@@ -414,7 +439,12 @@ TF_API bool tf_joint_modes(const mechanism_t *k, tf_joint_mode_t found[],
     if (may && level > 0) {
       tried[--level] = 0;
     } else {
-      is_sure = (!may || add_zeros(k, mode, &p, &joint)) && is_sure;
+      tf_joint_mode_t one = {.points = 0};
+      is_sure = (!may || add_zeros(k, mode, &p, &one)) && is_sure;
+      if (one.points > 0 && rests_too(k, &one, p)) one.points = 0;
+      one.points = (uint16_t)(one.points + joint.points);
+      if (joint.points == 0) joint = one;
+      joint.points = one.points;
       tried[level]++;
     }
   }

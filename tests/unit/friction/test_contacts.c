@@ -1,5 +1,5 @@
-/* Several contacts: one as contact.h has it, redundant ones, the choice, bounds
- * of the room. Their modes and forces: test_joint.c. */
+/* Several contacts: one as contact.h has it, redundant ones, rest, the choice,
+ * bounds of the room. Their modes and forces: test_joint.c. */
 #include "common.h"
 #include "twofold/contacts.h"
 
@@ -115,6 +115,68 @@ TEST(redundant_contacts_share_the_force) {
   CHECK(sticks == 3);
 }
 
+/* A plate on three wheels that rests under a small push does so in one mode,
+ * though others hold but for rounding. */
+TEST(plate_at_rest_has_one_future) {
+  static const double masses[3] = {2, 2, 0.05};
+  static const double place[3][3] = {
+      {0.3, 0, 0.4}, {-0.2, 0.25, 1.7}, {-0.15, -0.22, 2.9}};
+  for (unsigned draw = 0; draw < 200; draw++) {
+    mechanism_t k = any_mechanism(3, 0, 0);
+    const double most = draw % 2 ? 0.4 : 40;
+    const double push[3] = {uniform(-most, most), uniform(-0.4, 0.4), 0.02};
+    double rows[6][3];
+    memset(k.forms, 0, sizeof k.forms);
+    for (unsigned i = 0; i < 3; i++) {
+      const double c = cos(place[i][2]), s = sin(place[i][2]);
+      const double x = place[i][0], y = place[i][1];
+      const double of_h[3] = {-s, c, c * x + s * y},
+                   of_g[3] = {c, s, s * x - c * y};
+      memcpy(rows[2 * i], of_h, sizeof of_h);
+      memcpy(rows[2 * i + 1], of_g, sizeof of_g);
+      CHECK(tf_contact_prepare(&k.contact[i], TF_TYRE_JUMP, 2, TF_R(0.05),
+                               TF_REST_HULL, TF_RULE_RANDOM, 0) == TF_OK);
+    }
+    for (unsigned f = 0; f < 6; f++)
+      for (unsigned e = 0; e < 3; e++) {
+        const double by = 1e-3 * rows[f][e] / masses[e];
+        form(&k, f)[0] += (tf_real_t)(by * push[e]);
+        for (unsigned b = 0; b < 6; b++)
+          form(&k, f)[1 + b] +=
+              (tf_real_t)(b % 2 ? (e == 2) * 0.1 * by : -2 * by * rows[b][e]);
+      }
+    tf_joint_mode_t found[ROOM];
+    const unsigned count = modes_of(&k, found);
+    CHECK(count == 1 || (count > 0 && !(draw % 2)));
+    for (unsigned i = 0; i < 3 && draw % 2; i++)
+      CHECK(found[0].mode[i] == TF_PINNED);
+  }
+}
+
+/* A slip with h = 8 epsilon ends where a stick attracts, and is another future
+ * where it does not. */
+TEST(slip_beside_a_stick_is_a_future) {
+  for (int sign = -1; sign <= 1; sign += 2) {
+    mechanism_t k = any_mechanism(2, 0, 0);
+    tf_joint_mode_t found[ROOM];
+    memset(k.forms, 0, sizeof k.forms);
+    for (unsigned i = 0; i < 2; i++) {
+      CHECK(tf_contact_prepare(&k.contact[i], TF_TYRE_JUMP, 1, 1, TF_REST_HULL,
+                               TF_RULE_PERSIST, 0) == TF_OK);
+      form(&k, 2 * i)[1 + 2 * i] = -1;
+      form(&k, 2 * i + 1)[0] = 1;
+    }
+    form(&k, 0)[0] = 8 * TF_REAL_EPSILON - (tf_real_t)sign;
+    form(&k, 0)[1] = (tf_real_t)sign;
+    unsigned slips = 0, sticks = 0;
+    for (unsigned j = modes_of(&k, found); j-- > 0;) {
+      slips += found[j].mode[0] == TF_SLIP_PLUS;
+      sticks += found[j].mode[0] == TF_STICK_PLUS;
+    }
+    CHECK(slips == (sign > 0) && sticks == 1);
+  }
+}
+
 TEST(what_is_out_of_range_is_refused) {
   mechanism_t k = any_mechanism(2, 0, 1);
   tf_joint_mode_t found[ROOM], few[1];
@@ -154,6 +216,19 @@ TEST(what_is_out_of_range_is_refused) {
     CHECK(tf_contacts_modes(2, other.contact, other.forms, other.now, found,
                             ROOM, &count) == TF_BAD_PARAMETER);
   }
+  for (unsigned wrong = 0; wrong < 4; wrong++) {
+    CHECK(modes_of(&k, found) >= 1);
+    if (wrong == 0) found[0].x[1] = (tf_real_t)NAN;
+    if (wrong == 1) found[0].y[0] = -3;
+    if (wrong >= 2) found[0].mode[1] = wrong == 2 ? TF_MODES : 200;
+    CHECK(tf_contacts_force(2, k.contact, k.forms, found, k.now, force) ==
+          TF_BAD_STATE);
+  }
+  k.before[1] = TF_NO_MODE + 1;
+  count = modes_of(&k, found);
+  CHECK(tf_contacts_choose(2, k.contact, found, count, k.before, 1, 1) ==
+        count);
+  count = 77;
   k.forms[7] = (tf_real_t)NAN;
   CHECK(tf_contacts_modes(2, k.contact, k.forms, k.now, found, ROOM, &count) ==
         TF_BAD_STATE);
