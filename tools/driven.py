@@ -26,8 +26,9 @@ class Progress:
         if not sys.stderr.isatty():
             return
         took = time.time() - self.begin
-        left = (f", about {took * (self.total / done - 1):.0f} s left"
-                if done else "")
+        left = (f", {done / took:.3g}/s, about "
+                f"{took * (self.total / done - 1):.0f} s left"
+                if done and took else "")
         line = f"  {done / self.total:.0%} after {took:.0f} s{left} {what}"
         print("\r" + line.ljust(self.width), file=sys.stderr, flush=True,
               end="\n" if done == self.total else "")
