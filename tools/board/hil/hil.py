@@ -3,10 +3,9 @@ the other end of the serial line, and compares with a pure host run:
 
     tools/run hil BOARD [OPTION...]     options of the program `hil`
 
-The emulator's serial line is a pseudo-terminal. A real board is driven by
-BUILD/REAL/hil itself: see docs/PORTS.md. Environment: MAKE BUILD REAL SCENE
-RATE EVERY; WITH=loop runs that instead. The line has the board's highest rate.
-Exit code: that of `hil`."""
+The emulator's line is a pseudo-terminal at the board's highest rate. A real
+board is driven by BUILD/REAL/hil itself: see docs/PORTS.md. Environment: MAKE
+BUILD REAL SCENE RATE EVERY; WITH=loop runs that instead. Exit code: its own."""
 import os
 import re
 import subprocess
@@ -71,9 +70,8 @@ def main():
                           stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT) as emulator:
         try:
-            code = subprocess.call([
+            sys.exit(subprocess.call([
                 f"{BUILD}/{real}/{program}", device_of(emulator, board),
-                *["--every", every] * (program == "hil"), *options])
+                *["--every", every] * (program == "hil"), *options]))
         finally:
             emulator.kill()
-    sys.exit(code)

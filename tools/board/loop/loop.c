@@ -9,13 +9,14 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <termios.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "twofold.h"
 
 #define AHEAD 2u      // ticks from a state to its setpoint
 #define ASKED 10u     // states from one command with an answer to the next
-#define PATIENCE 2000 // [ms], and how often it listens for a first answer
+#define PATIENCE 5000 // [ms]
 #define BINS 16u
 
 static struct {
@@ -64,7 +65,8 @@ static bool send_command(uint8_t type, uint64_t tick, const tf_input_t *input) {
 static void take_answer(const tf_frame_t *frame) {
   const uint32_t number = (uint32_t)tf_wire_get(frame->payload, 4);
   // A schema from before may name old numbers.
-  if (frame->payload[4] == TF_UP_DESCRIBE) board.is_described = false;
+  if (frame->payload[4] == TF_UP_DESCRIBE && board.session == 0)
+    board.is_described = false;
   if (frame->payload[4] == TF_UP_SETPOINT)
     board.wrong = "a setpoint is refused";
   if (!board.waits || frame->payload[4] != TF_UP_SNAPSHOT ||
@@ -130,9 +132,13 @@ static bool begin(const char *device) {
   if (tcsetattr(board.line, TCSAFLUSH, &how) != 0) return false;
   tf_decoder_init(&board.decoder, board.buffer, sizeof board.buffer);
   board.is_described = true; // no schema counts before the answer
-  if (!send_command(TF_UP_DESCRIBE, 0, NULL)) return false;
-  for (int n = 0; board.session == 0 || !board.is_described; n++)
-    if (n == PATIENCE || listen_once() < 0) return false;
+  const time_t until = time(NULL) + PATIENCE / 1000;
+  for (time_t now, asked = 0; board.session == 0 || !board.is_described;) {
+    now = time(NULL); // a board that just starts may miss the first question
+    if (now > asked && !send_command(TF_UP_DESCRIBE, 0, NULL)) return false;
+    asked = now;
+    if (now > until || listen_once() < 0) return false;
+  }
   return true;
 }
 
