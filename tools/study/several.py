@@ -97,7 +97,8 @@ def count(work: Path, _: Path) -> dict[str, pd.DataFrame]:
              "\"unique\", wrongly": several & (rows["product"] == 1),
              "another set": rows.same == 0,
              "not settled": rows.sweeps == SWEEPS}
-    groups = {"3 bodies": rows.freedoms == 3, "4 bodies": rows.freedoms == 4,
+    groups = {"all": rows.joint >= 0,
+              "3 bodies": rows.freedoms == 3, "4 bodies": rows.freedoms == 4,
               "wheels on one body": rows.one_body,
               "wheels on two bodies": ~rows.one_body}
     return {"shares": pd.DataFrame([
