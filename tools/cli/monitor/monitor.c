@@ -216,10 +216,12 @@ static const char *fault_of(const monitor_t *monitor) {
   if (receiver->is_device && !receiver->has_schema)
     return "no schema has come, and rows need one: a board sends one each "
            "second";
-  if (cli_receiver_missing(receiver) > receiver->dropped)
+  const uint64_t missing = cli_receiver_missing(receiver);
+  if (cli_receiver_lost(receiver) > 0 ||
+      (!receiver->is_device && missing > receiver->dropped))
     return "frames were lost or broken: see the counts";
-  if (receiver->dropped > 0)
-    return "the board reports dropped records: its line or its ticks have no "
+  if (missing > 0) // a heartbeat may not have counted all yet
+    return "the board dropped records: its line or its ticks have no "
            "room for them (EVERY)";
   if (receiver->decoder.restarts > 0 && !monitor->args->follow) {
     return "the sender was started again, or frames came twice: these are rows "

@@ -102,8 +102,10 @@ static bool take_schema(cli_receiver_t *receiver, const tf_frame_t *frame) {
   at = reals_at(receiver, at + SCHEMA_DT, &receiver->dt, 1);
   at = text_at(at, end, receiver->scene);
   (void)text_at(at, end, receiver->build);
-  if (!receiver->has_schema && receiver->is_device)
+  if (!receiver->has_schema && receiver->is_device) {
+    receiver->unheard = receiver->missed;
     receiver->before = receiver->missed + receiver->incomplete;
+  }
   if (frame->tick == 0 || !receiver->has_schema)
     receiver->base = 0;
   else if (before < receiver->dt || before > receiver->dt)
@@ -218,6 +220,10 @@ static uint32_t newly_damaged(const cli_receiver_t *receiver) {
   const tf_decoder_t *decoder = &receiver->decoder;
   return decoder->lost + decoder->bad + decoder->too_long +
          decoder->bad_version - receiver->counted;
+}
+
+uint64_t cli_receiver_lost(const cli_receiver_t *receiver) {
+  return receiver->missed + newly_damaged(receiver) - receiver->unheard;
 }
 
 uint64_t cli_receiver_missing(const cli_receiver_t *receiver) {

@@ -54,6 +54,7 @@ typedef struct {
   uint64_t first_tick; ///< of the first of these
 
   uint64_t missed;  ///< of what the decoder counts, without end
+  uint64_t unheard; ///< missed before a device was heard from its start on
   uint64_t before;  ///< missing before a device was heard from its start on
   uint64_t dropped; ///< frames that the board itself dropped
   uint64_t skipped; ///< its ticks that got no step
@@ -75,6 +76,9 @@ bool cli_receiver_take(cli_receiver_t *receiver, const tf_frame_t *frame,
                        cli_csv_t *row);
 
 double cli_receiver_real(const cli_receiver_t *receiver, const uint8_t *at);
+
+/// Frames that were lost or broken on the line.
+uint64_t cli_receiver_lost(const cli_receiver_t *receiver);
 
 /// Frames that were lost, broken or dropped, and states without their report.
 uint64_t cli_receiver_missing(const cli_receiver_t *receiver);
