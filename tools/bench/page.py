@@ -96,7 +96,7 @@ def keep(section: str, of: str, rows: pd.DataFrame) -> None:
 
 
 class Page:
-    """The tables of this build; what it has not measured is not found."""
+    """The tables that this build has measured."""
 
     def __init__(self) -> None:
         self.results = results()

@@ -119,7 +119,7 @@ typedef struct {
   uint8_t nonce[TF_NONCE_BYTES]; ///< the data of TF_UP_DESCRIBE
   bool vouched;                  ///< a frame with the right tag has come
   bool forged;                   ///< ... and then one without
-  bool mute;     ///< no heartbeat with the right tag: no chain tells of rows
+  bool mute;     ///< no heartbeat with the right tag yet: rows are not trusted
   double silent; ///< for how long [s], since one or the first right frame
 } cli_guard_t;
 

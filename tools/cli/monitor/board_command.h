@@ -36,9 +36,9 @@ int cli_board_commands_open(cli_board_commands_t *commands,
 /// has to describe itself once more.
 int cli_board_commands_again(cli_board_commands_t *commands);
 
-/// Sends the next command, if there is one and no answer is awaited. Refuses to
-/// go on where an answer, the schema that was asked for, or with a key a
-/// heartbeat, has not come in time.
+/// Sends the next command, if there is one and no answer is awaited. Fails when
+/// an answer or the requested schema is late; with a key, also when a heartbeat
+/// is.
 int cli_board_commands_send(cli_board_commands_t *commands,
                             const cli_receiver_t *receiver,
                             cli_source_t *source);

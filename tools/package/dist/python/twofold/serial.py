@@ -285,8 +285,8 @@ class Board:
             raise BoardError("numbers go back: somebody else sends")
 
     def _is_ours(self, frame):
-        """With a key: tagged for the nonce; a row after a heartbeat that was,
-        for its chain tells of rows; a layout after any frame that was."""
+        """With a key a frame needs the tag for the nonce. A row needs a tagged
+        heartbeat before it, a layout any tagged frame before it."""
         kind, number, tick, payload = frame
         if not self._key or kind not in TAGGED:
             return not self._mute or (self._trusts and kind == LAYOUT)
