@@ -310,7 +310,7 @@ static void take_zero(const mechanism_t *k, const unsigned mode[],
 // All zeros of a problem, each once. Returns false where it ran out of boxes.
 static bool add_zeros(const mechanism_t *k, const unsigned mode[],
                       const problem_t *p, tf_joint_mode_t *joint) {
-  tf_real_t least = joint->points > 0 ? 0 : TF_REAL_MAX;
+  tf_real_t least = TF_REAL_MAX;
   joint_box_t stack[MOST_HALVES];
   unsigned depth = 1, looked = 0, softs = 0;
   stack[0] = p->box;
@@ -389,12 +389,16 @@ static bool rests_too(const mechanism_t *k, const tf_joint_mode_t *motion,
     pose(k, i, mode[i], OPEN, &p);
     same = k->is_affine;
   }
-  same = same && add_zeros(k, mode, &p, &rest) && rest.points > 0;
-  for (unsigned i = 0; i < k->count / 2 && same; i++)
-    same = is_0(k, X_OF(i), rest.h[i] - motion->h[i]) &&
-           is_0(k, Y_OF(i), rest.g[i] - motion->g[i]) &&
+  if (same) (void)add_zeros(k, mode, &p, &rest);
+  same = rest.points > 0;
+  for (unsigned f = 0; f < k->count; f++) {
+    const unsigned i = f / 2;
+    const tf_real_t off =
+        f == X_OF(i) ? rest.h[i] - motion->h[i] : rest.g[i] - motion->g[i];
+    same = same && is_0(k, f, off) &&
            (mode[i] == motion->mode[i] || mode[i] == TF_PINNED ||
             (rest.attracting >> i) & 1u);
+  }
   return same;
 }
 
