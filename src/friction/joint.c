@@ -377,7 +377,7 @@ static bool is_0(const mechanism_t *k, size_t f, tf_real_t value) {
 // and a stick attracts, else a slip is another future. p: in, of the motion.
 static bool rests_too(const mechanism_t *k, const tf_joint_mode_t *motion,
                       problem_t p) {
-  unsigned mode[TF_CONTACTS];
+  unsigned mode[TF_CONTACTS] = {0};
   tf_joint_mode_t rest = {.points = 0};
   bool same = false;
   for (unsigned i = 0; i < k->count / 2; i++) {

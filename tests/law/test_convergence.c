@@ -46,20 +46,19 @@ TEST(branch_does_not_depend_on_the_step_size) {
     const double r = tap_uniform(-0.6, 0.6), z = tap_uniform(-1, 1);
     const unsigned stick = tap_bits() & 1 ? TF_STICK_PLUS : TF_STICK_MINUS;
     for (int n = 0; n < 3 * SCHEMES; n++) {
-      const uint64_t finer = UINT64_C(1) << 2 * (n % 3);
+      const double finer = 1u << 2 * (n % 3);
       p.dt = TF_R(1e-3) / (tf_real_t)finer;
       sim_t s = {.params = p};
       if (sim_place(&s, r, (double)p.omega0 + z, 0, stick) != TF_OK ||
           s.x.mode != stick || s.report.choices > 1)
         break;
-      while (s.x.mode == stick && s.x.tick < 1000 * finer)
+      while (s.x.mode == stick && (double)s.x.tick < 1000 * finer)
         if (!CHECK(sim_step(&s, (scheme_t)(n / 3)) >= TF_OK)) return;
-      if (finer == 1) first = s;
+      if (n % 3 == 0) first = s;
       ends += s.x.mode != stick;
       several += s.x.mode != stick && s.report.choices > 1;
-      other +=
-          s.x.mode != first.x.mode ||
-          fabs((double)s.x.tick / (double)finer - (double)first.x.tick) > 3;
+      other += s.x.mode != first.x.mode ||
+               fabs((double)s.x.tick / finer - (double)first.x.tick) > 3;
     }
   }
   CHECK_ABOVE(several, samples(1200));
