@@ -1,16 +1,15 @@
 """`make cart`: the example cart.c of the packages, stepped by contacts.h alone,
-against an event-driven solver that shares no code with it (scipy). A table: by
-dt the error of the angle of the second castor after 0.06 s, which passes from
-slip to slip, and of the energy. cart.c is compiled beside `work`, in C and C++.
-"""
+against an event-driven solver that shares no code with it (scipy): by dt errors
+of angles and of the energy from START, where the second castor passes from slip
+to slip, and from FAN on in each joint future; a picture of these."""
 from __future__ import annotations
 
-import re
 from pathlib import Path
 
 import driven
 import numpy as np
 import pandas as pd
+import pictures
 from scipy.integrate import solve_ivp
 
 m, k, c, I, ka = 4.3367, 740.8, 5.655, 0.3, 50
@@ -18,12 +17,15 @@ J, cp, e, V, mu, kappa = 0.000492, 0.0223, 0.00445, 0.22395, 13.24, 0.02724
 place = np.array([0.3, -0.2])
 A = 2 / np.pi * np.arctan(6 * kappa)
 SLIPS = "slip+", "slip-"
+# Index of the joint future, y, a, psi, psi.
+START = 0, 0.03, 0.05, 2.9, 2.6
+FAN = [(i, 0.206, -0.017, 1.976, 1.95) for i in range(9)]
+TANGENT = 1e-4  # h' [m/s^2] of a slip into which a stick turns
 
 
-def start() -> np.ndarray:
+def start(y: float, a: float, *psi: float) -> np.ndarray:
     """y, a, psi, psi, and their rates."""
-    psi = np.array([2.9, 2.6])
-    return np.r_[0.03, 0.05, psi, 0, 0, -V * np.sin(psi) / e]
+    return np.r_[y, a, psi, 0, 0, -V * np.sin(psi) / e]
 
 
 def energy(z):
@@ -86,7 +88,7 @@ def futures(z, modes, i):
         F, M = forces(z, now)
         rate = change(z, F, M)[i]
         if abs(F[i]) <= mu if mode not in SLIPS else \
-                (rate > 0) == (mode == "slip+"):
+                rate * (1 if mode == "slip+" else -1) > TANGENT:
             found.append(now)
     return found
 
@@ -96,16 +98,12 @@ def motion(z, t, modes, until):
     several futures, or at `until`."""
     changes = [tuple(modes)]
     for _ in range(9):
-        def left(i):
-            def event(_, z):
-                if modes[i] in SLIPS:
-                    return slips(z)[0][i]
-                return mu - abs(forces(z, modes)[0][i])
-            event.terminal = True
-            event.direction = {"slip+": -1, "slip-": 1}.get(modes[i], -1)
-            return event
+        ends = [lambda _, z, i=i: slips(z)[0][i] if modes[i] in SLIPS else
+                mu - abs(forces(z, modes)[0][i]) for i in (0, 1)]
+        for end, mode in zip(ends, modes):
+            end.terminal, end.direction = True, 1 if mode == "slip-" else -1
         done = solve_ivp(lambda _, z: rates(z, *forces(z, modes)), (t, until),
-                         z, events=[left(0), left(1)], method="LSODA",
+                         z, events=ends, method="LSODA",
                          rtol=1e-9, atol=1e-11, max_step=1e-3)
         t, z = done.t[-1], done.y[:, -1]
         hit = [i for i in (0, 1) if len(done.t_events[i])]
@@ -121,34 +119,50 @@ def motion(z, t, modes, until):
     return changes, t, z
 
 
-def stepped(program, dt, until, *index):
-    """Times of changes of modes, these, how many; y, a, psi, psi, energy."""
-    *rows, end = driven.output(program, *map(str, (dt, until, *index))
+def against(program, dt, until, *given):
+    """Of a future: its first modes, angles and energy, the same by the other
+    solver, whether all modes are the same."""
+    *rows, end = driven.output(program, *map(str, (dt, until, *given))
                                ).splitlines()
-    found = [re.fullmatch(r"(\S+) s (\S+) (\S+), of (\d+)", row).groups()
-             for row in rows]
-    return ([(float(t), of) for t, *of in found],
-            np.array([float(x) for x in end.split()]))
+    found = [tuple(row.replace(",", "").split()[2:4]) for row in rows]
+    changes, _, exact = motion(start(*given[1:]), 0, list(found[0]), until)
+    return (found[0], np.array(end.split()[2:], float),
+            np.r_[exact[2:4], energy(exact)], found == changes)
 
 
-def rows_of(program, plus) -> pd.DataFrame:
-    rows = []
-    first = ["stick-", "slip-"]
-    changes, _, exact = motion(start(), 0, first, 0.06)
+def picture(program: Path, path: Path) -> None:
+    """The futures of FAN by how far they turn from that in which both stick."""
+    figure, axes = pictures.pyplot.subplots(figsize=(4.6, 4))
+    times = np.arange(1e-5, 6.02e-3, 1e-4)
+    psi = np.array([[against(program, 1e-5, t, *run)[1][:2] for t in times]
+                    for run in FAN])
+    for run, off in zip(FAN, np.degrees(psi - psi[-1])):
+        modes, _, exact, _ = against(program, 1e-5, times[-1], *run)
+        colour = pictures.MODES[modes[0]]
+        axes.plot(*off.T, color=colour)
+        axes.plot(*np.degrees(exact[:2] - psi[-1, -1]), ".", color=colour)
+        below = -0.05 if off[-1, 1] < -0.1 else 0.02
+        if off[-1].any():
+            axes.annotate(", ".join(modes), off[-1] + (0, below), ha="center")
+    said = "turn of castor %d past that where both stick [degrees]"
+    axes.set(xlabel=said % 1, ylabel=said % 2, xlim=(-0.5, 0.4),
+             ylim=(-0.45, 0.4))
+    pictures.save(figure, path)
+
+
+def count(work: Path, kept: Path) -> dict[str, pd.DataFrame]:
+    """The table, and the picture. cart.c is compiled beside `work`."""
+    rows, program = [], work.parent / "cart-program"
+    picture(program, kept / "cart.svg")
     for dt in 4e-4, 1e-4, 2.5e-5, 6.25e-6:
-        found, end = stepped(program, dt, 0.06)
-        same = [tuple(of[:2]) for _, of in found] == changes
-        rows.append((f"error at dt = {dt:g} s",
-                     f"{abs(end[:4] - exact[:4])[3]:.2g}" + " *" * (not same),
-                     f"{end[4] - energy(exact):.2g}"))
-    same = driven.output(program) == driven.output(plus)
-    rows += [("energy then", "", f"{energy(exact):.3g}"),
-             ("C and C++ alike", str(same), "")]
-    return pd.DataFrame(rows, columns=["what", "of an angle [rad]",
-                                       "of the energy [J]"])
-
-
-def count(work: Path, _: Path) -> dict[str, pd.DataFrame]:
-    """The table."""
-    place = work.parent
-    return {"motions": rows_of(place / "cart-program", place / "cart-plus")}
+        for until, runs in (0.06, [START]), (0.01, FAN):
+            of = [against(program, dt, until, *run) for run in runs]
+            off = np.max([abs(end - exact) for _, end, exact, _ in of], axis=0)
+            rows.append((f"{len(runs)} until {until} s, dt = {dt:g} s",
+                         *map("{:.2g}".format, off),
+                         all(same for *_, same in of)))
+    plus = driven.output(work.parent / "cart-plus")
+    rows.append(("C and C++", "", "", "", driven.output(program) == plus))
+    return {"motions": pd.DataFrame(rows, columns=[
+        "futures", "error of psi [rad]", "of psi [rad]", "of the energy [J]",
+        "alike"])}

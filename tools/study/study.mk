@@ -9,14 +9,9 @@ two := $(BUILD)/double/twofold
 study = @BUILD='$(BUILD)' TWOFOLD='$(two)' FIGURES='$(FIGURES)' tools/run study
 
 TROLLEY := $(BUILD)/study/trolley-program
-$(TROLLEY): $(BUILD)/double/tools/study/trolley.o \
-    $(BUILD)/double/libtwofold.a
-	@mkdir -p $(@D)
-	$(link)
-
 SEVERAL := $(BUILD)/study/several-program
-$(SEVERAL): $(BUILD)/double/tools/study/several.o \
-    $(BUILD)/double/libtwofold.a
+$(TROLLEY) $(SEVERAL): $(BUILD)/study/%-program: \
+    $(BUILD)/double/tools/study/%.o $(BUILD)/double/libtwofold.a
 	@mkdir -p $(@D)
 	$(link)
 

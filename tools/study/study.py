@@ -23,12 +23,9 @@ from pathlib import Path
 import driven
 import table
 
-SECTIONS = {"statistics": "exits", "recurrence": "recurrence",
-            "noise": "noise", "fold": "fold", "corner": "corner",
-            "halfrange": "halfrange",
-            "finer": "finer", "sides": "sides",
-            "mechanisms": "mechanisms", "several": "several",
-            "trolley": "trolley", "cart": "cart", "figures": "figures"}
+SECTIONS = {"statistics": "exits", **{name: name for name in (
+    "recurrence noise fold corner halfrange finer sides mechanisms several "
+    "trolley cart figures").split()}}
 BUILD = Path(os.environ.get("BUILD") or "build")
 TWOFOLD = os.environ.get("TWOFOLD") or f"{BUILD}/double/twofold"
 

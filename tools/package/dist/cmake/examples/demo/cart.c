@@ -1,6 +1,6 @@
 /* Two castors as in castor.c on a body that moves sideways and turns. Prints
    changes of modes and their number, then y, a, psi, psi, energy [SI]. Usage:
-   cart [DT [UNTIL [INDEX of the joint mode where there are several first]]] */
+   cart [DT [UNTIL [INDEX in the first of several modes [Y A PSI PSI]]]] */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -24,7 +24,8 @@ int main(int argc, char **argv) {
   const double dt_m = dt / (m + dt * c + dt * dt * k);
   const double dt_I = dt / (I + dt * dt * ka);
   const double dt_J = dt / (J + dt * cp);
-  double y = 0.03, v = 0, a = 0.05, va = 0, psi[2] = {2.9, 2.6};
+  double z[] = {0.03, 0.05, 2.9, 2.6}, v = 0, va = 0, *psi = z + 2;
+  for (int j = 4; j < argc && j < 8; j++) z[j - 4] = atof(argv[j]);
   double w[2] = {-V * sin(psi[0]) / e, -V * sin(psi[1]) / e};
   uint8_t modes[2] = {TF_NO_MODE, TF_NO_MODE};
   unsigned count = 0, at = argc > 3 ? (unsigned)*argv[3] - 48 : 99;
@@ -41,8 +42,8 @@ int main(int argc, char **argv) {
     for (unsigned i = 0; i < 2; i++)
       now[i] = slip_of(v + place[i] * va, psi[i], w[i]);
     /* The end of the step without friction, and what multipliers add. */
-    v -= dt_m * (c * v + k * (y + dt * v));
-    va -= dt_I * ka * (a + dt * va);
+    v -= dt_m * (c * v + k * (z[0] + dt * v));
+    va -= dt_I * ka * (z[1] + dt * va);
     for (unsigned i = 0; i < 2; i++) w[i] -= dt_J * cp * w[i];
     for (unsigned i = 0; i < 2; i++) {
       const double to = psi[i] + dt * w[i];
@@ -62,13 +63,12 @@ int main(int argc, char **argv) {
     if (tf_contacts_modes(2, contact, forms[0][0], now, found, TF_JOINT_ROOM(2),
                           &count) < 0)
       return 2;
-    unsigned next =
-        tf_contacts_choose(2, contact, found, count, modes, step, 1);
-    if (count > 1 && at < count) next = at, at = 99;
-    if (next == count ||
-        tf_contacts_force(2, contact, forms[0][0], &found[next], now, by))
+    unsigned it = tf_contacts_choose(2, contact, found, count, modes, step, 1);
+    if (count > 1 && at < count) it = at, at = 99;
+    if (it == count ||
+        tf_contacts_force(2, contact, forms[0][0], &found[it], now, by))
       return 3;
-    const uint8_t *is = found[next].mode;
+    const uint8_t *is = found[it].mode;
     if (is[0] != modes[0] || is[1] != modes[1])
       printf("%.5f s %s %s, of %u\n", step * dt, tf_mode_name(is[0]),
              tf_mode_name(is[1]), count);
@@ -80,10 +80,10 @@ int main(int argc, char **argv) {
       w[i] += dt_J * (e * by[i].F + by[i].M);
       psi[i] += dt * w[i];
     }
-    y += dt * v, a += dt * va;
+    z[0] += dt * v, z[1] += dt * va;
   }
   v = (m * v * v + I * va * va + J * (w[0] * w[0] + w[1] * w[1])) / 2;
-  printf("%.9g %.9g %.9g %.9g %.9g\n", y, a, psi[0], psi[1],
-         v + (k * y * y + ka * a * a) / 2);
+  printf("%.9g %.9g %.9g %.9g %.9g\n", z[0], z[1], psi[0], psi[1],
+         v + (k * z[0] * z[0] + ka * z[1] * z[1]) / 2);
   return 0;
 }
