@@ -8,6 +8,7 @@
 #ifndef TWOFOLD_PORT_TELEMETRY_CSV_H
 #define TWOFOLD_PORT_TELEMETRY_CSV_H
 
+#include "../tools/columns.h"
 #include "sim.h"
 #include "text.h"
 
@@ -31,16 +32,14 @@ static void telemetry_number(text_t *text, tf_real_t value) {
   text_byte(text, ',');
 }
 
+#define TELEMETRY_TIME(name, unit, value) telemetry_time(&text, state->tick);
+#define TELEMETRY_NUMBER(name, unit, value) telemetry_number(&text, value);
+
 static unsigned telemetry_record(uint8_t *to) {
+  const tf_state_t *state = &SIM_STATE;
+  const tf_report_t *report = &SIM_REPORT;
   text_t text = {to};
-  telemetry_time(&text, SIM_STATE.tick);
-  telemetry_number(&text, SIM_STATE.r);
-  telemetry_number(&text, SIM_STATE.v);
-  telemetry_number(&text, SIM_STATE.w);
-  telemetry_number(&text, SIM_REPORT.slip.h);
-  telemetry_number(&text, SIM_REPORT.slip.g);
-  telemetry_number(&text, SIM_REPORT.force.F);
-  telemetry_number(&text, SIM_REPORT.force.M);
+  EACH_COLUMN(TELEMETRY_TIME, TELEMETRY_NUMBER, COLUMN_NONE)
   text_whole(&text, SIM_REPORT.mode, 1);
   text_pair(&text, ",", SIM_REPORT.choices);
   text_pair(&text, ",", SIM_REPORT.set);
@@ -61,8 +60,7 @@ static unsigned telemetry_heartbeat(const loop_counts_t *c, uint8_t *to) {
 
 static unsigned telemetry_other(uint8_t *to) {
   text_t text = {to};
-  if (telemetry_header_is_due)
-    text_string(&text, "t,r,v,omega,h,g,F,M,mode,choices,set\r\n");
+  if (telemetry_header_is_due) text_string(&text, COLUMN_HEADER "\r\n");
   telemetry_header_is_due = false;
   return (unsigned)(text.end - to);
 }

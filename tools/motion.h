@@ -5,6 +5,7 @@
 #ifndef TWOFOLD_MOTION_H
 #define TWOFOLD_MOTION_H
 
+#include "columns.h"
 #include "twofold.h"
 
 /// All that the future depends on, the inputs apart. No pointers: a copy is a
@@ -164,31 +165,25 @@ static inline tf_status_t motion_take(motion_t *motion, motion_scheme_t scheme,
 }
 
 /// An instant of a motion as a row.
+#define MOTION_TIME(name, unit, value) double name;
+#define MOTION_REAL(name, unit, value) tf_real_t name;
+#define MOTION_VALUE(name, unit, value) .name = (value),
 typedef struct {
-  double t;
-  tf_real_t r, v, omega, phi, h, g, F, M, delassus;
+  EACH_COLUMN(MOTION_TIME, MOTION_REAL, MOTION_REAL)
   uint8_t mode, set, choices;
   int8_t status;
 } motion_row_t;
 
 static inline motion_row_t motion_row(const motion_t *motion) {
-  const tf_state_t *x = &motion->state;
+  const tf_state_t *state = &motion->state;
   const tf_report_t *report = &motion->report;
+  const double t = (double)state->tick * (double)motion->machine.machine.dt;
   const motion_row_t out = {
-      .t = (double)x->tick * (double)motion->machine.machine.dt,
-      .r = x->r,
-      .v = x->v,
-      .omega = x->w,
-      .phi = x->phi,
-      .h = report->slip.h,
-      .g = report->slip.g,
-      .F = report->force.F,
-      .M = report->force.M,
-      .delassus = report->delassus,
       .mode = report->mode,
       .set = report->set,
       .choices = report->choices,
-      .status = (int8_t)report->status};
+      .status = (int8_t)report->status,
+      EACH_COLUMN(MOTION_VALUE, MOTION_VALUE, MOTION_VALUE)};
   return out;
 }
 

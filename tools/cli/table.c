@@ -60,7 +60,7 @@ static const cli_choice_t between[] = {
     {"linear", "inputs change linearly from row to row"},
     {NULL, NULL}};
 static const cli_choice_t formats[] = {
-    {"csv", CLI_CSV_HEADER "; for files"},
+    {"csv", COLUMN_HEADER "; for files"},
     {"frames",
      "what a board sends: see docs/PROTOCOL.md; of monitor: all bytes "
      "unchanged"},

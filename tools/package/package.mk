@@ -144,12 +144,12 @@ $(BUILD)/fmu/windows.o: $(DIST)/c/twofold.c
 	@$(MINGW) $(FMU_WINDOWS) -c $< -o $@
 $(BUILD)/fmu/describe: $(addprefix tools/package/fmu/,describe.c variables.c \
     model.c motion.c message.c fmu.h) $(SCENE_READER) $(BUILD)/fmu/twofold.o \
-    tools/motion.h tools/decimal.h
+    $(wildcard tools/*.h)
 	@echo '  LINK  $@'
 	@$(CC) $(COMMON) $(WARN) -Itools $(EXTRA) $(filter %.c %.o,$^) -lm -o $@
 
-FMU_SOURCES := $(wildcard tools/package/fmu/*.[chp]* tools/decimal.*) \
-  tools/motion.h docs/USE.md LICENSE
+FMU_SOURCES := $(wildcard tools/package/fmu/*.[chp]* tools/*.[ch]) \
+  docs/USE.md LICENSE
 # The scene that a folder is named after: $(call fmu_scene,folder).
 fmu_scene = $(if $(filter $(FMU_SCENE),$(1)),$(or $(SCENE),chaos),$(1))
 # $(call fmu_link,directory of the scene,fmi2 or fmi3)

@@ -5,14 +5,13 @@
 import { AT, COLUMNS, firstOf } from './core.mjs';
 import { instantiate } from './libc.mjs';
 
-const COLUMNS_OF_LINE = 11;
 const AT_ONCE = 4096; // bytes, the rows of which the decoder has room for
 const MAX_RECORDS = 1 << 14;
 const ASK_EVERY = 1000; // [ms] until the schema has come
 
 export class Line {
-  // module: the compiled core. take(row): of each row, t r v omega h g F M
-  // mode choices set; those that the board did not send are 0.
+  // module: the compiled core. take(row): of each row, the columns of CSV;
+  // those that the board did not send are 0.
   constructor(module, take) {
     this.c = instantiate(module);
     this.c.line_open();
@@ -33,10 +32,11 @@ export class Line {
       new Uint8Array(this.c.memory.buffer, this.c.text_bytes(), AT_ONCE)
         .set(part);
       const count = this.c.line_take(part.length);
+      const columns = AT.set + 1;
       const rows = new Float64Array(this.c.memory.buffer, this.c.line_rows(),
-        count * COLUMNS_OF_LINE);
+        count * columns);
       for (let i = 0; i < count; i++)
-        this.take(rows.slice(i * COLUMNS_OF_LINE, (i + 1) * COLUMNS_OF_LINE));
+        this.take(rows.slice(i * columns, (i + 1) * columns));
       // What a board says that breaks is no frame.
       this.heard = this.heard.slice(-200) + String.fromCharCode(...part);
       const fault = /\r\n(fault: [ -~]+)\r\n/.exec(this.heard);
@@ -105,9 +105,8 @@ export class Record {
   }
 
   take(values) {
-    const { now } = this, before = this.count ? now[AT.mode] : values[8];
-    [AT.t, AT.r, AT.v, AT.omega, AT.h, AT.g, AT.F, AT.M, AT.mode, AT.choices,
-      AT.set].forEach((at, i) => { now[at] = values[i]; });
+    const { now } = this, before = this.count ? now[AT.mode] : values[AT.mode];
+    now.set(values);
     const seconds = this.count ? now[AT.t] - this.row(this.count - 1)[AT.t] : 0;
     now[AT.phi] += now[AT.omega] * seconds;
     now[AT.table] += now[AT.omega0] * seconds;

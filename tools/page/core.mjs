@@ -2,11 +2,9 @@
 // physics. A Core is one motion; two of one compiled module share nothing.
 import { instantiate, textAt } from './libc.mjs';
 
-export const ROW = ['t', 'r', 'v', 'omega', 'h', 'g', 'F', 'M', 'mode',
-  'choices', 'set', 'status', 'tick', 'phi', 'table', 'omega0', 'r0', 'force',
-  'torque', 'energy'];
-export const AT = Object.fromEntries(ROW.map((name, i) => [name, i]));
-export const COLUMNS = ROW.length;
+// The columns of a row by name, and their number: of the module.
+export const AT = {};
+export let COLUMNS = 0;
 
 export const BAD_PARAMETER = -1;
 const LOCATED = ['tolerance', 'segments']; // of that scheme, not the page's
@@ -33,6 +31,8 @@ export class Core {
     const found = this.text(exports.arithmetic());
     if (found !== 'ok') document.body.prepend(`Wrong bits: ${found}`);
     if (found !== 'ok') throw new Error(found);
+    COLUMNS = this.text(exports.columns()).split(',').slice(0, -1)
+      .map((name, i) => { AT[name] = i; }).length;
     // The module never grows its memory, so views of it last.
     this.row = new Float64Array(exports.memory.buffer, exports.look(), COLUMNS);
     this.scenes = this.#list(exports.scenes(), 'scene_name');

@@ -1,4 +1,4 @@
-// Numbers and rows as the command line writes them, byte for byte: the fewest
+// Numbers as the command line writes them, byte for byte: the fewest
 // digits that read back to the same bits, laid out as %g of C.
 
 export const MIN_NORMAL = 2 ** -1022;
@@ -31,16 +31,6 @@ export function decimal(x, size) {
 export function exact(x) {
   if (x === 0 || Math.abs(x) >= MIN_NORMAL) return decimal(x);
   return `${x < 0 ? '-' : ''}0x${Math.abs(x / 2 ** -1074).toString(16)}p-1074`;
-}
-
-export const HEADER = 't,r,v,omega,h,g,F,M,mode,choices,set\n';
-
-// row: t r v omega h g F M mode choices set.
-export function line(row, modes) {
-  let text = '';
-  for (let i = 0; i < 8; i++) text += `${decimal(row[i])},`;
-  const set = modes.filter((_, mode) => row[10] >> mode & 1).join('|');
-  return `${text}${modes[row[8]]},${row[9]},${set}\n`;
 }
 
 // A number for people, in so many significant digits, with a true minus.

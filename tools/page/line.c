@@ -6,11 +6,10 @@
 #include "module.h"
 
 #define LINE_ROWS 256
-#define LINE_COLUMNS 11 // those of the CSV, mode and set as numbers
 static uint8_t buffer[TF_DECODER_SIZE(TF_FRAME_PAYLOAD)];
 static tf_decoder_t decoder;
 static cli_receiver_t receiver;
-static double rows[LINE_ROWS][LINE_COLUMNS];
+static double rows[LINE_ROWS][CLI_CSV_COLUMNS + 3]; // mode, set: numbers
 static double counters[9];
 static uint32_t sequence;
 
@@ -31,9 +30,9 @@ uint32_t EXPORT(line_take)(uint32_t length) {
         !cli_receiver_take(&receiver, &frame, &row))
       continue;
     memcpy(rows[count], row.column, sizeof row.column);
-    rows[count][8] = row.mode;
-    rows[count][9] = row.choices;
-    rows[count][10] = row.set;
+    rows[count][CLI_CSV_COLUMNS] = row.mode;
+    rows[count][CLI_CSV_COLUMNS + 1] = row.choices;
+    rows[count][CLI_CSV_COLUMNS + 2] = row.set;
     count++;
   }
   return count;

@@ -21,33 +21,25 @@ static double table;       // angle of the turntable [rad]
 static double force, torque;
 static int offender;
 
-// The columns of a row, in the order in which core.mjs names them, and the
-// value of each at the present instant; `at` is what motion_row returns. The
-// page views a row as a Float64Array. The present one is also a snapshot,
-// because all that the motion goes on from is in it.
-#define ROW(X)                       \
-  X(T, at.t)                         \
-  X(R, at.r)                         \
-  X(V, at.v)                         \
-  X(W, at.omega)                     \
-  X(H, at.h)                         \
-  X(G, at.g)                         \
-  X(F, at.F)                         \
-  X(M, at.M)                         \
-  X(MODE, at.mode)                   \
-  X(CHOICES, at.choices)             \
-  X(SET, at.set)                     \
-  X(STATUS, at.status)               \
-  X(TICK, (double)motion.state.tick) \
-  X(PHI, at.phi)                     \
-  X(TABLE, table)                    \
-  X(OMEGA0, applied.omega0)          \
-  X(R0, applied.r0)                  \
-  X(FORCE, applied.force)            \
-  X(TORQUE, applied.torque)          \
-  X(ENERGY, tf_energy(machine, &motion.state, applied.r0))
-#define ROW_NUMBER(name, value) ROW_##name,
-#define ROW_VALUE(name, value) value,
+// The columns of a row, those of CSV first, and the value of each at the
+// present instant. The page views a row as a Float64Array. The present one is
+// also a snapshot, because all that the motion goes on from is in it.
+#define ROW(X)                             \
+  EACH_COLUMN(X, X, COLUMN_NONE)           \
+  X(mode, "", report->mode)                \
+  X(choices, "", report->choices)          \
+  X(set, "", report->set)                  \
+  X(status, "", report->status)            \
+  X(tick, "", (double)state->tick)         \
+  EACH_COLUMN(COLUMN_NONE, COLUMN_NONE, X) \
+  X(table, "rad", table)                   \
+  X(omega0, "rad/s", applied.omega0)       \
+  X(r0, "m", applied.r0)                   \
+  X(force, "N", applied.force)             \
+  X(torque, "N m", applied.torque)         \
+  X(energy, "J", tf_energy(machine, state, applied.r0))
+#define ROW_NUMBER(name, unit, value) ROW_##name,
+#define ROW_VALUE(name, unit, value) value,
 enum { ROW(ROW_NUMBER) ROW_COLUMNS };
 
 static double row[ROW_COLUMNS];
@@ -145,8 +137,13 @@ int32_t EXPORT(take)(uint32_t mode) {
   return status;
 }
 
+// The names of the columns, each with a comma behind it.
+const char *EXPORT(columns)(void) { return ROW(COLUMN_NAME); }
+
 double *EXPORT(look)(void) {
-  const motion_row_t at = motion_row(&motion);
+  const tf_state_t *state = &motion.state;
+  const tf_report_t *report = &motion.report;
+  const double t = motion_row(&motion).t;
   const double now[] = {ROW(ROW_VALUE)};
   memcpy(row, now, sizeof row);
   return row;
@@ -155,27 +152,27 @@ double *EXPORT(look)(void) {
 // The motion is at the instant of the row that the page has written where
 // `look` keeps it, one that `look` gave for this set-up.
 void EXPORT(restore)(void) {
-  motion.state = (tf_state_t){.r = row[ROW_R],
-                              .v = row[ROW_V],
-                              .w = row[ROW_W],
-                              .phi = row[ROW_PHI],
-                              .tick = (uint64_t)row[ROW_TICK],
+  motion.state = (tf_state_t){.r = row[ROW_r],
+                              .v = row[ROW_v],
+                              .w = row[ROW_omega],
+                              .phi = row[ROW_phi],
+                              .tick = (uint64_t)row[ROW_tick],
                               .seed = scene_seed,
-                              .mode = (uint8_t)row[ROW_MODE]};
+                              .mode = (uint8_t)row[ROW_mode]};
   motion.report =
-      (tf_report_t){.mode = (uint8_t)row[ROW_MODE],
-                    .set = (uint8_t)row[ROW_SET],
-                    .choices = (uint8_t)row[ROW_CHOICES],
+      (tf_report_t){.mode = (uint8_t)row[ROW_mode],
+                    .set = (uint8_t)row[ROW_set],
+                    .choices = (uint8_t)row[ROW_choices],
                     .force = {row[ROW_F], row[ROW_M]},
-                    .slip = {row[ROW_H], row[ROW_G]},
-                    .status = (tf_status_t)(int32_t)row[ROW_STATUS]};
+                    .slip = {row[ROW_h], row[ROW_g]},
+                    .status = (tf_status_t)(int32_t)row[ROW_status]};
   applied = tf_scene_input(&scene, machine,
                            motion.state.tick); // for its alpha
-  applied.omega0 = row[ROW_OMEGA0];
-  applied.r0 = row[ROW_R0];
-  applied.force = row[ROW_FORCE];
-  applied.torque = row[ROW_TORQUE];
-  table = row[ROW_TABLE];
+  applied.omega0 = row[ROW_omega0];
+  applied.r0 = row[ROW_r0];
+  applied.force = row[ROW_force];
+  applied.torque = row[ROW_torque];
+  table = row[ROW_table];
 }
 
 // tick, mode before, mode, set and choices of each change in the last `step`.

@@ -3,10 +3,18 @@
 // so the past is not kept but stepped again from the nearest row: a row every
 // `every` steps is a snapshot. When there are MAX_ROWS, every other one goes.
 import { AT, BAD_PARAMETER, COLUMNS, firstOf } from './core.mjs';
-import { HEADER, line } from './decimal.mjs';
+import { decimal } from './decimal.mjs';
 
 const MAX_ROWS = 1 << 17;
 const MAX_CHANGES = 1 << 16;
+
+// CSV as the command line writes it: its columns are the first ones of a row.
+const csvHeader = () => `${Object.keys(AT).slice(0, AT.set + 1)}\n`;
+function csvLine(row, modes) {
+  const numbers = Array.from(row.subarray(0, AT.mode), (x) => decimal(x));
+  const set = modes.filter((_, mode) => row[AT.set] >> mode & 1).join('|');
+  return `${[...numbers, modes[row[AT.mode]], row[AT.choices], set]}\n`;
+}
 
 export class Motion {
   // core moves; scout looks ahead: a copy of core, taken whenever it looks.
@@ -236,14 +244,14 @@ export class Motion {
     const { modes } = this.core;
     this.seek(0);
     let written = 0;
-    yield HEADER + line(this.now, modes);
+    yield csvHeader() + csvLine(this.now, modes);
     for (let tick = every; tick <= steps && this.advance(tick); tick += every) {
       written = tick;
-      yield line(this.now, modes);
+      yield csvLine(this.now, modes);
     }
     if (written < steps) {
       this.advance(steps);
-      if (this.tick > written) yield line(this.now, modes);
+      if (this.tick > written) yield csvLine(this.now, modes);
     }
   }
 }

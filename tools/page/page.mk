@@ -17,10 +17,10 @@ PAGE_CORE := $(wildcard src/*/*.c) tools/cli/monitor/receiver.c \
   $(addprefix tools/cli/setup/,scene_file.c names.c) \
   $(addprefix tools/cli/text/,buffer.c number.c) tools/decimal.c \
   port/arch/memory.c $(wildcard tools/page/*.c)
-PAGE_C := $(PAGE_CORE) $(wildcard tools/page/*.h \
-  tools/cli/monitor/receiver.h tools/cli/setup/*.h tools/cli/text/*.h \
-  src/*/*.h include/*.h include/twofold/*.h) $(addprefix tools/,motion.h \
-  decimal.h page/page.mk)
+PAGE_C := $(PAGE_CORE) tools/page/page.mk $(wildcard tools/*.h \
+  tools/page/*.h tools/cli/monitor/receiver.h tools/cli/run/row.h \
+  tools/cli/setup/*.h tools/cli/text/*.h src/*/*.h include/*.h \
+  include/twofold/*.h)
 PAGE_SOURCES := $(PAGE_C) tools/page/pack.py \
   $(wildcard tools/page/*.mjs tools/page/*.html tools/page/*.css)
 

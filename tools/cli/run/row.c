@@ -65,7 +65,7 @@ static void json(const cli_csv_t *row, cli_buffer_t *text) {
 }
 
 const cli_stream_t cli_streams[CLI_FORMATS] = {
-    [CLI_FORMAT_CSV] = {CLI_CSV_HEADER "\n", csv},
+    [CLI_FORMAT_CSV] = {COLUMN_HEADER "\n", csv},
     [CLI_FORMAT_FRAMES] = {"", NULL},
     [CLI_FORMAT_JSON] = {"", json},
     [CLI_FORMAT_PLOTTER] = {"", plotter},

@@ -1,6 +1,7 @@
 /// One row: an instant of the motion as text.
 #pragma once
 
+#include "../../columns.h"
 #include "../host/output.h"
 #include "../setup/args.h"
 
@@ -17,22 +18,13 @@ typedef enum {
 /// Room for the longest row or header.
 #define CLI_ROW_ROOM 1024
 
-/// The numbers of a row of CSV: name, unit, and what it is of a time t, a state
-/// and its report. A column more is a line more, here. first: of the first one.
-#define CLI_CSV_NUMBERS(first, next)                                   \
-  first(t, "s", t) next(r, "m", state->r) next(v, "m/s", state->v)     \
-      next(omega, "rad/s", state->w) next(h, "m/s", report->slip.h)    \
-          next(g, "m/s", report->slip.g) next(F, "N", report->force.F) \
-              next(M, "N m", report->force.M)
-
-#define CLI_CSV_NAME(name, unit, value) #name ","
+/// The numbers of a row of CSV.
+#define CLI_CSV_NUMBERS(first, next) EACH_COLUMN(first, next, COLUMN_NONE)
 #define CLI_CSV_UNIT(name, unit, value) #name " " unit
 #define CLI_CSV_NEXT_UNIT(name, unit, value) ", " #name " " unit
 #define CLI_CSV_INDEX(name, unit, value) CLI_CSV_##name,
 
-/// The header without its newline, the units, and how many numbers.
-#define CLI_CSV_HEADER \
-  CLI_CSV_NUMBERS(CLI_CSV_NAME, CLI_CSV_NAME) "mode,choices,set"
+/// The units, and how many numbers.
 #define CLI_CSV_UNITS CLI_CSV_NUMBERS(CLI_CSV_UNIT, CLI_CSV_NEXT_UNIT)
 enum { CLI_CSV_NUMBERS(CLI_CSV_INDEX, CLI_CSV_INDEX) CLI_CSV_COLUMNS };
 extern const cli_quantity_t cli_csv_columns[CLI_CSV_COLUMNS];

@@ -30,15 +30,15 @@
   X(ALPHA, "alpha", "rad/s^2", INPUT,                                        \
     "acceleration that brings the turntable to omega0 at the end of the "    \
     "communication step; 0: omega0 throughout")                              \
-  X(R, "r", "m", OUTPUT, "displacement of the slider")                       \
-  X(V, "v", "m/s", OUTPUT, "speed of the slider")                            \
-  X(OMEGA, "omega", "rad/s", OUTPUT, "speed of the disc")                    \
-  X(PHI, "phi", "rad", OUTPUT, "angle of the disc, with with_angle")         \
-  X(H, "h", "m/s", OUTPUT, "lateral slip speed")                             \
-  X(G, "g", "m/s", OUTPUT, "rolling speed")                                  \
+  X(r, "r", "m", OUTPUT, "displacement of the slider")                       \
+  X(v, "v", "m/s", OUTPUT, "speed of the slider")                            \
+  X(omega, "omega", "rad/s", OUTPUT, "speed of the disc")                    \
+  X(phi, "phi", "rad", OUTPUT, "angle of the disc, with with_angle")         \
+  X(h, "h", "m/s", OUTPUT, "lateral slip speed")                             \
+  X(g, "g", "m/s", OUTPUT, "rolling speed")                                  \
   X(F, "F", "N", OUTPUT, "friction force, mean over the last step of dt")    \
   X(M, "M", "N m", OUTPUT, "friction moment, mean over the last step of dt") \
-  X(DELASSUS, "delassus", "1/kg", OUTPUT,                                    \
+  X(delassus, "delassus", "1/kg", OUTPUT,                                    \
     "Delassus scalar of stick: < 0 where the future may split")              \
   X(RESIDUAL, "residual", "N", OUTPUT,                                       \
     "distance of F and M from the friction law")                             \

@@ -136,31 +136,25 @@ fmu_status_t fmu_begin(fmu_t *fmu) {
   return FMU_OK;
 }
 
+#define OBSERVED(name, unit, value) values[FMU_##name] = (double)(value);
+
 void fmu_observe(fmu_motion_t *motion) {
-  const motion_row_t row = motion_row(&motion->now);
+  const tf_state_t *state = &motion->now.state;
+  const tf_report_t *report = &motion->now.report;
   const tf_tally_t *tally = &motion->tally;
   double *values = motion->values;
-  values[FMU_R] = (double)row.r;
-  values[FMU_V] = (double)row.v;
-  values[FMU_OMEGA] = (double)row.omega;
-  values[FMU_PHI] = (double)row.phi;
-  values[FMU_H] = (double)row.h;
-  values[FMU_G] = (double)row.g;
-  values[FMU_F] = (double)row.F;
-  values[FMU_M] = (double)row.M;
-  values[FMU_DELASSUS] = (double)row.delassus;
-  values[FMU_RESIDUAL] = (double)motion->now.report.residual;
-  values[FMU_ENERGY] =
-      (double)tf_energy(&motion->now.machine.machine, &motion->now.state,
-                        (tf_real_t)values[FMU_R0]);
+  EACH_COLUMN(COLUMN_NONE, OBSERVED, OBSERVED)
+  values[FMU_RESIDUAL] = (double)report->residual;
+  values[FMU_ENERGY] = (double)tf_energy(&motion->now.machine.machine, state,
+                                         (tf_real_t)values[FMU_R0]);
   values[FMU_EVENT_TIME] =
       motion->start_time +
       (double)motion->event_tick * (double)motion->now.machine.machine.dt;
-  values[FMU_MODE] = row.mode;
-  values[FMU_CHOICES] = row.choices;
-  values[FMU_SET] = row.set;
-  values[FMU_STATUS] = (double)motion->now.report.status;
-  values[FMU_TICK] = (double)motion->now.state.tick;
+  values[FMU_MODE] = report->mode;
+  values[FMU_CHOICES] = report->choices;
+  values[FMU_SET] = report->set;
+  values[FMU_STATUS] = (double)report->status;
+  values[FMU_TICK] = (double)state->tick;
   values[FMU_EVENTS] = (double)motion->events;
   values[FMU_DEGRADED] = (double)tally->degraded;
   values[FMU_FELL_BACK] = (double)tally->fell_back;

@@ -229,8 +229,7 @@ def sources_of(face, core):
     """The files from which one FMU is compiled, name to text: those here and
     the core in two files, because importers know no folders."""
     others = {f"{other}.c" for other in FACES if other != face}
-    paths = [*sorted(HERE.glob("*.[ch]")), ROOT / "tools/motion.h",
-             *sorted((ROOT / "tools").glob("decimal.[ch]")),
+    paths = [*sorted(HERE.glob("*.[ch]")), *sorted(HERE.glob("../../*.[ch]")),
              core / "twofold.c", core / "twofold.h"]
     return {path.name: path.read_text() for path in paths
             if path.name not in others | NOT_IN_FMU}

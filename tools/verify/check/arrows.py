@@ -34,7 +34,7 @@ src/link/            src/scene/
 src/ensemble/        src/moreau/
 include/twofold      src/ include/twofold/real
 tools/               include/ src/
-tools/cli/text/      tools/motion tools/decimal src/ include/
+tools/cli/text/      tools/motion tools/decimal tools/columns src/ include/
 tools/cli/host/      tools/cli/text/
 tools/cli/live/      tools/cli/host/ tools/cli/run/row
 tools/cli/setup/     tools/cli/host/
@@ -54,7 +54,7 @@ tools/study/         tools/page/ tests/reference/ tests/golden/population
 tools/bench/         tools/study/
 tools/verify/        tools/bench/ port/core port/port tests/support/same_state
 tests/reference/     src/ include/
-tests/reference/judge/library tests/reference/ tools/motion
+tests/reference/judge/library tests/reference/ tools/motion tools/columns
 port/app
 port/choice
 port/hooks           port/port
@@ -65,7 +65,7 @@ port/core            src/ include/
 port/loop            port/app port/port
 port/main            port/loop
 port/sim             port/app port/port port/core
-port/telemetry_csv   port/sim port/text
+port/telemetry_csv   port/sim port/text tools/columns
 port/telemetry_frames port/sim
 port/telemetry_plotter port/sim port/text
 port/firmware        port/telemetry_csv port/telemetry_frames

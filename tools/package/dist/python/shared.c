@@ -3,6 +3,7 @@
  * type is a library of its own, with the command line in it. */
 #include <math.h>
 
+#include "cli/run/row.h"
 #include "cli/setup/scene_file.h"
 #include "cli/sweep/point.h"
 #include "twofold.c"
@@ -49,7 +50,9 @@ typedef struct {
   cli_setup_t setup;
 } table_t;
 
-/* Sizes in the order that the module knows. */
+/* Columns of a row, with units; sizes in the order that the module knows. */
+const char *const twofold_columns =
+    EACH_COLUMN(CLI_CSV_UNIT, CLI_CSV_NEXT_UNIT, CLI_CSV_NEXT_UNIT);
 const uint32_t twofold_layout[] = {sizeof(tf_compensated_t),
                                    sizeof(tf_report_t),
                                    TF_PARAMETERS,

@@ -21,7 +21,6 @@ NO_MODE = 5
 SLICE = 2 ** 16
 LAYOUT = "machine", "report", "parameters", "scenes", "file", "table", "seen", \
     "measures"
-QUANTITIES = "r v omega phi h g F M delassus"
 
 
 class Struct(ctypes.Structure):
@@ -63,6 +62,8 @@ class Core:
         self.library = ctypes.CDLL(self.path)
         self.size = dict(zip(LAYOUT, (c_uint32 * len(LAYOUT)).in_dll(
             self.library, "twofold_layout")))
+        self.columns = dict(one.split(" ", 1) for one in c_char_p.in_dll(
+            self.library, "twofold_columns").value.decode().split(", "))
         self._structs()
         self._rows()
         self._functions()
@@ -82,7 +83,7 @@ class Core:
                                   name="State")
         self.Input = self._struct("omega0 r0 force torque alpha", name="Input")
         self.Row = self._struct(
-            QUANTITIES, ("mode", c_uint8), ("set", c_uint8),
+            " ".join([*self.columns][1:]), ("mode", c_uint8), ("set", c_uint8),
             ("choices", c_uint8), ("status", c_int8), first=[("t", c_double)])
         Range = self._struct(
             "", ("name", c_char_p), ("unit", c_char_p), ("offset", c_uint16),
@@ -217,7 +218,8 @@ CORE_f32 = Core("f32", ctypes.c_float, "f4")
 CORES = {"double": CORE_f64, "float": CORE_f32}
 UNITS.update((name, unit) for name, unit in (
     *((name, one.unit.decode()) for name, one in CORE_f64.ranges.items()),
-    *CORE_f64.measures.items()) if unit not in ("", "1"))
+    *CORE_f64.measures.items(), *CORE_f64.columns.items())
+    if unit not in ("", "1"))
 SIZES = [[*one.size.values()] for one in CORES.values()]
 
 

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from . import _core
 from ._check import (LIMIT, STEPS, alone, column, columns, flag, integer,
                      member, number, packed, refuse, unpacked, word)
-from ._core import CORES, QUANTITIES, Struct
+from ._core import CORES, Struct
 from ._names import Law, Mode, Rest, Rule, Scheme, Status
 from ._table import Table
 
@@ -120,8 +120,8 @@ class Machine:
     Raises ValueError that names the parameter, its value and its range.
     A method raises RuntimeError if another thread, or the code that a signal
     interrupted, is inside a method of the same machine: give each a copy()."""
-    _fixed = "t", *QUANTITIES.split()
-    t, r, v, omega, phi, h, g, F, M, delassus = (_Quantity() for _ in _fixed)
+    _fixed = *CORES["double"].columns,
+    t, r, v, omega, phi, h, g, F, M, delassus = (_Quantity() for _ in range(10))
 
     def __init__(self, scene: str | os.PathLike = "chaos", real: str = "double",
                  law: Law | str | None = None, rule: Rule | str | None = None,

@@ -12,11 +12,9 @@ import numpy as np
 from ._check import packed, unpacked, word
 from ._names import Folds, Mode, Region, Status
 
-UNITS = {"t": "s", "r": "m", "v": "m/s", "omega": "rad/s", "phi": "rad",
-         "w": "rad/s", "omega0": "rad/s", "r0": "m", "force": "N",
-         "torque": "N m", "alpha": "rad/s^2",
-         "h": "m/s", "g": "m/s", "F": "N", "M": "N m", "delassus": "1/kg",
-         "residual": "N", "lambda": "N", "time_scale": "kg m^2"}
+UNITS = {"w": "rad/s", "omega0": "rad/s", "r0": "m", "force": "N",
+         "torque": "N m", "alpha": "rad/s^2", "residual": "N", "lambda": "N",
+         "time_scale": "kg m^2"}
 # What numbers of a column stand for.
 MEMBERS = {"mode": Mode, "final": Mode, "status": Status, "region": Region,
            "type": Folds}
