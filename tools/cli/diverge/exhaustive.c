@@ -12,7 +12,6 @@
 
 #include <inttypes.h>
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -85,30 +84,25 @@ static void follow(search_t *search, uint64_t index, unsigned mode,
   const cli_cycle_t *cycle = &motion->cycle;
   const node_t from = search->nodes[index];
   const tf_state_t left = motion->state;
-  char row[CLI_DIVERGE_ROW], to[CLI_REAL_ROOM] = "",
-                             landing[CLI_REAL_ROOM] = "";
+  uint64_t to = UINT64_MAX;
+  char row[CLI_DIVERGE_ROW];
+  cli_buffer_t text = {row, 0, sizeof row, false};
   node_t next = {.depth = from.depth + 1};
   const char *end = cli_random_branch(motion, mode, &next.set);
   next.state = motion->state;
   next.two_fold = cycle->outcome == CLI_CYCLE_RETURNED;
-  if (next.two_fold || strcmp(end, "codim2") == 0) {
-    const uint64_t found = node_at(search, &next);
-    if (found != UINT64_MAX) (void)snprintf(to, sizeof to, "%" PRIu64, found);
-  }
-  if (cycle->landings > 0)
-    (void)snprintf(landing, sizeof landing, "%.12g", cycle->land_r);
-  const int length =
-      snprintf(row, sizeof row,
-               "%" PRIu64 ",%" PRIu64
-               ",%s,%.12g,%.12g,%s,%.6g,%.12g,%.12g,%s,%s,%.9g,"
-               "%.12g,%s,%" PRIu64 "\n",
-               index, from.depth, from.two_fold ? "two-fold" : "codim2",
+  if (next.two_fold || strcmp(end, "codim2") == 0) to = node_at(search, &next);
+  cli_add_form(&text, "%" PRIu64 ",%" PRIu64 ",%s,%g,%g,%s,%g,%g,%g,%s,", index,
+               from.depth, from.two_fold ? "two-fold" : "codim2",
                (double)from.state.r, (double)from.state.w, tf_mode_name(mode),
-               stick_time, (double)left.r, (double)left.w, end, to, motion->t,
-               (double)motion->state.r, landing, cycle->windings);
+               stick_time, (double)left.r, (double)left.w, end);
+  if (to != UINT64_MAX) cli_add_count(&text, to);
+  cli_add_form(&text, ",%g,%g,", motion->t, (double)motion->state.r);
+  if (cycle->landings > 0) cli_add_real(&text, (tf_real_t)cycle->land_r);
+  cli_add_form(&text, ",%" PRIu64 "\n", cycle->windings);
   search->branches++;
   show_progress(search);
-  (void)cli_sheet_put(search->sheets->sheet, row, (size_t)length);
+  (void)cli_sheet_put(search->sheets->sheet, row, text.used);
 }
 
 static bool has_to_stop(const search_t *search) {
