@@ -6,7 +6,7 @@ import os
 import subprocess
 import sys
 import time
-from typing import Callable, Iterable
+from typing import Callable, Iterable, Iterator, Sequence
 
 
 def processors() -> int:
@@ -33,6 +33,19 @@ class Progress:
         print("\r" + line.ljust(self.width), file=sys.stderr, flush=True,
               end="\n" if done == self.total else "")
         self.width = len(line)
+
+
+def shown(items: Sequence, costs: Sequence[float] = (),
+          text: Callable[..., object] = lambda item: "") -> Iterator:
+    """Each item of a long work, and on a terminal how far all of it is: costs
+    are about in proportion to times, and text(item) says what goes on."""
+    costs, done = costs or [1] * len(items), 0.0
+    show = Progress(sum(costs))
+    for n, (item, cost) in enumerate(zip(items, costs), 1):
+        show(done, f"{n} of {len(items)} {text(item)}")
+        yield item
+        done += cost
+    show(show.total)
 
 
 def side_by_side(work: Callable, items: Iterable, shows: bool = True) -> list:

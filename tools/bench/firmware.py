@@ -55,7 +55,7 @@ def measure(names: list[str]) -> pd.DataFrame:
     own, in which boards that were not asked keep their lines."""
     steps = int(os.environ.get("STEPS") or 30000)
     counter, found = plugin(), []
-    for one in all_firmware(names):
+    for one in driven.shown([*all_firmware(names)]):
         sizes = one.sizes()
         if isinstance(sizes, str):
             say(f"{one}: does not build: {sizes}")
@@ -114,20 +114,11 @@ def check(every: bool) -> int:
     return 1 if wrong or not seen else 0
 
 
-Stack = tuple[Optional[int], Optional[int], Optional[int]]
-
-
-def stack_of(board: str, real: str, scene: str) -> Stack:
-    """Worst of main, an interrupt's and painted; None for what cannot be
-    had."""
+def stack_of(board: str, real: str, scene: str) -> list[Optional[int]]:
+    """Worst of main, an interrupt's and painted; None without an emulator."""
     one = Firmware(Board(board), real, scene)
     painted = one.painted(int(os.environ.get("STEPS") or 2000))
-    if painted is not None:
-        return *one.stack(), painted
-    sizes = one.sizes()
-    if isinstance(sizes, str):
-        return None, None, None
-    return sizes.stack, sizes.interrupt, None
+    return [None] * 3 if painted is None else [*one.stack(), painted]
 
 
 # Problems of problem.c, by what differs from scene `chaos`.

@@ -37,7 +37,8 @@ RESULTS = OUT / "results.csv"
 
 def say(text: object) -> None:
     """Progress, to standard error."""
-    print(text, file=sys.stderr, flush=True)
+    wide = f"\r{text}".ljust(80) if sys.stderr.isatty() else text
+    print(wide, file=sys.stderr, flush=True)
 
 
 def csv(text: str, names: list[str] | None = None) -> pd.DataFrame:

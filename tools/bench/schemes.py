@@ -1,7 +1,6 @@
 """The sections of the bench that run on this machine: each returns its rows."""
 import math
 import os
-import re
 import subprocess
 import sys
 from importlib.util import find_spec
@@ -157,14 +156,11 @@ def peers() -> pd.DataFrame:
     runs = {name: runs_of(SOLVERS[name]) for name in programs}
     found, rounds = [], int(os.environ.get("ROUNDS") or (1 if QUICK else 5))
     # SciPy takes as long as all others together.
-    turns = [(turn, name) for turn in range(rounds) for name in programs
-             if name != "scipy" or turn == 0]
-    costs = [len(programs) - 1 if name == "scipy" else 1 for _, name in turns]
-    show = driven.Progress(sum(costs))
-    for n, (turn, name) in enumerate(turns):
-        show(sum(costs[:n]), f"round {turn + 1} of {rounds}, {name}")
+    turns = [*programs, *[one for one in programs if one != "scipy"] *
+             (rounds - 1)]
+    costs = [len(programs) - 1 if name == "scipy" else 1 for name in turns]
+    for name in driven.shown(turns, costs, str):
         found.append(timed(programs[name], runs[name]).assign(program=name))
-    show(sum(costs))
     rows = pd.concat(found).groupby(
         ["program", *KEY, "line"], sort=False).agg(
         {"error": "first", "ns": "min", "verdict": "first"}).reset_index()
@@ -173,7 +169,9 @@ def peers() -> pd.DataFrame:
         sys.exit(f"no peer comes to the end:\n{reached}")
     return pd.concat(
         [with_counts(programs[name], of) if name != "scipy" else of
-         for name, of in rows.groupby("program", sort=False)],
+         for name, of in driven.shown(
+             [*rows.groupby("program", sort=False)],
+             text=lambda item: f"instructions, {item[0]}")],
         ignore_index=True)[COLUMNS]
 
 
@@ -199,19 +197,20 @@ def steps() -> pd.DataFrame:
         return pd.DataFrame([[*line.split(","), n] for line, n in lines],
                             columns=["before", "after", "cost"])
 
-    found = single("moreau", "cycle", 20000, 200)
-    kind = found.before.str.replace("[+-]", "", regex=True).where(
-        found.before == found.after, "changes")
-    for phase, cost in found.cost.groupby(kind):
-        rows += spread(f"20000 steps, {phase}", "moreau", cost)
-    for scheme in "moreau", "compensated", "located":
-        rows += spread("400 steps, all", scheme,
-                       single(scheme, "cycle", 400, 1).cost)
-    for name, count, length, dt in (("golden", 1000, 12, 0),
-                                    ("ordinary 1 ms", 100, 100, 1e-3),
-                                    ("ordinary 0.1 ms", 100, 100, 1e-4)):
-        rows += spread(f"{length} steps, machines {name}", "moreau", single(
-            "moreau", "machines", count, length, dt).cost)
+    for name, *words in driven.shown([
+            ["20000 steps, ", "moreau", "cycle", 20000, 200],
+            *(["400 steps, all", scheme, "cycle", 400, 1]
+              for scheme in ("moreau", "compensated", "located")),
+            *([f"{length} steps, machines {kind}", "moreau", "machines", count,
+               length, dt] for kind, count, length, dt in (
+                ("golden", 1000, 12, 0), ("ordinary 1 ms", 100, 100, 1e-3),
+                ("ordinary 0.1 ms", 100, 100, 1e-4)))]):
+        found = single(*words)
+        kind = found.before.str.replace("[+-]", "", regex=True).where(
+            found.before == found.after, "changes")
+        for phase, cost in found.cost.groupby(
+                kind if name[-1] == " " else lambda _: ""):
+            rows += spread(name + phase, words[0], cost)
     return pd.DataFrame(rows, columns=COLUMNS)
 
 
@@ -219,8 +218,7 @@ def of_ensembles(real: str, *words: object) -> str:
     """What the program of ensembles prints, compiled for AVX2 in a build
     directory of its own; nothing where the processor has none."""
     cpu = Path("/proc/cpuinfo")
-    if not cpu.exists() or not re.search(r"^flags.*\bavx2\b", cpu.read_text(),
-                                         re.MULTILINE):
+    if not cpu.exists() or " avx2 " not in cpu.read_text():
         say("left out: this processor has no AVX2")
         return ""
     program = BUILD / "avx2" / real / "bench"
@@ -233,7 +231,7 @@ def of_ensembles(real: str, *words: object) -> str:
 def ensemble() -> pd.DataFrame:
     """The ensemble step beside single steps."""
     rows = []
-    for real in REALS:
+    for real in driven.shown(REALS):
         text = of_ensembles(real)
         if not text:
             break

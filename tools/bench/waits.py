@@ -1,14 +1,17 @@
 """What users wait for: rows, steps, sweeps, cycles and ensembles. Prints the
 table (`make waits`). Times are of the processor, but for those of two jobs."""
 import json
-import math
 import os
 import re
 import subprocess
+from statistics import median
+from typing import Iterator
 
+import driven
 from measure import BUILD
 from schemes import of_ensembles
 
+COSTS = 2, 3, 10, 2, 5, 1, 1, 1  # about, of lines() [s]
 STEPS, POINTS, CYCLES = 10000, 8192, 400  # STEPS of scene chaos are 1 s
 RUN = "run", "chaos", "-o", "/dev/null", "--t-end"
 ROWLESS = "--every", 10 ** 9
@@ -39,20 +42,25 @@ def seconds(*words: object) -> tuple[float, float]:
     return sum(os.times()[2:4]) - begin, summary["seconds"]
 
 
-def main() -> None:
+def lines() -> Iterator[str]:
+    """What is measured, one by one."""
     rows, rowless = (instructions(*RUN, 1, *of) for of in ((), ROWLESS))
-    print(f"instructions of a CSV row         {(rows - rowless) / STEPS:.0f}")
+    yield f"instructions of a CSV row         {(rows - rowless) / STEPS:.0f}"
     step, whole = (instructions(*RUN, 10, *ROWLESS, of=of)
                    for of in ("tf_step_f64", ""))
-    print(f"  of run without rows, not steps  {1 - step / whole:.1%}\n"
-          "  of a cycle of diverge           "
-          f"{instructions(*DIVERGE) / CYCLES / 1e6:.2f} million")
+    yield f"  of run without rows, not steps  {1 - step / whole:.1%}"
+    yield ("  of a cycle of diverge           "
+           f"{instructions(*DIVERGE) / CYCLES / 1e6:.2f} million")
     rows, rowless = (seconds(*RUN, 100, *of)[0] for of in ((), ROWLESS))
-    print(f"1e6 steps with rows, without      {rows:.2f} s, {rowless:.2f} s")
+    yield f"1e6 steps with rows, without      {rows:.2f} s, {rowless:.2f} s"
     (alone, clock), (_, both) = seconds(*SWEEP, 1), seconds(*SWEEP, 2)
-    print("a step of a point of a sweep      "
-          f"{1e9 * alone / POINTS / STEPS:.1f} ns; -j 2: {clock / both:.2f} x")
+    yield ("a step of a point of a sweep      "
+           f"{1e9 * alone / POINTS / STEPS:.1f} ns; -j 2: {clock / both:.2f} x")
     for many in 256, 65536, 10 ** 6:
-        times = sorted(map(float, of_ensembles("double", many).split()))
-        print(f"a step of one of {many:7} states  "
-              f"  {times[len(times) // 2] if times else math.nan:.1f} ns")
+        times = map(float, of_ensembles("double", many).split() or ["nan"])
+        yield f"a step of one of {many:7} states    {median(times):.1f} ns"
+
+
+def main() -> None:
+    found = lines()
+    print("\n".join(next(found) for _ in driven.shown(COSTS, COSTS)))

@@ -109,12 +109,9 @@ def followed(work: Path, twofold: str, runs: dict[str, str],
              costs: Sequence[float]) -> None:
     """All runs, by their options, each with a seed of its own: no two have a
     draw in common. `costs` are about in proportion to their times."""
-    show, done = driven.Progress(sum(costs)), 0.0
-    for seed, ((name, options), cost) in enumerate(zip(runs.items(), costs), 1):
-        show(done, f"{seed} of {len(runs)}, {name}")
-        sharded(work, name, twofold, [*options.split(), "--seed", str(seed)])
-        done += cost
-    show(sum(costs))
+    for seed, name in driven.shown([*enumerate(runs, 1)], costs,
+                                   lambda item: item[1]):
+        sharded(work, name, twofold, [*runs[name].split(), "--seed", str(seed)])
 
 
 # Statistics.
