@@ -17,7 +17,7 @@ STYLES = {
     "arkode-erk5": (SKY, "*"), "cvode-smooth": (PINK, "x"),
     "scipy-radau": (ORANGE, "h"),
     "scipy-lsoda": (ORANGE, "X"), "scipy-rk45": (ORANGE, ">"),
-    "siconos": (GREY, "2")}
+    "siconos": (YELLOW, "2")}
 # The classes of a cell of the map, the worst last.
 CLASSES = {
     "within 1 %": BLUE, "within 10 %": SKY,
