@@ -24,10 +24,11 @@ QUARTER = 0.25  # [s], of a histogram of times
 MANY = f"--samples 100 --cycles {CYCLES} --patience 300"
 FEW = f"--samples 100 --cycles {max(CYCLES // 10, 1)} --patience 300"
 FIRST = f"--patience 0.25 --samples {20 * CYCLES}"
-# Many returns, at two steps; what becomes of h = g = 0 decides whether it comes
-# back; and first exits, enough to tell a difference of 0.05 from none.
+# Many returns, as `make recurrence` follows them, and by finer steps; what
+# becomes of h = g = 0 decides whether it comes back; and first exits, enough to
+# tell a difference of 0.05 from none.
 RUNS = {
-    "long": MANY, "long-half": f"{MANY} --dt 2.5e-2",
+    "long": MANY, "long-fine": f"{MANY} --dt 1e-2 --set tolerance=1e-11",
     "even": f"--codim2 even {FEW}",
     "attracting": f"--codim2 attracting --samples {2 * CYCLES} --cycles 100 "
                   "--patience 20",
@@ -35,9 +36,9 @@ RUNS = {
     "exit-random-300": f"{FIRST} --rate 300",
     "exit-random-150": f"{FIRST} --rate 150"}
 COSTS = 10, 20, 1, 2, 1, 1, 1, 1
-# Two runs, the step and its half, or a rate and its half: rows and a column.
+# Two runs, a step or rate and a smaller one: rows and a column.
 COMPARED = [
-    *(("long", "long-half", *rest) for rest in (
+    *(("long", "long-fine", *rest) for rest in (
         ("returns", "time", "time from exit to return"),
         ("returns", "landing_r", "place of landing"),
         ("exits", "phase", "phase"), ("exits", "r", "place of exit"))),
