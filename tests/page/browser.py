@@ -9,7 +9,7 @@ import tempfile
 import time
 
 KEYS = {" ": 32, "ArrowRight": 39}  # which browsers know by number
-FLAGS = ["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-quic",
+FLAGS = ["--no-sandbox", "--disable-gpu", "--disable-quic",
          "--no-first-run", "--disable-background-networking", "--disable-sync",
          "--disable-component-update", "--hide-scrollbars",
          "--disable-dev-shm-usage", "--remote-debugging-pipe"]
