@@ -98,8 +98,8 @@ static tf_real_t newton_step(const outlook_t *at, unsigned count, unsigned a) {
 // Newton's method from a point on, within the law. Returns whether it comes to
 // a zero that holds.
 static bool comes_to_zero(const mechanism_t *k, const problem_t *p,
-                          const unsigned mode[], bool is_affine,
-                          joint_box_t *point, outlook_t *at) {
+                          const unsigned mode[], joint_box_t *point,
+                          outlook_t *at) {
   bool is_zero = false;
   for (unsigned a = 0; a < k->count; a++) point->half[a] = 0;
   for (unsigned n = 0; n < MOST_NEWTON_STEPS && !is_zero; n++) {
@@ -112,8 +112,8 @@ static bool comes_to_zero(const mechanism_t *k, const problem_t *p,
                p->box.middle[a] + p->box.half[a]);
     }
     look(k, p, point, at);
-    if (!is_affine && most > SMALL_STEP) invert_slopes(k, p, at);
-    is_zero = is_affine || n > 0;
+    if (!k->is_affine && most > SMALL_STEP) invert_slopes(k, p, at);
+    is_zero = k->is_affine || n > 0;
     for (unsigned f = 0; f < k->count; f++)
       is_zero = is_zero && within(at->missed[f], at->rounding[f]);
   }
@@ -124,7 +124,7 @@ static bool comes_to_zero(const mechanism_t *k, const problem_t *p,
         is_zero && (mode[i] != TF_PINNED ||
                     rests_under(k->contacts[i].rest, point->middle[X_OF(i)],
                                 point->middle[Y_OF(i)]));
-  if (is_zero && !is_affine) invert_slopes(k, p, at);
+  if (is_zero && !k->is_affine) invert_slopes(k, p, at);
   return is_zero;
 }
 
@@ -323,7 +323,6 @@ static bool add_zeros(const mechanism_t *k, const unsigned mode[],
     invert_slopes(k, p, &at);
     problem_t rest_of_box = *p; // what Newton's step leaves of the box
     bool misses = false, alone = true, soft = false, inside = true;
-    bool is_affine = true;
     unsigned widest = 0;
     for (unsigned a = 0; a < k->count; a++) {
       tf_real_t bent = 0, softened = 0, rounded = JOINT_ROUNDING;
@@ -340,18 +339,17 @@ static bool add_zeros(const mechanism_t *k, const unsigned mode[],
       misses = misses || magnitude(step) > box.half[a] + off;
       rest_of_box.box.middle[a] = box.middle[a] + (low + high) / 2;
       rest_of_box.box.half[a] = (high - low) / 2;
-      is_affine = is_affine && at.bend[a] == 0;
       alone = alone && 4 * bent <= box.half[a] + JOINT_ROUNDING;
       soft = soft || !(4 * softened <= box.half[a] + JOINT_ROUNDING);
       if (rest_of_box.box.half[a] > rest_of_box.box.half[widest]) widest = a;
     }
     if (misses || !may_hold(k, &rest_of_box)) continue;
-    bool holds = comes_to_zero(k, p, mode, is_affine, &point, &at);
+    bool holds = comes_to_zero(k, p, mode, &point, &at);
     if (soft && !holds) holds = comes_to_a_middle(k, p, mode, &point, &at);
     for (unsigned a = 0; a < k->count; a++)
       inside = inside && within(point.middle[a] - box.middle[a],
                                 box.half[a] + JOINT_ROUNDING);
-    const bool is_last = soft ? is_affine : alone;
+    const bool is_last = soft ? k->is_affine : alone;
     if (holds && inside) {
       take_zero(k, mode, p, point.middle, &at, &least, joint);
       if (is_last) joint->points++;
@@ -490,7 +488,7 @@ TF_API bool tf_balance_contacts(const mechanism_t *k, const unsigned mode[],
   }
   look(k, &p, &point, &at);
   invert_slopes(k, &p, &at);
-  if (!comes_to_zero(k, &p, mode, false, &point, &at)) return false;
+  if (!comes_to_zero(k, &p, mode, &point, &at)) return false;
   for (unsigned a = 0; a < k->count; a++) m[a] = point.middle[a];
   for (unsigned i = 0; i < k->count / 2; i++) h[i] = at.value[X_OF(i)];
   return true;
