@@ -53,18 +53,18 @@ typedef struct {
 ///   finite (found and count untouched).
 /// Several solutions may have the same modes. The one in `found` keeps the
 ///   present side of g in slip; of those, it has the least sum of |x| + |y|.
-/// Redundant contacts: the motion is unique, the forces are not. `found` has
-///   those of the least sum of squares, or else some well inside the law. What
-///   rests but for 256 epsilon in h_i or g_i rests, unless there are products.
+/// Redundant contacts: the motion is unique, not the forces. `found` has those
+///   of the least sum of squares, or some well inside the law. What rests but
+///   for 256 epsilon rests. Leave products out: with them a plate that rests on
+///   three wheels is TF_COARSE, in no mode (1 of 4 states) or several (1 of 5).
 /// Trust: with TF_REST_HULL a joint mode exists. One is certainly found unless
 ///   a change of the coefficients by 64 epsilon removes it, or TF_COARSE says
 ///   so: `found` may be empty. In float one of 1,000 redundant ones is lost.
 /// Cost: for n = 2 a Cortex-M4F takes 1e5 instructions on average, and up to
 ///   2e7 were found (docs/BENCH.md): no step is promised to end in 1 ms.
-/// h_i = g_i = 0: tf_contact_leave has no counterpart. The next step finds how
-///   contact i leaves by the limits at h_i -> 0, which may differ. For the law
-///   itself eliminate from h_i and g_i the multipliers of the others in a joint
-///   mode, and call tf_contact_leave.
+/// h_i = g_i = 0: the next step finds how contact i leaves by the limits at
+///   h_i -> 0. For the law itself, which may differ, eliminate from h_i and g_i
+///   the multipliers of the others in a joint mode, and call tf_contact_leave.
 #define tf_contacts_modes TF_LINK(tf_contacts_modes)
 TF_API tf_status_t tf_contacts_modes(unsigned n, const tf_contact_t *contacts,
                                      const tf_real_t *forms,
