@@ -18,12 +18,8 @@ enum { MIRROR, REVERSAL, HALF_TURN, MASS, TIME, SHIFT, MAPS };
  *   time       half a second is the new unit
  *   shift      so many steps later */
 static void map_params(int map, tf_params_t *p) {
-  static const tf_rule_t other[TF_RULES] = {
-      [TF_RULE_PERSIST] = TF_RULE_PERSIST,
-      [TF_RULE_SLIP_PLUS] = TF_RULE_SLIP_MINUS,
-      [TF_RULE_SLIP_MINUS] = TF_RULE_SLIP_PLUS,
-      [TF_RULE_RANDOM] = TF_RULE_RANDOM};
-  if (map < MASS) p->rule = other[p->rule];
+  if (map < MASS && p->rule % 3 > 0) /* one of the two slips */
+    p->rule = (tf_rule_t)(3 - p->rule);
   if (map == MIRROR) p->d = -p->d, p->gamma = -p->gamma, p->omega0 = -p->omega0;
   if (map == REVERSAL) p->d = -p->d, p->r0 = -p->r0;
   if (map == MASS)
@@ -183,16 +179,27 @@ static tf_state_t any_state(const tf_machine_t *k, const tf_input_t *u,
   return x;
 }
 
+/* Two slips beside the axis of a wheel along the slot have one g. The faster
+ * one is faster by a share of h^2 / (2 g^2): eight roundings, 4 epsilon, hide
+ * that, and both machines take slip+. */
+static int leaves_along_slot(const tf_report_t *end) {
+  return tf_mode_is_slip(end->mode) &&
+         fabs((double)end->slip.h) <=
+             sqrt(8 * (double)TF_REAL_EPSILON) * fabs((double)end->slip.g);
+}
+
 /* Whether rounding or convention decides: the forces at h = g = 0 are their own
  * mirror image, so that of two futures each is the image of the other; or there
  * is no moment, and g = 0 gives the stick its name; or no stick, and h = 0
  * gives the slip its side. */
 static int is_symmetric(const tf_params_t *p, const tf_input_t *u,
-                        const tf_state_t *x, const tf_report_t *end) {
+                        const tf_state_t *x, const tf_report_t end[2]) {
   const int no_force = (u->r0 == 0 || p->k2 == 0) && u->force == 0;
   const int no_torque = u->torque == 0 && u->alpha == 0;
+  const int ties = !tf_mode_is_slip(x->mode) && leaves_along_slot(&end[0]) &&
+                   leaves_along_slot(&end[1]);
   return (x->r == 0 && x->v == 0 && no_force) ||
-         (fabs(sin((double)p->gamma)) < 1e-6 && no_torque) ||
+         (fabs(sin((double)p->gamma)) < 1e-6 && (no_torque || ties)) ||
          (p->law == TF_TYRE_COULOMB && end->slip.g == 0) ||
          (!tf_tyre_is_set_valued(p->law) && end->slip.h == 0);
 }
@@ -202,16 +209,43 @@ static int underflows(tf_real_t x) {
   return x != 0 && fabs((double)x) < 1e5 * sqrt((double)TF_REAL_MIN);
 }
 
-/* Two things in a located step keep no bits in another unit of time, but their
- * tolerance: the end of a rest is a root of a parabola over the sum of its
- * coefficients, which are of three units; and next to a singular point terms of
- * a series overflow in float in one unit first. */
-static int are_near(const tf_state_t *a, const tf_state_t *b) {
-  const tf_real_t most = 64 * TF_REAL_EPSILON;
-  const double speed = (double)most * (fabs((double)a->v) + fabs((double)a->w));
-  return a->mode == b->mode && a->tick == b->tick &&
-         fabs((double)(a->r - b->r)) <= (double)most * fabs((double)a->r) &&
-         fabs((double)(a->v - b->v)) + fabs((double)(a->w - b->w)) <= speed;
+/* How far two ends of a step are apart, as a share of r and of the speeds. */
+static double apart(const tf_state_t *a, const tf_state_t *b) {
+  const double speed = fabs((double)a->v) + fabs((double)a->w);
+  return fmax(
+      fabs((double)(a->r - b->r)) / fabs((double)a->r),
+      (fabs((double)(a->v - b->v)) + fabs((double)(a->w - b->w))) / speed);
+}
+
+/* Three things in a located step keep no bits in another unit of time: the end
+ * of a rest is a root of a parabola over the sum of its coefficients, which are
+ * of three units; the force at a two-fold follows from a trial by 1 m/s^2; and
+ * terms of a series overflow in float. Rounded otherwise an end is off by 64
+ * roundings, and by as much as where r, v or w at the start is off by two,
+ * which is more behind a two-fold: there motions part. */
+static int are_near(const tf_machine_t *k, const tf_input_t *u,
+                    const tf_state_t *from, const tf_state_t *a,
+                    const tf_state_t *b) {
+  double most = 64 * (double)TF_REAL_EPSILON;
+  for (int i = 0; i < 6; i++) {
+    tf_state_t x = *from;
+    tf_report_t report;
+    *(i < 2   ? &x.r
+      : i < 4 ? &x.v
+              : &x.w) *= 1 + (i % 2 ? -2 : 2) * TF_REAL_EPSILON;
+    if (tf_step_located(k, &x, u, &report) >= TF_OK) most += apart(a, &x);
+  }
+  return a->mode == b->mode && a->tick == b->tick && apart(a, b) <= most;
+}
+
+/* One constant has a unit: what moves by less than 1e-9 of its size in a second
+ * rests, and does not stall. With half a second as the unit that is half. */
+static int rests_in_a_unit(const tf_machine_t *k, const tf_input_t *u,
+                           const tf_state_t *x) {
+  const double reach = fabs((double)k->d) + fabs((double)x->r);
+  const double v = fabs((double)x->v), w = fabs((double)x->w);
+  const double terms = v + reach * (w + fabs((double)u->omega0));
+  return v <= 16 * (double)TF_REAL_EPSILON * terms + 1e-9 * reach;
 }
 
 /* A machine and its image: 0 and 1. */
@@ -261,28 +295,35 @@ static int agreeing_images(const kind_t *kind, int map, int most, long *ends) {
     m.u[0].omega0 += m.u[0].alpha * m.k[0].dt;
     if (fabs((double)m.x[0].r) + fabs((double)m.x[0].v) > 1e8) break;
     m.u[1] = mapped_input(map, m.u[0]);
-    const tf_state_t from = m.x[0];
-    const int agree = step_images(kind->step, map, &m);
+    const tf_state_t from = m.x[0], start = m.x[1];
+    int agree = step_images(kind->step, map, &m);
     const tf_status_t status = m.report[0].status;
     if (status < TF_OK || underflows(m.report[0].slip.g)) break;
     /* Of several futures the located step takes one by convention. Next to a
-     * singular point terms of a series overflow in float: in one unit and not
-     * in the other. */
+     * singular point a series may fail in one unit of time and not in the
+     * other, and terms overflow in float: that step is told. */
     if (kind->step == tf_step_located &&
         ((map < MASS && m.report[0].choices > 1) ||
-         (!IS_DOUBLE && m.report[0].status + m.report[1].status != TF_OK)))
+         ((!IS_DOUBLE || map == TIME) &&
+          m.report[0].status + m.report[1].status != TF_OK)))
       break;
     const tf_state_t image = mapped_state(map, m.x[0]);
     if (!agree && kind->step == tf_step_located && map == TIME &&
-        m.report[1].status == status && are_near(&image, &m.x[1])) {
+        m.report[1].status == status &&
+        are_near(&m.k[1], &m.u[1], &start, &image, &m.x[1])) {
       m.x[1] = image;
       continue;
+    }
+    if (!agree && map == TIME && same_state(&image, &m.x[1]) &&
+        rests_in_a_unit(&m.k[0], &m.u[0], &m.x[0])) {
+      m.report[1].status = status;
+      agree = same_report(map, &m.report[0], &m.report[1]);
     }
     /* A step that is not TF_OK may end in a tie, and in other units other ends
      * violate the law least. */
     if (!agree)
-      return status == TF_OK && !(map < MASS && is_symmetric(&p, &m.u[0], &from,
-                                                             &m.report[0]))
+      return status == TF_OK &&
+                     !(map < MASS && is_symmetric(&p, &m.u[0], &from, m.report))
                  ? n
                  : most;
     *ends +=
