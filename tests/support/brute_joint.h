@@ -9,9 +9,9 @@
 #include "common.h"
 #include "twofold/contacts.h"
 
-#define MOST 3
+#define MOST TF_CONTACTS
 #define UNKNOWNS (2 * MOST)
-#define ROOM 125
+#define ROOM TF_JOINT_ROOM(MOST)
 #define CONDITIONS (6 * MOST)
 #define ZEROS 64
 

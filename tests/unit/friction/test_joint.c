@@ -1,7 +1,6 @@
-/* All modes of random contacts, and all joint modes of mechanisms of 2 and 3 of
- * them, against brute force. DRAWS=1000000 in the environment draws as many of
- * each number of contacts, a ninth of them in each of the nine classes; of two
- * and three contacts with products fewer, by an eighth or an eightieth. */
+/* All modes of random contacts, and all joint modes of mechanisms of 2, 3 and a
+ * few of 4, against brute force. DRAWS=1000000 in the environment draws as many
+ * of each number, a ninth of each class; of 4, and with products, fewer. */
 #include "brute_joint.h"
 
 typedef enum {
@@ -28,7 +27,7 @@ static tf_real_t *form(system_t *k, unsigned f) {
 /* Bodies with some degrees of freedom: the forces act through the inverse of a
  * mass matrix, F against the gradient of h, the moment near that of h and g. */
 static void draw_masses(system_t *k, unsigned freedoms, real near) {
-  real L[8][8] = {{0}}, rows[2 * MOST][8], acts[2 * MOST][8];
+  real L[9][9] = {{0}}, rows[UNKNOWNS][9], acts[UNKNOWNS][9];
   for (unsigned a = 0; a < freedoms; a++)
     for (unsigned b = 0; b <= a; b++)
       L[a][b] = a == b ? log_uniform(0.3, 2) : uniform(-0.7, 0.7);
@@ -86,10 +85,8 @@ static void draw_wheels(system_t *k, bool is_exact) {
     if (is_exact) x = roundl(8 * x) / 8;
     if (is_exact) y = roundl(8 * y) / 8;
     const real c = cosl(turn), s = sinl(turn);
-    const real of_h[3] = {-s, c, c * x + s * y},
-               of_g[3] = {c, s, s * x - c * y};
-    memcpy(rows[(size_t)2 * i], of_h, sizeof of_h);
-    memcpy(rows[(size_t)2 * i + 1], of_g, sizeof of_g);
+    const real of[2][3] = {{-s, c, c * x + s * y}, {c, s, s * x - c * y}};
+    memcpy(rows[(size_t)2 * i], of, sizeof of);
   }
   for (unsigned f = 0; f < 2 * k->n; f++)
     for (unsigned b = 0; b <= 2 * k->n; b++) {
@@ -315,7 +312,10 @@ static void judge(class_t class, unsigned n, verdict_t *sum) {
               ((joint->attracting >> i) & 1u) != (zero->attracts[i] == SURE);
     }
     sum->wrong += !is_one || (n == 1 && !is_nearest(is, joint->x[0]));
-    sum->miscounted += n > 1 && all_sure && joint->points != is->count;
+    /* where there are products, brute force may start too far from some */
+    if (n > 1 && all_sure && status == TF_OK)
+      sum->miscounted +=
+          k.starts > 0 ? joint->points < is->count : joint->points != is->count;
   }
 }
 
@@ -339,7 +339,7 @@ static void judge_all(class_t class, unsigned n, int systems) {
   CHECK(sum.wrong == 0 && sum.miscounted == 0 && sum.by_force == 0);
   /* where forms bend much, one contact attracts by their chord */
   CHECK(sum.turned == 0 || is_curve);
-  CHECK_ABOVE(sum.several, 0);
+  CHECK(n == MOST || sum.several > 0);
 }
 
 static int draws(int usual) {
@@ -348,14 +348,13 @@ static int draws(int usual) {
 }
 
 TEST(joint_modes_are_all_found) {
+  static const int fewer[][CLASSES] = {
+      {1, 1, 1, 1, 8, 1, 1, 1, 1},
+      {1, 8, 1, 8, 80, 1, 1, 1, 1},
+      {10, 100, 10, 100, 10000, 10, 10, 10, 10}};
   for (unsigned n = 2; n <= MOST; n++)
-    for (int class = 0; class < CLASSES; class ++) {
-      const bool turns = class == MASSES_TURNING || class == GENERIC_TURNING;
-      const int share = class == CURVED ? (n == 2 ? 8 : 80)
-                        : turns         ? (n == 2 ? 1 : 8)
-                                        : 1;
-      judge_all((class_t) class, n, 1 + draws(800) / share);
-    }
+    for (int class = 0; class < CLASSES; class ++)
+      judge_all((class_t) class, n, 1 + draws(800) / fewer[n - 2][class]);
 }
 
 TEST(modes_of_one_contact_are_all_found) {
