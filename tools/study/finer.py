@@ -212,8 +212,8 @@ def draw(study: Study, path: Path) -> None:
         out = rows[rows.side != 0]
         right.semilogx(out.effective, 1e3 * out.exit_r, "-", lw=0.8,
                        color=colour)
-    left.loglog(study.turned.width, study.turned.high, "s", ms=6, mfc="none",
-                color="black", label="turns the exit")
+    left.loglog(study.turned.width, abs(study.turned.high), "s", ms=6,
+                mfc="none", color="black", label="turns the exit")
     for bits, name in (24, "float"), (53, "double"), (64, "x87"):
         rows = study.of("bits", bits=bits).dropna(subset="disturbance")
         if len(rows):
@@ -247,7 +247,7 @@ class Study:
     def __init__(self, folder: Path) -> None:
         self.families = json.loads((folder / "families.json").read_text())
         self.fold = TwoFold(self.families["fold"])
-        self.turned = table.read(folder / "turning.csv").abs()
+        self.turned = table.read(folder / "turning.csv")
         rows = table.read(folder / "runs.csv")
         rows["after"] = rows.exit_t - rows.fold_t
         unit = {form: self.fold.width(form, 1) for form in PHI}
@@ -340,7 +340,7 @@ class Study:
         exact = self.exact.loc["algebraic"]
         kicks = self.kick_exponents().dropna(subset="want").sort_values("kick")
         over = 100 * (kicks.behind / kicks.want - 1)
-        turn = np.polyfit(*np.log(self.turned[["width", "high"]].T.values), 1)
+        turn = np.polyfit(*np.log(self.turned.abs().values.T[::2]), 1)
         wide = [self.critical(bits) for bits in UNITS]
         roots = families.circle_roots()
         apart = max(min(abs(end - one) for one in roots)
@@ -352,9 +352,9 @@ class Study:
              f"{self.fold.share:.4f}"],
             ["r at the exit, where w at the start changes by up to 1e-3",
              f"{moved:.0e} m"],
-            ["least kick that turns the exit, at an effective width",
-             ", ".join(f"{one.high:.2g} m/s at {one.width:.2g} m/s"
-                       for _, one in self.turned.iterrows())],
+            ["kick [m/s] between these turns the exit, at effective width",
+             ", ".join("{1:+.2e} and {2:+.2e} at {0:.2g} m/s".format(*one)
+                       for one in self.turned.values)],
             ["its exponent over these widths; for width to 0, (ratio + 1)/2",
              f"{turn[0]:.1f}; {self.fold.nu / 2 + 1:.2f}"],
             ["that kick from E, by theory's leading order",
