@@ -2,8 +2,8 @@
 """Noise of size 1 on v at h = g = 0 of `chaos`, by explicit steps of Euler and
 Maruyama of one length. It shares nothing with tools but the paper's equations.
 
-usage: tests/study/euler.py selected R DT   the share that leaves in slip-
-       tests/study/euler.py stick R DT      of stick-: b, s^2 (errors), and c
+usage: tests/study/euler.py selected R DT N_G   the share that leaves in slip-
+       tests/study/euler.py stick R DT          of stick-: b, s^2 (errors), c
 """
 import math
 import sys
@@ -18,8 +18,8 @@ LONG, FROM = 2000, -1500  # time of stick-, and where it begins
 class Motion:
     """Many of them: h and g, with slider and disc at rest on the turntable."""
 
-    def __init__(self, r, dt, h, g):
-        self.r, self.J, self.dt = r, BETA ** 2 + r * r, dt
+    def __init__(self, r, dt, h, g, n_g=1):
+        self.r, self.J, self.dt, self.n_g = r, BETA ** 2 + r * r, dt, n_g
         self.spring = 2.2270992253886014 * (0.1 - r) + r
         self.h, self.g = h + np.zeros(SAMPLES), g + np.zeros(SAMPLES)
         self.random = np.random.default_rng(1)
@@ -39,20 +39,20 @@ class Motion:
         h, g = self.rates()
         noise = math.sqrt(self.dt) * self.random.normal(size=len(self.h))
         self.h, self.g = (self.h + h * self.dt + noise,
-                          self.g + g * self.dt + noise)
+                          self.g + g * self.dt + self.n_g * noise)
 
     def keep(self, which):
         self.h, self.g = self.h[which], self.g[which]
 
 
-def selected(r, dt):
-    """Of motions that arrive in slip+, before they are in stick- for long."""
-    motion, left = Motion(r, dt, 0.02 * BEGIN, BEGIN), 0
+def selected(r, dt, n_g=1):
+    """Of motions that arrive in slip+. n_g: -1 where dv = domega 1 m."""
+    motion, left = Motion(r, dt, 0.02 * BEGIN, BEGIN, n_g), 0
     while len(motion.g):
         motion.step()
         leaves = (motion.g > END) & (motion.h < 0)
         left += leaves.sum()
-        motion.keep(~leaves & (motion.g > -20 * dt))
+        motion.keep(~leaves & (motion.g > -20 * dt - 300 * (n_g < 0)))
     return left / SAMPLES, math.sqrt(left * (SAMPLES - left) / SAMPLES ** 3)
 
 

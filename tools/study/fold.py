@@ -22,7 +22,7 @@ from scipy import stats
 import driven
 import table
 
-BANDS = 1.5, 5, 15, 50, 150, 900  # [h_c]
+BANDS = 1.5, 15, 150, 900  # [h_c]
 STEPS = {1.6e-3: 4, 4e-4: 4, 1e-4: 1}  # EPS, and the share of the samples
 SAMPLES = 25000
 SLAVED = 0.09, 0.5, 0.8  # multipliers of the stick
@@ -62,15 +62,14 @@ def of_chaos(twofold: str) -> Fold:
 
 
 def exits(fold: Fold, eps: float, samples: int, seed: int) -> pd.DataFrame:
-    """A row for each band: samples, those that leave to h > 0, quartiles of the
-    time; and how far the phase of the spiral is from a uniform one."""
+    """A row for each band: samples, those that leave to h > 0; and how far the
+    phase of the spiral is from a uniform one."""
     random = np.random.default_rng(seed)
     t, stick = -float(BEFORE), fold.stick
     speed = np.full(samples, stick * BEFORE)
     side_of = np.where(random.random(samples) < (1 + stick) / 2, 1, -1)
     h = side_of * random.exponential(1 / (2 * BEFORE * (1 - stick * side_of)))
     side = np.zeros((len(BANDS), samples), np.int8)
-    when = np.full(side.shape, math.nan)
     rose, up = np.full(samples, math.nan), h >= 0
     while not side[-1].all() or t < PHASE:
         dt = eps * max(1, t) if t > 0 else eps / max(1, -t)
@@ -83,12 +82,11 @@ def exits(fold: Fold, eps: float, samples: int, seed: int) -> pd.DataFrame:
             rose[up & ~was] = t
         for i, band in enumerate(BANDS if t > 0 else ()):
             new = (side[i] == 0) & (abs(h) > band)
-            side[i][new], when[i][new] = np.sign(h[new]), t
+            side[i][new] = np.sign(h[new])
     phase = (np.log(PHASE / rose[rose > 0]) / math.log(fold.growth())) % 1
     return pd.DataFrame({
         "eps": eps, "band": BANDS, "n": samples, "up": (side > 0).sum(1),
-        **{f"q{n}": np.quantile(when, n / 4, axis=1) for n in (1, 2, 3)},
-        "phase": stats.kstest(phase, "uniform").statistic})
+        "phase": stats.kstest(phase, "uniform").statistic, "rose": len(phase)})
 
 
 def follow(work: Path, twofold: str) -> None:
@@ -104,14 +102,16 @@ def follow(work: Path, twofold: str) -> None:
 def count(work: Path, _: Path) -> dict[str, pd.DataFrame]:
     """The tables."""
     rows = table.read(work / "fold.csv")
-    rows["share"] = [table.share(*of).text(3) for of in zip(rows.up, rows.n)]
+    rows["share"] = [table.share(*of).brief() for of in zip(rows.up, rows.n)]
     chaos = rows[rows.of == "chaos"].sort_values("eps")
     shares = chaos.pivot(index="band", columns="eps", values="share")
-    shares.columns = [f"to slip+, step {eps:g}" for eps in shares.columns]
-    middle = chaos[chaos.eps == 4e-4].set_index("band")
-    shares["median time / t_c"] = middle.q2.map("{:.3g}".format)
+    shares.columns = [f"step {eps:g}" for eps in shares.columns]
     slaved = rows[(rows.of != "chaos") & (rows.band == BANDS[-1])]
-    return {"shares": shares.rename_axis("band / h_c").reset_index(),
-            "slaved": pd.DataFrame({
-                "multiplier of stick": slaved.of.str.split().str[1],
-                "to slip+": slaved.share})}
+    one = chaos.iloc[-1]
+    return {"shares": shares.rename_axis("band/h_c").reset_index(),
+            "phase": f"{one.rose:.0f} phases of the spiral at {PHASE} t_c "
+            f"are uniform but for a\nKolmogorov distance of {one.phase:.4f} +- "
+            f"{stats.kstwo.isf(1 - table.LEVEL, int(one.rose)):.4f}.",
+            "slaved": "Multipliers of stick of " + ", ".join(
+                slaved.of.str.split().str[1]) + " give\n" + ", ".join(
+                    slaved.share) + "."}

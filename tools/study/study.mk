@@ -2,7 +2,7 @@
 # Makefile. tools/run study SECTION follows what is to be followed and makes
 # tables and pictures in $(BUILD)/study; keep-SECTION copies them to docs/.
 #
-#   CYCLES=20 MACHINES=200 MECHANISMS=100   less of a section
+#   CYCLES=20 SAMPLES=500 MACHINES=200 MECHANISMS=100   less of a section
 #   ONLY='map slurm'      of test-shards: tests whose names have one of these
 
 two := $(BUILD)/double/twofold
@@ -48,10 +48,10 @@ STUDIES := statistics recurrence noise fold corner halfrange finer sides \
   test-shards
 statistics: ## exits and returns of chaos, counted (15 minutes)
 recurrence: ## where motions return, over 20000 machines (25 minutes)
-noise: ## exits and returns under noise of three sizes (8 core-minutes)
+noise: ## exits and returns under noise of three sizes (3 core-minutes)
 fold: ## to which side noise leaves a two-fold, by band (5 minutes)
-corner: ## what noise selects at h = g = 0, by r (25 core-minutes)
-halfrange: ## the same without samples, and how long a rest lasts (5 minutes)
+corner: ## what noise selects at h = g = 0, by r (36 core-minutes)
+halfrange: ## the same without samples, and how long a rest lasts (8 minutes)
 finer: ## what finer laws select behind the two-fold (10 minutes)
 sides: ## their first sides at 200 widths a decade (50 minutes)
 mechanisms: ## two-folds of 100000 random mechanisms (5 minutes)

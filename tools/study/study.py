@@ -11,8 +11,8 @@ usage: tools/run study SECTION          follows what is to be followed, makes
 SECTION is statistics, recurrence, noise, fold, corner, halfrange, finer,
 sides, mechanisms, several, trolley, cart or figures.
 Environment: BUILD, TWOFOLD, JOBS; CYCLES=1000 of statistics and noise,
-MACHINES of statistics and recurrence, MECHANISMS=10000
-of mechanisms (2000 of several).
+SAMPLES=10000 of corner, MACHINES of statistics and recurrence,
+MECHANISMS=10000 of mechanisms (2000 of several).
 """
 import importlib
 import os

@@ -128,6 +128,14 @@ class Estimate(NamedTuple):
                             for x in self)
         return value if value == "-" else f"{value} [{low}, {high}]"
 
+    def brief(self) -> str:
+        """As 0.053(12): 12 is the half-width in units of the last digit."""
+        half = max(self.high - self.value, self.value - self.low)
+        if not half > 0:
+            return f"{self.value:.3g}"
+        n = max(0, 1 - math.floor(math.log10(half)))
+        return f"{self.value:.{n}f}({half * 10 ** n:.0f})"
+
 
 UNKNOWN = Estimate(math.nan, math.nan, math.nan)
 
