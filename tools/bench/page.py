@@ -129,14 +129,16 @@ class Page:
         """The least time of this project as a share of the best peers'."""
         rows, lines = self.section("peers"), []
         for problem in SWITCHED:
-            own, hand, library = (least(rows, problem, of, LEVELS)
-                                  for of in (OWN, HAND, LIBRARIES))
+            own, hand, library, plain, rival = (
+                least(rows, problem, of, LEVELS)
+                for of in (OWN, HAND, LIBRARIES, FIXED, RIVALS))
             lines.append({
                 "problem": problem,
                 "of the best by hand": joined(own.ns / hand.ns, ".2f"),
                 "which": names(hand),
                 "of the best library": joined(own.ns / library.ns, ".2f"),
-                "which one": names(library)})
+                "which one": names(library), "plain to 1e-3": joined(
+                    (plain.instructions / rival.instructions).iloc[:1], ".2g")})
         return pd.DataFrame(lines)
 
     def stiff(self) -> pd.DataFrame:
@@ -218,7 +220,7 @@ def least(rows: pd.DataFrame, problem: str, solvers: str,
     nobody reaches costs nan."""
     rows = rows[(rows.problem == problem) & rows.solver.str.match(solvers)]
     return rows.dropna(subset="ns").sort_values("ns", kind="stable").groupby(
-        "error")[["solver", "ns"]].first().reindex(levels)
+        "error")[["solver", "ns", "instructions"]].first().reindex(levels)
 
 
 def names(of: pd.DataFrame) -> str:
