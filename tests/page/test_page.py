@@ -15,7 +15,7 @@ from tap import ROOT, run
 
 def main():
     if not page.PROGRAM:
-        print("missing: the package chromium-headless-shell (apt-get)")
+        print("missing: chromium-headless-shell (apt-get install it)")
         return 3
     rooms = sorted(path.stem for path in ROOT.glob("tests/page/test_*.py")
                    if path.stem != "test_page")

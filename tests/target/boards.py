@@ -5,9 +5,8 @@ taken. A board whose compiler or emulator is missing is skipped by name, or
 fails where the file REQUIRED lists it (.ci/required).
 
 What two boards compile to the same code (BOARD_TWIN) is tested on one of them.
-With FEW=yes a board has the loop of its last rate alone; where it tests other
-schemes it does so in one real type, and runs `string` in a generic firmware,
-which else none does. Environment: MAKE BUILD JOBS SCENES FEW SECONDS_OF_LOOP.
+With FEW=yes a board runs one loop, and generic firmware in one real type.
+Environment: MAKE BUILD JOBS SCENES FEW SECONDS_OF_LOOP.
 """
 from __future__ import annotations
 
@@ -149,8 +148,8 @@ def test_double_only(board: Board, *words: str) -> None:
     for tool in re.findall("BOARD_CC=(.+)", "\n".join(words)):
         if not shutil.which(tool):
             lacks(tool, f"{tool} (Debian: apt-get install {tool})")
-    test_generic(board, "double", "moreau", "step on a board", "chaos",
-                 words=words)
+    test_generic(board, "double", "moreau", "step on a board",
+                 *["chaos"] * (not FEW), words=words)
     why = board.make("float", "trajectory-only", *words, scene="generic")[1]
     check('#error "float needs' in why, why)
 
@@ -301,17 +300,18 @@ def test_too_large(board: Board, larger: str) -> None:
 
 def tests_of_real(board: Board, real: str) -> Iterator[tuple[Callable, list]]:
     """What is tested of each real type, but for the code of a twin."""
+    schemes = board.fact("SCHEMES").split()
+    one = [*schemes, *board.fact("REALS").split()[::-1]][0]
     if board.fact("TWIN") not in NAMES:
         for scene in board.scene(SHOWN):
             yield test_trajectory, [scene]
-        if not board.fact("SMALL"):
-            few = ["string"] * bool(board.fact("SCHEMES"))
-            yield test_generic, ["moreau", "step on a board",
-                                 *(few if FEW else ["string", "chaos"])]
+        if not board.fact("SMALL") and (real == one or not FEW):
+            yield test_generic, ["moreau", "step on a board", *(
+                ["string"] * bool(schemes) if FEW else ["string", "chaos"])]
     for rate in board.fact(f"RATES_{real}").split()[-1 if FEW else 0:]:
         hertz, _, shift = rate.partition(":")
         yield test_loop, [int(hertz), shift]
-    if real in board.fact("SCHEMES").split()[:1 if FEW else None]:
+    if real in schemes[:1 if FEW else None]:
         yield test_scheme, ["located"]
         yield test_scheme, ["compensated"]
         yield test_generic, ["located", "locate on a board"]
