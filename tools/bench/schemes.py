@@ -204,7 +204,7 @@ def steps() -> pd.DataFrame:
             *([f"{length} steps, machines {kind}", "moreau", "machines", count,
                length, dt] for kind, count, length, dt in (
                 ("golden", 1000, 12, 0), ("ordinary 1 ms", 100, 100, 1e-3),
-                ("ordinary 0.1 ms", 100, 100, 1e-4)))]):
+                ("ordinary 0.1 ms", 100, 100, 1e-4)))], [*[1] * 4, 18, 27, 40]):
         found = single(*words)
         kind = found.before.str.replace("[+-]", "", regex=True).where(
             found.before == found.after, "changes")

@@ -11,7 +11,7 @@ import driven
 from measure import BUILD
 from schemes import of_ensembles
 
-COSTS = 2, 3, 10, 2, 5, 1, 1, 1  # about, of lines() [s]
+COSTS = 3, 4, 13, 4, 13, 2, 4, 45  # about, of lines() [s]
 STEPS, POINTS, CYCLES = 10000, 8192, 400  # STEPS of scene chaos are 1 s
 RUN = "run", "chaos", "-o", "/dev/null", "--t-end"
 ROWLESS = "--every", 10 ** 9
