@@ -48,8 +48,8 @@ STUDIES := statistics recurrence noise fold corner halfrange finer sides \
   test-shards
 statistics: ## exits and returns of chaos, counted (15 minutes)
 recurrence: ## where motions return, over 20000 machines (25 minutes)
-noise: ## exits and returns under noise of three sizes (3 core-minutes)
-fold: ## to which side noise leaves a two-fold, by band (5 minutes)
+noise: ## exits and returns under noise of three sizes (2 core-minutes)
+fold: ## to which side noise leaves a two-fold, by band (8 minutes)
 corner: ## what noise selects at h = g = 0, by r (36 core-minutes)
 halfrange: ## the same without samples, and how long a rest lasts (8 minutes)
 finer: ## what finer laws select behind the two-fold (10 minutes)
