@@ -45,7 +45,7 @@ docs/BENCH.md         1800
 docs/VERIFICATION.md  1800
 docs/PAPER.md         3500
 docs/FINDINGS.md      2500
-docs/NOISE.md         1735
+docs/NOISE.md         1728
 docs/STUDIES.md       3300
 CHANGELOG.md          2500
 docs/PACKAGES.md         10
