@@ -147,7 +147,7 @@ def put_in(law: str, k: dict, rows: np.ndarray, moves: bool) -> np.ndarray:
     r, _, w = columns(rows)
     omega0 = k["omega0"]
     if moves:  # r (w - omega0) = g sin - h cos
-        omega0 = w - (rows["g"] * s - rows["h"] * c) / r
+        omega0 = w - (rows["g"] * s - rows["h"] * c) / np.where(r, r, 1)
     F, M = largest_force(law, k)
     power = np.abs(F * omega0 * (r * c - k["d"] * s)) + np.abs(M * w)
     return np.concatenate([[0], np.cumsum(
