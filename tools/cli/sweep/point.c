@@ -52,17 +52,14 @@ typedef struct {
 // several.
 static struct {
   point_t points[TF_LANES];
-  size_t going; // on
-  tf_state_block_t states;
-  tf_report_block_t reports[2];            // of even and of odd steps
-  tf_input_t input;                        // of the last step
-  tf_real_t low[TF_LANES], high[TF_LANES]; // of r [m]
+  cli_lanes_t lanes;
 } group;
 
-static void reach(const tf_real_t r[TF_LANES]) {
+static void reach(cli_lanes_t *lanes) {
+  const tf_real_t *r = lanes->states.r;
   for (size_t n = 0; n < TF_LANES; n++) {
-    group.low[n] = r[n] < group.low[n] ? r[n] : group.low[n];
-    group.high[n] = r[n] > group.high[n] ? r[n] : group.high[n];
+    lanes->low[n] = r[n] < lanes->low[n] ? r[n] : lanes->low[n];
+    lanes->high[n] = r[n] > lanes->high[n] ? r[n] : lanes->high[n];
   }
 }
 
@@ -175,14 +172,6 @@ cli_point_end_t cli_outcome_end(cli_outcome_t *seen, const motion_t *motion,
   return seen->end;
 }
 
-// Looks at step i, behind one with the report `before`.
-static void see(point_t *point, uint64_t i, const tf_input_t *input,
-                const tf_report_t *before, const tf_report_t *report) {
-  cli_outcome_see(&point->seen, i, before, report, &point->setup.motion.state,
-                  input, &point->drive.changes);
-  group.going -= point->seen.end != CLI_POINT_DONE;
-}
-
 static void add_outcomes(const cli_args_t *args, const double *values,
                          cli_buffer_t *text) {
   for (size_t i = 0; i < args->measures; i++) {
@@ -279,7 +268,9 @@ static void step_alone(point_t *point, uint64_t i) {
                                             &point->setup.motion, &input);
   tf_report_t report = point->setup.motion.report;
   report.status = status;
-  see(point, i, &input, &point->seen.report, &report);
+  cli_outcome_see(&point->seen, i, &point->seen.report, &report,
+                  &point->setup.motion.state, &input, &point->drive.changes);
+  group.lanes.going -= point->seen.end != CLI_POINT_DONE;
 }
 
 // The lanes for AVX2, where the program was linked with them: a baseline x86-64
@@ -311,63 +302,73 @@ static void find_due(const tf_report_block_t *was, const tf_report_block_t *now,
               ((now->choices[n] > 1) != (was->choices[n] > 1));
 }
 
-// Machine and inputs are those of all points.
-static void step_together(size_t count, uint64_t i) {
-  // half a block and less costs more than its single steps
-  const size_t lanes = count > TF_LANES / 2 ? TF_LANES : count;
-  const tf_machine_t *machine = &group.points[0].setup.machine;
-  const tf_report_block_t *was = &group.reports[(i - 1) % 2];
-  tf_report_block_t *now = &group.reports[i % 2];
-  const cli_span_t span = cli_span_of(i - 1, machine->dt);
-  const tf_input_t input =
-      cli_drive_over(&group.points[0].drive, machine, &span);
-  uint8_t due[TF_LANES];
-  (void)cli_step_lanes(machine, &group.states, lanes, &input, now);
-  reach(group.states.r);
-  find_due(was, now, due);
-  for (size_t n = 0; n < count; n++) {
-    point_t *point = &group.points[n];
-    if ((due[n] == 0 && i > 1) || point->seen.end != CLI_POINT_DONE) continue;
-    const tf_report_t before =
-        i > 1 ? tf_ensemble_report(was, n) : point->seen.report;
-    const tf_report_t report = tf_ensemble_report(now, n);
-    point->setup.motion.state = tf_ensemble_get(&group.states, n);
-    point->seen.input = group.input;
-    see(point, i, &input, &before, &report);
-  }
-  group.input = input;
-}
-
-// What is not seen before the end of the motions.
-static void end_together(size_t count, uint64_t steps) {
-  for (size_t n = 0; n < count; n++) {
-    point_t *point = &group.points[n];
-    point->seen.low = group.low[n];
-    point->seen.high = group.high[n];
-    if (point->seen.end != CLI_POINT_DONE || steps == 0) continue;
-    const tf_report_t report = tf_ensemble_report(&group.reports[steps % 2], n);
-    pass(&point->seen, steps, &report);
-    point->setup.motion.state = tf_ensemble_get(&group.states, n);
-    point->seen.input = group.input;
-  }
-}
-
-// Returns: whether the motions have come to their ends.
-static bool follow(size_t count, uint64_t steps) {
+void cli_lanes_begin(cli_lanes_t *lanes) {
   for (size_t n = 0; n < TF_LANES; n++) { // nobody sees lanes beyond count
-    const tf_state_t *state = &group.points[n].setup.motion.state;
-    tf_ensemble_put(&group.states, n, state);
-    group.low[n] = group.high[n] = state->r;
+    const tf_state_t *state = &lanes->motion[n % lanes->count]->state;
+    tf_ensemble_put(&lanes->states, n, state);
+    lanes->low[n] = lanes->high[n] = state->r;
   }
-  group.input = group.points[0].seen.input;
-  for (uint64_t i = 1; i <= steps && group.going > 0; i++) {
+  lanes->going = lanes->count;
+  lanes->input = lanes->seen[0]->input;
+}
+
+void cli_lanes_step(cli_lanes_t *lanes, uint64_t i, const tf_input_t *input) {
+  // half a block and less costs more than its single steps
+  const size_t n_lanes = lanes->count > TF_LANES / 2 ? TF_LANES : lanes->count;
+  static const motion_changes_t none = {.count = 0};
+  const tf_report_block_t *was = &lanes->reports[(i - 1) % 2];
+  tf_report_block_t *now = &lanes->reports[i % 2];
+  uint8_t due[TF_LANES];
+  (void)cli_step_lanes(&lanes->motion[0]->machine.machine, &lanes->states,
+                       n_lanes, input, now);
+  reach(lanes);
+  find_due(was, now, due);
+  for (size_t n = 0; n < lanes->count; n++) {
+    cli_outcome_t *seen = lanes->seen[n];
+    if ((due[n] == 0 && i > 1) || seen->end != CLI_POINT_DONE) continue;
+    const tf_report_t before =
+        i > 1 ? tf_ensemble_report(was, n) : seen->report;
+    const tf_report_t report = tf_ensemble_report(now, n);
+    lanes->motion[n]->state = tf_ensemble_get(&lanes->states, n);
+    seen->input = lanes->input;
+    cli_outcome_see(seen, i, &before, &report, &lanes->motion[n]->state, input,
+                    &none);
+    lanes->going -= seen->end != CLI_POINT_DONE;
+  }
+  lanes->input = *input;
+}
+
+void cli_lanes_end(cli_lanes_t *lanes, uint64_t steps) {
+  for (size_t n = 0; n < lanes->count; n++) {
+    cli_outcome_t *seen = lanes->seen[n];
+    seen->low = lanes->low[n];
+    seen->high = lanes->high[n];
+    if (seen->end != CLI_POINT_DONE || steps == 0) continue;
+    const tf_report_t report =
+        tf_ensemble_report(&lanes->reports[steps % 2], n);
+    pass(seen, steps, &report);
+    lanes->motion[n]->state = tf_ensemble_get(&lanes->states, n);
+    seen->input = lanes->input;
+  }
+}
+
+// first: of those in the lanes. Returns: whether they have come to their ends.
+static bool follow(point_t *first, uint64_t steps) {
+  cli_lanes_t *lanes = &group.lanes;
+  if (lanes->count == 0) return true;
+  cli_lanes_begin(lanes);
+  for (uint64_t i = 1; i <= steps && lanes->going > 0; i++) {
     if (i % BATCH == 0 && cli_stop_asked()) return false;
-    if (count > 1)
-      step_together(count, i);
-    else
-      step_alone(&group.points[0], i);
+    if (lanes->count == 1) {
+      step_alone(first, i);
+      continue;
+    }
+    const tf_machine_t *machine = &first->setup.machine;
+    const cli_span_t span = cli_span_of(i - 1, machine->dt);
+    const tf_input_t input = cli_drive_over(&first->drive, machine, &span);
+    cli_lanes_step(lanes, i, &input);
   }
-  if (count > 1) end_together(count, steps);
+  if (lanes->count > 1) cli_lanes_end(lanes, steps);
   return true;
 }
 
@@ -399,7 +400,9 @@ static void write_row(const cli_sweep_t *sweep, uint64_t index, point_t *point,
 bool cli_points_follow(cli_sweep_t *sweep, uint64_t index, size_t count,
                        cli_chunk_t *chunk) {
   uint64_t steps = 0;
-  group.going = 0;
+  cli_lanes_t *lanes = &group.lanes;
+  point_t *first = NULL;
+  lanes->count = 0;
   memset(chunk, 0, offsetof(cli_chunk_t, rows));
   for (size_t n = 0; n < count; n++) {
     point_t *point = &group.points[n];
@@ -414,9 +417,11 @@ bool cli_points_follow(cli_sweep_t *sweep, uint64_t index, size_t count,
       continue;
     }
     cli_outcome_begin(&point->seen, &point->setup.motion, &point->setup.input);
-    group.going++;
+    if (lanes->count == 0) first = point;
+    lanes->motion[lanes->count] = &point->setup.motion;
+    lanes->seen[lanes->count++] = &point->seen;
   }
-  if (!follow(count, steps)) return false;
+  if (!follow(first, steps)) return false;
   for (size_t n = 0; n < count; n++)
     write_row(sweep, index + n, &group.points[n], chunk);
   return true;

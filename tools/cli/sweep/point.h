@@ -67,6 +67,26 @@ size_t cli_step_lanes(const tf_machine_t *machine, tf_state_block_t *states,
                       size_t n, const tf_input_t *input,
                       tf_report_block_t *reports);
 
+/// Motions of one machine that are followed together, one in each lane; all
+/// but the first three is their own.
+typedef struct {
+  motion_t *motion[TF_LANES];    ///< begun; behind the last step at its end
+  cli_outcome_t *seen[TF_LANES]; ///< begun
+  size_t count, going;           ///< motions, and those that go on
+  tf_state_block_t states;
+  tf_report_block_t reports[2];            // of even and of odd steps
+  tf_input_t input;                        // of the last step
+  tf_real_t low[TF_LANES], high[TF_LANES]; // of r [m]
+} cli_lanes_t;
+
+void cli_lanes_begin(cli_lanes_t *lanes);
+
+/// Takes step i of the motions that go on.
+void cli_lanes_step(cli_lanes_t *lanes, uint64_t i, const tf_input_t *input);
+
+/// So many steps have been taken, or no motion goes on.
+void cli_lanes_end(cli_lanes_t *lanes, uint64_t steps);
+
 #define CLI_SWEEP_ROW 2048
 
 /// What has become of some points.

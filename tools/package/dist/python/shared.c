@@ -60,6 +60,7 @@ const uint32_t twofold_layout[] = {sizeof(tf_compensated_t),
                                    sizeof(cli_scene_file_t),
                                    sizeof(table_t),
                                    sizeof(cli_outcome_t),
+                                   sizeof(cli_lanes_t),
                                    CLI_MEASURES};
 
 /* Reads a scene, or inputs over time, from the text of a file. path: of it,
@@ -164,6 +165,19 @@ uint64_t twofold_run(const run_t *of, tf_input_t *input, table_t *table,
       rows[(i - 1) / every + 1] = motion_row(of->motion);
   }
   return end;
+}
+
+/* The same in lanes, of a sweep under the inputs of the scene. */
+void twofold_together(const run_t *of, cli_lanes_t *lanes, uint64_t from,
+                      uint64_t most, uint64_t steps) {
+  const uint64_t end = steps - from > most ? from + most : steps;
+  if (from == 0) cli_lanes_begin(lanes);
+  for (uint64_t i = from + 1; i <= end && lanes->going > 0; i++) {
+    const tf_input_t u =
+        tf_scene_input(of->scene, &of->motion->machine.machine, i);
+    cli_lanes_step(lanes, i, &u);
+  }
+  if (end == steps) cli_lanes_end(lanes, steps);
 }
 
 /* One step into a mode that it may take. */

@@ -20,7 +20,7 @@ NO_MODE = 5
 # Steps of one call of the core; behind each, Python looks at its signals.
 SLICE = 2 ** 16
 LAYOUT = "machine", "report", "parameters", "scenes", "file", "table", "seen", \
-    "measures"
+    "lanes", "measures"
 
 
 class Struct(ctypes.Structure):
@@ -167,6 +167,7 @@ class Core:
                 ("tf_scene_input", self.Input, (any_, any_, c_uint64)),
                 ("cli_outcome_begin", None, (any_, any_, input_)),
                 ("cli_outcome_end", c_int, (any_, any_, any_)),
+                ("twofold_together", None, (run, any_, *3 * [c_uint64])),
                 ("twofold_run", c_uint64,
                  (run, input_, any_, any_, *4 * [c_uint64], any_,
                   POINTER(c_int)))):

@@ -7,6 +7,7 @@ import math
 import os
 from concurrent.futures import ThreadPoolExecutor
 from ctypes import byref
+from itertools import chain
 from threading import Event
 
 import numpy as np
@@ -128,41 +129,75 @@ def _axis(name, values):
         values if np.ndim(values) and len(values) else [values])])
 
 
-def _point(row, scene, how, settings, stop):
-    """Fills in the row of a point. Returns why it was refused, or None."""
+def _begin(row, scene, scheme, settings):
+    """The machine of a point, and room for what is seen of it; or why it was
+    refused."""
     row["final"] = NO_MODE
     try:
         machine = Machine(scene, **settings)
-        machine._ready(machine._scheme(how[1]))
+        machine._ready(machine._scheme(scheme))
     except ValueError as error:
         row["status"], row["reason"] = ENDS[3], str(error)
         return error
-    core, (t_end, *others) = machine.core, how
-    seen = ctypes.create_string_buffer(core.size["seen"])
-    done = machine._rows(t_end, STEPS, *others, seen, stop)[1]
-    values = np.empty(len(OUTCOMES))
+    return machine, ctypes.create_string_buffer(machine.core.size["seen"])
+
+
+def _together(begun, t_end, stop):
+    """Follows motions of one machine in lanes, under inputs of its scene."""
+    machine, core = begun[0][0], begun[0][0].core
+    lanes = ctypes.create_string_buffer(core.size["lanes"])
+    head = (ctypes.c_size_t * (2 * LANES + 1)).from_buffer(lanes)
+    for n, (one, seen) in enumerate(begun):
+        head[n] = ctypes.addressof(one._motion)
+        head[LANES + n] = ctypes.addressof(seen)
+        core.call_outcome_begin(seen, byref(one._motion), core.call_scene_input(
+            byref(one.scene), byref(one._motion), 0))
+    head[2 * LANES], steps = len(begun), machine._steps(t_end)
+    for done in range(0, max(1, steps), _core.SLICE):
+        if stop():
+            raise KeyboardInterrupt
+        core.call_together(machine._run(), lanes, done, _core.SLICE, steps)
+
+
+def _points(rows, scene, how, settings, stop):
+    """Fills in the rows of points, which are several only if they differ in
+    nothing but their starts. Returns why each was refused, or None."""
+    found = [_begin(row, scene, how[1], given)
+             for row, given in zip(rows, settings)]
+    begun = [one for one in found if isinstance(one, tuple)]
+    if len(begun) > 1 and begun[0][0]._scheme(how[1]) == Scheme.MOREAU:
+        _together(begun, how[0], stop)
+    else:
+        for machine, seen in begun:
+            machine._rows(how[0], STEPS, *how[1:], seen, stop)
+    return [_end(row, *one) if isinstance(one, tuple) else one
+            for row, one in zip(rows, found)]
+
+
+def _end(row, machine, seen):
+    core, values = machine.core, np.empty(len(OUTCOMES))
     end = core.call_outcome_end(seen, byref(machine._motion),
                                 values.ctypes.data)
     found = dict(zip(OUTCOMES, values))
     modes = int(found.pop("modes"))
     row["modes"] = "|".join(str(one) for one in Mode if modes >> one & 1)
     row["final"] = int(found.pop("final")).bit_length() - 1
-    row["t"] = done * machine["dt"]
+    row["t"] = machine.state.tick * machine["dt"]
     row["status"], row["reason"] = ENDS[end], seen.value.decode()
     for name, value in found.items():
         row[name] = value
-    return None
 
 
-def _in_threads(work, points, jobs, progress, stop):
+def _in_threads(work, groups, jobs, progress, stop):
     """The results of all points. The core does not hold Python's lock."""
     with ThreadPoolExecutor(jobs) as pool:
         try:
-            results = pool.map(work, points)
+            results = chain.from_iterable(pool.map(work, groups))
             if progress is not False:
                 with contextlib.suppress(ImportError):
                     from tqdm.auto import tqdm
-                    results = tqdm(results, "sweep", len(points), unit="point",
+                    results = tqdm(results, "sweep", sum(map(len, groups)),
+                                   unit="point",
                                    disable=None if progress is None else False)
             return list(results)
         finally:
@@ -191,7 +226,8 @@ def sweep(scene: str | os.PathLike = "chaos", over: dict | None = None,
             _axis(name, values) for name, values in (over or {}).items()}
     for name in axes.keys() & settings.keys():
         raise ValueError(f"{name} is an axis, and given as {settings[name]!r}")
-    jobs = integer("jobs", os.cpu_count() if jobs is None else jobs, 1, 2 ** 16)
+    threads: int = integer("jobs", os.cpu_count() if jobs is None else jobs, 1,
+                           2 ** 16)
     table = np.zeros([len(values) for values in axes.values()], [
         *((name, values.dtype) for name, values in axes.items()),
         *((name, "f8") for name in NUMBERS), *OF_MODES.items(),
@@ -200,11 +236,15 @@ def sweep(scene: str | os.PathLike = "chaos", over: dict | None = None,
         table[name] = grid
     for name in NUMBERS:
         table[name] = math.nan
-    stop = Event()
-    errors = _in_threads(lambda at: _point(
-        table[at], scene, (t_end, scheme, inputs, between), {**settings, **{
-            name: table[name][at].item() for name in axes}}, stop.is_set),
-        [*np.ndindex(table.shape)], jobs, progress, stop)
+    stop, points = Event(), [*np.ndindex(table.shape)]
+    alike = {*axes} <= {"seed", *START} and inputs is None and between is None
+    size = min(LANES, -(-len(points) // threads)) if alike else 1
+    errors = _in_threads(lambda group: _points(
+        [table[at] for at in group], scene, (t_end, scheme, inputs, between),
+        [{**settings, **{name: table[name][at].item() for name in axes}}
+         for at in group], stop.is_set),
+        [points[i:i + size] for i in range(0, len(points), size)],
+        threads, progress, stop)
     if all(errors):
         raise errors[0]
     return table.view(Table)

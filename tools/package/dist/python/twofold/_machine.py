@@ -416,12 +416,15 @@ class Machine:
         """Returns the rows that were reached, the steps taken and the last
         status. seen: memory for the outcomes of a sweep."""
         every = integer("every", every, 1, STEPS)
+        return self._follow(self._steps(t_end), every, scheme, inputs, between,
+                            seen, stop)
+
+    def _steps(self, t_end):
         if t_end is None:
             t_end = self.scene.t_end
         t_end = number("t_end", t_end, 0, STEPS * self["dt"], "s")
         steps, rest = divmod(self.core.real(t_end).value / self["dt"], 1)
-        steps = int(steps) + (rest >= 0.5)  # round() goes to even
-        return self._follow(steps, every, scheme, inputs, between, seen, stop)
+        return int(steps) + (rest >= 0.5)  # round() goes to even
 
     def _follow(self, steps, every, scheme, inputs, between, seen=None,
                 stop=None):
