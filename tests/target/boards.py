@@ -143,8 +143,7 @@ def test_generic(board: Board, real: str, scheme: str, key: str,
 
 
 def test_double_only(board: Board, *words: str) -> None:
-    """With another compiler, or float evaluated as double: double has the same
-    bits, and float is refused."""
+    """With another compiler or precision of float, which is then refused."""
     for tool in re.findall("BOARD_CC=(.+)", "\n".join(words)):
         if not shutil.which(tool):
             lacks(tool, f"{tool} (Debian: apt-get install {tool})")
