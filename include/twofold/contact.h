@@ -34,7 +34,7 @@ static inline bool tf_mode_is_slip(unsigned mode) {
   return mode <= TF_SLIP_MINUS;
 }
 
-/// Which of several consistent modes a step takes. All rules share the order:
+/// Which of several consistent modes a step takes. All rules share this:
 /// - A slip that is still consistent goes on: off h = 0 the future is unique,
 ///   and a second consistent mode is an artefact of the finite step.
 /// - A slip never enters an escaping stick: on both sides motion leads away.
@@ -116,7 +116,7 @@ typedef struct {
 /// Derives the constants of a contact.
 /// contact: out. law: in, TF_TYRE_JUMP or TF_TYRE_COULOMB. mu: in, 0 to 1e9 N.
 /// kappa: in, 1e-9 to 1e6 m; COULOMB ignores it. rest, rule: in. rate_dt: in,
-///   exits of rule `random` in a step, 0 to 1e9.
+///   exit rate of `random` times dt, 0 to 1e9.
 /// Returns: TF_OK; TF_BAD_PARAMETER (contact untouched).
 #define tf_contact_prepare TF_LINK(tf_contact_prepare)
 TF_API tf_status_t tf_contact_prepare(tf_contact_t *contact, tf_tyre_law_t law,
@@ -127,12 +127,12 @@ TF_API tf_status_t tf_contact_prepare(tf_contact_t *contact, tf_tyre_law_t law,
 /// Every mode in which a step may end.
 /// h, g: in. now, mode: in, before the step, or TF_NO_MODE. modes: out.
 /// reaches_codim2: out, or NULL: h = g = 0 is within reach (tf_contact_leave).
-/// Returns: TF_OK; TF_BAD_STATE: not finite, or no mode; TF_BAD_PARAMETER:
+/// Returns: TF_OK; TF_BAD_STATE: not finite, not a mode; TF_BAD_PARAMETER:
 ///   COULOMB with h.cx > 0, or h.cx = 0 != cy: F > 0 must lower h (untouched).
-/// Trust: the set is complete, may be empty. Pinned is one of up to four points
-///   where h and g vanish together. It alone may be missed or false: where 64
-///   epsilon in the forms move that point out of the law of rest or remove it,
-///   or the curves h = 0 and g = 0 touch (1 of 10,000 such pairs loses it).
+/// Trust: the set may be empty. It is right and complete but for pinned, one of
+///   up to four points where h and g vanish together. Pinned is uncertain where
+///   64 epsilon in the forms remove that point or move it out of the law of
+///   rest, or where h = 0 and g = 0 touch (1 of 10,000 such pairs loses it).
 /// Cost: 0.3 us (x86-64) where the forms are almost linear, else 5 us, and at
 ///   most 1.5 ms, where the curves touch or are one.
 #define tf_contact_modes TF_LINK(tf_contact_modes)

@@ -1,7 +1,7 @@
 /// @file
-/// Several contacts of one mechanism: every joint future of a step. contact.h
-/// for one after another misses futures: the force of one changes the modes of
-/// others. For one contact it is faster.
+/// Several contacts of one mechanism: every joint future of a step. Solving
+/// them in turn misses futures: the force of one changes the modes of others.
+/// For one contact, contact.h is faster.
 #ifndef TWOFOLD_CONTACTS_H
 #define TWOFOLD_CONTACTS_H
 
@@ -47,19 +47,19 @@ typedef struct {
 /// n: in, 1 to TF_CONTACTS. contacts, forms: in. now: in, [n], slips before the
 ///   step [m/s]. found: out, [room], the first `room` joint modes. count: out,
 ///   how many there are, also where that is more than room.
-/// Returns: TF_OK; TF_COARSE: a solution may be missing, because products are
-///   large, or redundant contacts have products; TF_BAD_PARAMETER: n, or h_i of
-///   a COULOMB contact grows with x_i (see tf_contact_modes); TF_BAD_STATE: not
-///   finite (found and count untouched).
+/// Returns: TF_OK; TF_COARSE: a solution may be missing: products are large, or
+///   redundant contacts have products, or `found` is empty under TF_REST_HULL,
+///   where one exists; TF_BAD_PARAMETER: n, or h_i of a COULOMB contact grows
+///   with x_i (see tf_contact_modes); TF_BAD_STATE: not finite (found and count
+///   untouched).
 /// Several solutions may have the same modes. The one in `found` keeps the
 ///   present side of g in slip; of those, it has the least sum of |x| + |y|.
 /// Redundant contacts: the motion is unique, not the forces. `found` has those
 ///   of the least sum of squares, or some well inside the law. What rests but
 ///   for 256 epsilon rests. Leave products out: with them a plate that rests on
 ///   three wheels is TF_COARSE, in no mode (1 of 4 states) or several (1 of 5).
-/// Trust: with TF_REST_HULL a joint mode exists. One is certainly found unless
-///   a change of the coefficients by 64 epsilon removes it, or TF_COARSE says
-///   so: `found` may be empty. In float one of 1,000 redundant ones is lost.
+/// Trust: TF_OK misses only what a change of the coefficients by 64 epsilon
+///   removes; in float also one of 1,000 joint modes of redundant contacts.
 /// Cost: for n = 2 a Cortex-M4F takes 1e5 instructions on average, and up to
 ///   2e7 were found (docs/BENCH.md): no step is promised to end in 1 ms.
 /// h_i = g_i = 0: the next step finds how contact i leaves by the limits at
@@ -77,7 +77,7 @@ TF_API tf_status_t tf_contacts_modes(unsigned n, const tf_contact_t *contacts,
 /// slip enters a stick that does not attract.
 /// found, count: in, all joint modes; count <= room. modes: in, [n], before the
 ///   step, <= TF_NO_MODE. tick, seed: in, counter and key of a draw (seed + i).
-/// Returns: the index in found; count where none is admissible.
+/// Returns: the index in found; count where none is admissible, or n is wrong.
 #define tf_contacts_choose TF_LINK(tf_contacts_choose)
 TF_API unsigned tf_contacts_choose(unsigned n, const tf_contact_t *contacts,
                                    const tf_joint_mode_t *found, unsigned count,
@@ -88,10 +88,10 @@ TF_API unsigned tf_contacts_choose(unsigned n, const tf_contact_t *contacts,
 /// has the force of the law at `at`, but the limit at h -> 0 where that would
 /// carry h across 0. One that sticks or is pinned has the force that keeps h,
 /// or h and g, at 0 while those forces act.
-/// joint: in, of found by these forms; NULL: none. at: in, [n], slips at which
+/// joint: in, found with these forms, or NULL. at: in, [n], slips at which
 ///   the law is read: at the theta point, or at the start. force: out, [n].
 /// Returns: TF_OK; TF_DEGRADED: joint is NULL: the law of slip at `at`;
-///   TF_BAD_PARAMETER: n; TF_BAD_STATE: not finite, no joint (force untouched).
+///   TF_BAD_PARAMETER: n; TF_BAD_STATE: not finite, bad joint (no output).
 #define tf_contacts_force TF_LINK(tf_contacts_force)
 TF_API tf_status_t tf_contacts_force(unsigned n, const tf_contact_t *contacts,
                                      const tf_real_t *forms,

@@ -50,7 +50,7 @@ TF_API tf_status_t tf_begin(const tf_machine_t *machine, tf_state_t *state,
                             const tf_input_t *input, tf_report_t *report);
 
 /// As tf_begin, for a start given by its lateral slip speed h:
-/// tf_speed_for_slip finds v. It prefers slip on h's side; if h = 0, none.
+/// tf_speed_for_slip finds v. Preferred is slip on h's side; if h = 0, none.
 /// state: in/out, as there, but v and mode are found. h: in [m/s].
 /// Returns: TF_OK; TF_BAD_STATE (nothing touched), also by tf_speed_for_slip.
 #define tf_begin_with_slip TF_LINK(tf_begin_with_slip)
@@ -70,23 +70,23 @@ TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
 ///                     slip may enter (the step takes the one nearest to the
 ///                     law); or h and g do not end with the mode's signs
 ///   TF_COARSE         taken, but dt is too long for the motion, see below
-///   TF_STALLED        taken, but rounding loses the change of r, now and 32
-///                     steps on, or of w in stick: use tf_step_compensated
+///   TF_STALLED        taken, but rounding loses the change of r (still in 32
+///                     steps), or of w in stick: use tf_step_compensated
 ///   TF_BAD_STATE      refused: state or input not finite or out of its range;
 ///                     the state is untouched, here and below
 ///   TF_DIVERGED       refused: the end would be out of the range of states
 ///   TF_STEP_TOO_LONG  refused: the effective mass would be <= 0
 /// TF_COARSE, which a smaller dt avoids, has these causes:
 ///   - Energy: the step would create more than 2^-12 of the energy, or friction
-///     would add more than 2^-4. Unless the step is split, (18) balances it.
+///     would add more than 2^-4. Unless it is split, (18) replaces the step.
 ///   - Turn: the motion turns by more than a right angle, or theta > 1/2 damps
 ///     a quarter of the energy.
 ///   - Friction: it reverses a slip and changes the velocities by more than a
 ///     third; or its force turns, which changes them by more than 3 %; or it
 ///     ends a slip and changes them by a third, or by 2 % if not split.
 ///   - Slip near h = g = 0: several modes may follow there; or no force of the
-///     law leads along its course; or the step ends a quarter of the slip off
-///     it; or an earlier change of mode decides what follows.
+///     law leads along the slip's course; or the step ends off that course by
+///     1/4 of the slip; or an earlier change of mode decides what follows.
 ///   - Rest: a step that ends at rest may miss an exit within the step, or a
 ///     stick that takes over; or the motion after a rest turns by 0.45 rad, or
 ///     is off the mean of the accelerations at both ends by 3/16.
@@ -107,7 +107,7 @@ TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
 /// machine, input: in. state: in/out, from tf_begin. report: out.
 /// accuracy: in, the largest error that is OK, dimensionless.
 /// error: out; the difference of the two ends in p = v - d z, R z and r/dt, as
-///   a share of |p| + R |z| plus that of their change; z = w - omega0,
+///   a share of |p| + R |z| and the same of their change; z = w - omega0,
 ///   R^2 = beta^2 + r^2. `tolerance` of the located step is a share of the
 ///   same. What rounding may contribute is subtracted. TF_REAL_MAX if a half
 ///   step is refused, 0 if the whole is.

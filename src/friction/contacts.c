@@ -38,7 +38,7 @@ static void modes_of_one(const mechanism_t *k, tf_slip_t now,
         .near_plus = modes.near_stick == TF_STICK_PLUS,
         .points = 1,
         .x = {m.x},
-        .y = {has_moment(k, 0) ? m.y : 0},
+        .y = {has_moment(k, 0) ? m.y : 0 * m.y}, // 0 with the sign
         .h = {is_slip(mode) ? modes.departure[sign_in(mode)] : 0},
         .g = {mode == TF_PINNED ? 0 : form_value(&g, m.x, m.y)}};
     at++;
@@ -51,9 +51,11 @@ TF_API tf_status_t tf_contacts_modes(unsigned n, const tf_contact_t *contacts,
                                      tf_joint_mode_t *found, unsigned room,
                                      unsigned *count) {
   mechanism_t k;
+  bool may_be_empty = false;
   if (n - 1 >= TF_CONTACTS) return TF_BAD_PARAMETER;
   if (!set_up(&k, n, contacts, forms, now)) return TF_BAD_STATE;
   for (unsigned i = 0; i < n; i++) {
+    may_be_empty = may_be_empty || contacts[i].rest != TF_REST_HULL;
     const tf_real_t *own = numbers_of_form(&k, 2 * i) + 1 + X_OF(i);
     if (drives_itself(&contacts[i], own[0], own[1])) return TF_BAD_PARAMETER;
   }
@@ -65,7 +67,8 @@ TF_API tf_status_t tf_contacts_modes(unsigned n, const tf_contact_t *contacts,
   for (unsigned i = 0; i < n; i++)
     if (!tf_comes_to_h_0(&k, i, now[i].h))
       slip_with_law(&k, i, sign_of(now[i].h), now[i]);
-  return tf_joint_modes(&k, found, room, count) ? TF_OK : TF_COARSE;
+  const bool is_sure = tf_joint_modes(&k, found, room, count);
+  return is_sure && (*count > 0 || may_be_empty) ? TF_OK : TF_COARSE;
 }
 
 // Whether a joint mode is admissible after the modes before, and has what the
@@ -89,6 +92,7 @@ TF_API unsigned tf_contacts_choose(unsigned n, const tf_contact_t *contacts,
                                    const uint8_t *modes, uint64_t tick,
                                    uint32_t seed) {
   unsigned chosen[TF_CONTACTS], choice = 0;
+  if (n - 1 >= TF_CONTACTS) return count;
   for (unsigned i = 0; i < n; i++) {
     tf_contact_modes_t left = {.set = 0};
     if (modes[i] > TF_NO_MODE) return count;

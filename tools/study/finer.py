@@ -350,7 +350,7 @@ class Study:
         return pd.DataFrame(columns=["what", "value"], data=[
             ["phi of the stick through the two-fold, lambda/mu",
              f"{self.fold.share:.4f}"],
-            ["r at the exit, where w at the start changes by up to 1e-3",
+            ["shift of r at the exit, if w at the start changes by 1e-3",
              f"{moved:.0e} m"],
             ["kick [m/s] between these turns the exit, at effective width",
              ", ".join("{1:+.2e} and {2:+.2e} at {0:.2g} m/s".format(*one)

@@ -287,8 +287,8 @@ def waited(followed: pd.DataFrame) -> str:
     """What waiting brings back."""
     here = followed[ends(followed, WAIT).sum(1) > 0]
     lasting = (here.became == "lasting").groupby(here.space)
-    return ("Of machines that lose only some cycles, so many lose none when "
-            f"given {PASSES[WAIT].patience} s:\n" + ", ".join(
+    return ("Machines that lose some cycles, but none when given "
+            f"{PASSES[WAIT].patience} s:\n" + ", ".join(
                 f"{lasting.sum().get(name, 0)} of "
                 f"{lasting.size().get(name, 0)} ({one.title})"
                 for name, one in SPACES.items()) + ".")
