@@ -78,7 +78,7 @@ def driven(real):
             same(twofold.simulate(scene, 1, 50, scheme, real=real, h=0,
                                   **given), *words)
             machine = twofold.Machine(scene, real=real, h=0)
-            swept = twofold.sweep(scene, {"h": [0]}, 1, scheme, real=real,
+            swept = twofold.sweep(scene, {"h": [0, .01]}, 1, scheme, real=real,
                                   **given)
             parts = [machine.run(t, 50, scheme, **given) for t in (0.25, 0.75)]
             assert swept["end_r"][0] == machine.r, (scheme, scene)
@@ -91,6 +91,14 @@ for REAL in SMALL:
          "--every", 7, "--set", "kappa=0.3")
     same(twofold.sweep(str(OWN), {"r": [0.1, 0.2]}, 0.2, real=REAL), REAL,
          "sweep", OWN, "--over", "r=0.1:0.2:2", "--t-end", 0.2)
+    drawn = {"rule": "random", "omega": -1.02, "h": 0, "rate": 300}
+    words = ["--select", "random", "--set", "omega=-1.02", "--set", "h=0",
+             "--set", "rate=300", "--t-end", 0.02]
+    same(twofold.simulate("chaos", 0.02, real=REAL, **drawn), REAL, "run",
+         "chaos", *words)
+    same(twofold.sweep("chaos", {"seed": [*range(17)]}, 0.02, real=REAL,
+                       **drawn), REAL, "sweep", "chaos", "--over",
+         "seed=0:16:17", *words)
     for rows, options, words in (
             ("returns", {"samples": 20, "seed": 3}, ["--samples", 20]),
             ("exits", {"samples": 8, "seed": 3, "kappa": 0.27},

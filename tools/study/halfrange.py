@@ -30,6 +30,7 @@ KAPPA, GAMMA = 0.27241153714062028, -3 * math.pi / 4
 SIN, COS, SHARE = math.sin(GAMMA), math.cos(GAMMA), 2 / math.pi * math.atan(
     6 * KAPPA)
 RATIOS, COARSE = (0.12, 0.085), (0.17, 0.12)  # the growth of a grid's steps
+FINE = 0.06, 0.0425  # for rests
 FIRST, REACH = 0.04, 1200  # its first step; h'^2 g where motions begin and end
 LEAST = 1e-8  # g of the leading order, in V / A^2
 PLACES = 0.176, 0.178, 0.18, 0.182, 0.183
@@ -249,7 +250,7 @@ def row(task: tuple) -> dict[str, object]:
     x = stick(field)
     found.update(x._asdict())
     if kind == "rest":
-        return {**found, "rest": refined(rests, field)}
+        return {**found, "rest": refined(rests, field, FINE)}
     by = near(field, 1)
     A, V = (by.h[0] - by.h[1]) / 2, (by.g[1] - by.g[0]) / 2
     multiplier, slope = -by.h.mean() / A, -by.of_h.mean() / V

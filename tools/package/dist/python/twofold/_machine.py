@@ -126,7 +126,7 @@ class Machine:
     def __init__(self, scene: str | os.PathLike = "chaos", real: str = "double",
                  law: Law | str | None = None, rule: Rule | str | None = None,
                  rest: Rest | str | None = None,
-                 with_angle: bool | None = None, seed: int = 1,
+                 with_angle: bool | None = None, seed: int = 0,
                  r: float | None = None, v: float | None = None,
                  omega: float | None = None, h: float | None = None,
                  phi: float | None = None, **parameters: float):
