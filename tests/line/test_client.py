@@ -39,7 +39,7 @@ def test_loop_of_the_manual():
     # How far the motion comes depends on the load; it stays near the turntable.
     first, last = (float(part) for part in speeds.split(" -> "))
     check(-2 < last < 0.5 and last != first, speeds)
-    check(re.fullmatch(r"0\.\d+ \{.*\} \{.*\}", rows), rows)
+    check(re.fullmatch(r"-?0\.\d+ \{.*\} \{.*\}", rows), rows)
     same(len(counts.split()), 3)
 
 
