@@ -154,7 +154,7 @@ TF_API unsigned tf_contact_choose(const tf_contact_t *contact,
 /// limit at h -> 0 where that would carry h across 0. Of several pinned
 /// points it takes the one with the least |F|, then |M|.
 /// h, g, modes: in, as above. mode: in, of the set. force: out. at: in, the
-///   slip where the law is read: at the start, or at theta under its force.
+///   slip where the law is read: at the start (order 1), or at mid-step.
 /// Returns: TF_OK; TF_DEGRADED: for TF_NO_MODE force is the law's at `at`, but
 ///   h leaves that side; TF_BAD_STATE (untouched): not finite, not in the set,
 ///   or no pinned point.

@@ -88,8 +88,8 @@ TF_API unsigned tf_contacts_choose(unsigned n, const tf_contact_t *contacts,
 /// has the force of the law at `at`, but the limit at h -> 0 where that would
 /// carry h across 0. One that sticks or is pinned has the force that keeps h,
 /// or h and g, at 0 while those forces act.
-/// joint: in, found with these forms, or NULL. at: in, [n], slips at which
-///   the law is read: at the theta point, or at the start. force: out, [n].
+/// joint: in, found with these forms; NULL if none was chosen. force: out, [n].
+/// at: in, [n], slip where the law is read: at the start (order 1) or mid-step.
 /// Returns: TF_OK; TF_DEGRADED: joint is NULL: the law of slip at `at`;
 ///   TF_BAD_PARAMETER: n; TF_BAD_STATE: not finite, bad joint (no output).
 #define tf_contacts_force TF_LINK(tf_contacts_force)
