@@ -50,6 +50,7 @@ WRONG = r"""
 3|based-on chaos\nlaw string\n| k is missing, which law string needs
 2|m 1\n| law is missing
 2|law none\nr 0\nomega 0\nt-end 1\n| v or h is missing
+2|law none\nr 0\nomega 0\nt-end 1\nv 0\n| d is missing
 2|law jmp\n|1: law: unknown law&did you mean 'jump'
 2|rule random:7\n|1: rule: a seed is not part of a scene
 3|based-on driven\nprofile 0:-1 1:1e9\n|2: profile: omega0 = 1e9 must lie in

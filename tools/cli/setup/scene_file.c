@@ -257,20 +257,33 @@ static int read_lines(reader_t *reader) {
   return CLI_DONE;
 }
 
-// A scene that is based on no other one has to give its start, too.
-static int check(reader_t *reader) {
-  static const char *const needed[] = {"law", "r", "omega", "t-end"};
-  const unsigned long *given = reader->given;
-  for (size_t i = 0; i < 4 && given[BASED_ON] == 0; i++) {
-    cli_closest_t closest = cli_closest_to(needed[i]);
-    if (given[key_of(&closest)] == 0) {
+static int need(const reader_t *reader, const char *const names[],
+                size_t count) {
+  for (size_t i = 0; i < count; i++) {
+    cli_closest_t closest = cli_closest_to(names[i]);
+    if (reader->given[key_of(&closest)] == 0) {
       return cli_usage(
           "%s: %s is missing; give it, or begin with 'based-on SCENE'",
-          reader->lines.name, needed[i]);
+          reader->lines.name, names[i]);
     }
   }
-  if (given[BASED_ON] == 0 && given[CLI_V] == 0 && given[CLI_H] == 0)
-    return cli_usage("%s: v or h is missing at the start", reader->lines.name);
+  return CLI_DONE;
+}
+
+// A scene that is based on no other one has to give its start, too, and what
+// may be 0: the ranges demand the other parameters.
+static int check(reader_t *reader) {
+  static const char *const start[] = {"law", "r", "omega", "t-end"};
+  static const char *const numbers[] = {"d",  "k2",     "c1", "c2",
+                                        "r0", "omega0", "mu", "gamma"};
+  const unsigned long *given = reader->given;
+  if (given[BASED_ON] == 0) {
+    CLI_TRY(need(reader, start, sizeof start / sizeof *start));
+    if (given[CLI_V] == 0 && given[CLI_H] == 0)
+      return cli_usage("%s: v or h is missing at the start",
+                       reader->lines.name);
+    CLI_TRY(need(reader, numbers, sizeof numbers / sizeof *numbers));
+  }
   const tf_params_t *params = &reader->file->scene.params;
   const size_t out = cli_parameter_out(params);
   if (out == TF_PARAMETERS) return CLI_DONE;
