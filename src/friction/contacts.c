@@ -38,7 +38,7 @@ static void modes_of_one(const mechanism_t *k, tf_slip_t now,
         .near_plus = modes.near_stick == TF_STICK_PLUS,
         .points = 1,
         .x = {m.x},
-        .y = {has_moment(k, 0) ? m.y : 0 * m.y}, // 0 with the sign
+        .y = {has_moment(k, 0) ? m.y : with_sign(sign_of(m.y), 0)},
         .h = {is_slip(mode) ? modes.departure[sign_in(mode)] : 0},
         .g = {mode == TF_PINNED ? 0 : form_value(&g, m.x, m.y)}};
     at++;

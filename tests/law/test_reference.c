@@ -189,8 +189,8 @@ static void check_phases(scheme_t scheme, const reference_t *ref) {
   }
   /* A float does not know the side of so small an h: it begins on the other, or
    * as the motion goes on. */
-  const bool on_h_0 = ref->problem->v == 0 && fabsl(ref->problem->h) < 1e-6L;
-  const int either = !IS_DOUBLE && on_h_0 && n > 1 && m > 1;
+  const int either = !IS_DOUBLE && ref->problem->v == 0 &&
+                     fabsl(ref->problem->h) < 1e-6L && n > 1 && m > 1;
   if (!CHECK(is_order_of(got, n, want, m) ||
              (either && (is_order_of(got + 1, n - 1, want, m) ||
                          is_order_of(got, n, want + 1, m - 1)))))

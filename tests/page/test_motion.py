@@ -56,7 +56,8 @@ def test_scrubbing_has_the_same_bits():
         check(scene == "chaos" or there[0][1] != there[1][1], "one map")
     tab = opened()
     phi, table = tab.value("(twofold.play(false), twofold.motion.seek(25000), "
-                           "[twofold.motion.now[13], twofold.motion.now[14]])")
+                           "['phi', 'table'].map((name) => "
+                           "twofold.motion.now[twofold.AT[name]]))")
     check(abs(phi + 2.5) < 0.05 and abs(table + 2.5) < 1e-9,
           f"the disc has turned by {phi}, the turntable by {table}")
 
@@ -205,7 +206,7 @@ def test_choice_keeps_the_hand():
         const shown = rows.at(-1);
         motion.choose(tick, mode);
         motion.advance(shown[12]);
-        if (motion.now[17] !== 1e-9) return 'the pull has ended';
+        if (motion.now[twofold.AT.force] !== 1e-9) return 'the pull has ended';
         if (motion.now.join() !== shown.join()) return `another ${{mode}}`;
       }}
       return '';

@@ -9,7 +9,7 @@ from test_setup import ENTER
 # the next step, which is taken for it.
 UNLIKE = """(() => {
   twofold.draw();
-  const { core, motion, fan, tour } = twofold, off = [], $ = (id) =>
+  const { core, motion, fan, tour, AT } = twofold, off = [], $ = (id) =>
     document.getElementById(id);
   const same = (name, is, acts) => is === acts ||
     off.push(`${name}: ${is}, not ${acts}`);
@@ -41,7 +41,7 @@ UNLIKE = """(() => {
     .flatMap((slider) => [slider.value, slider.nextSibling.value].map(Number));
   const before = motion.tick;
   motion.advance(before + 1);
-  const acts = motion.now.slice(17, 19);
+  const acts = motion.now.slice(AT.force, AT.torque + 1);
   motion.seek(before);
   same('by hand', hands.join(), [acts[0], acts[0], acts[1], acts[1]].join());
   return off;

@@ -1,5 +1,5 @@
 // The page: one motion, one clock, and what looks at them or acts on them.
-import { Core } from './core.mjs';
+import { AT, Core } from './core.mjs';
 import { read, sceneWord, whole, write } from './address.mjs';
 import { Line, Record, openSerial } from './board.mjs';
 import { short } from './decimal.mjs';
@@ -443,7 +443,7 @@ remember();
 requestAnimationFrame(frame);
 // For the tests, and for whoever has a line of their own.
 window.twofold = { core, motion, views, connect, play, seek, showFan, draw, fan,
-  tour, goTo, arrived: () => motion.tick >= goal && !isFanDue,
+  tour, goTo, AT, arrived: () => motion.tick >= goal && !isFanDue,
   read: (text) => read(core, text),
   writeOf: (...what) => write(core, ...what),
   write: () => address() };

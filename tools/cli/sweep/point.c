@@ -355,7 +355,7 @@ void cli_lanes_end(cli_lanes_t *lanes, uint64_t steps) {
 // first: of those in the lanes. Returns: whether they have come to their ends.
 static bool follow(point_t *first, uint64_t steps) {
   cli_lanes_t *lanes = &group.lanes;
-  if (lanes->count == 0) return true;
+  if (first == NULL) return true;
   cli_lanes_begin(lanes);
   for (uint64_t i = 1; i <= steps && lanes->going > 0; i++) {
     if (i % BATCH == 0 && cli_stop_asked()) return false;
