@@ -301,7 +301,7 @@ static int agreeing_images(const kind_t *kind, int map, int most, long *ends) {
     if (status < TF_OK || underflows(m.report[0].slip.g)) break;
     /* Of several futures the located step takes one by convention. Next to a
      * singular point a series may fail in one unit of time and not in the
-     * other, and terms overflow in float: that step is told. */
+     * other, and terms overflow in float: its status says so. */
     if (kind->step == tf_step_located &&
         ((map < MASS && m.report[0].choices > 1) ||
          ((!IS_DOUBLE || map == TIME) &&
