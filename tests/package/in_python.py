@@ -1,6 +1,6 @@
 """The Python package, from its source archive, without a network."""
 import importlib.util
-import sys
+import re
 
 from harness import BUILD, DIST, ROOT, equal, folder, lacks, run, version
 
@@ -70,19 +70,19 @@ ALONE = {"PIP_NO_INDEX": "1", "PIP_CONFIG_FILE": "/dev/null",
 
 
 def test_python():
-    """pip installs the archive without a network; runs have the bits of the
-    command line; each bad argument is refused; the notebook can be executed and
-    shows its pictures."""
+    """README.md's line installs the archive; runs have the bits of the command
+    line; each bad argument is refused; the notebook can be executed and shows
+    its pictures."""
     for module in ("ensurepip", "setuptools", "wheel", "numpy", "matplotlib",
                    "nbconvert", "ipykernel", "pandas", "xarray", "tqdm"):
         if importlib.util.find_spec(module) is None:
             lacks("python3-" + module.replace("ensurepip", "venv"))
     place = folder("python")
-    archive = DIST / f"python/twofold-{version()}.tar.gz"
-    run(sys.executable, "-m", "venv", "--system-site-packages", place / "venv")
+    line, = re.findall(r"^\| Python \| `make dist && (.*)` \|$",
+                       (ROOT / "README.md").read_text(), re.M)
+    run("sh", "-c", line.replace("build/venv", f"{place}/venv").replace(
+        "build/dist", str(DIST)), env={**ALONE, "HOME": str(place)})
     python3 = place / "venv/bin/python"
-    run(python3, "-m", "pip", "install", "--no-build-isolation", archive,
-        env=ALONE, cwd=place)
     # The kernel of the notebook is Debian's, and not that of the environment.
     site, = (place / "venv").glob("lib/*/site-packages")
     env = {"PYTHONPATH": str(site)}

@@ -30,13 +30,13 @@ arrows         arrows.py
 figures        compiled.py figures
 gcc            compiled.py warnings gcc
 clang          compiled.py warnings clang
-freestanding   compiled.py freestanding
-data           compiled.py data
 stack          stack.py
 cost           cost.py
 sizes          ../../run bench sizes --check
 loops          loops.py
 vectors        vectors.py
+freestanding   compiled.py freestanding
+data           compiled.py data
 readme         readme.py
 reference      reference.py
 cppcheck       sources.py cppcheck

@@ -117,9 +117,9 @@ for real, define in DEFINES.items():
             wrong(f"{line}, {real}: tf_arithmetic() is {found}, not {code}")
 
 # The command line: the usual one, and with the same file of the core fused.
-if not in_common("gcc", "-O1", f"{place_of('gcc', '-O1')}/double/twofold"):
+home = place_of("gcc", "-O3") / "double"
+if not in_common("gcc", "-O3", home / "twofold"):
     wrong("the command line does not compile")
-home = place_of("gcc", "-O1") / "double"
 compiled(f"{FUSED_BY} -c src/num/status.c", WORK / "status.o")
 objects = [f"{home}/{file.with_suffix('.o')}"
            for file in [*files_in("tools/cli", pattern="*.c"),

@@ -7,7 +7,7 @@ all runs of the table, whose classes are hard."""
 import re
 import sys
 
-from findings import BUILD, asked, build, checked, need, wrong
+from findings import asked, checked, in_common, need, place_of, wrong
 
 MOST = .03  # of all runs of the table
 # A small table, of which every class has lines: classes, their steps, machines.
@@ -19,7 +19,7 @@ WORST = 1e-7  # of 40 machines on inputs that move, from SUNDIALS
 
 
 def reference(*words):
-    return asked(BUILD / "reference/reference/reference", *words)
+    return asked(place_of("gcc", "-O3") / "reference/reference", *words)
 
 
 def judge_table(name, steps, machines):
@@ -35,8 +35,7 @@ def judge_table(name, steps, machines):
 
 
 need("gcc", "gcc")
-if not build("CC=gcc", "OPT=-O2", f"BUILD={BUILD / 'reference'}",
-             "EXTRA=-Werror", "reference"):
+if not in_common("gcc", "-O3", "reference"):
     wrong("make reference: it does not build, or is off the paper or itself")
     checked("nothing")
 kinds = [(name, *row[1:]) for row in TABLE for name in row[0].split()]

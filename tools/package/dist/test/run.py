@@ -1,6 +1,7 @@
 #!/usr/bin/python3 -B
 """Tests of the packages, each as its user would try it: run.py [WORD...], those
-whose names contain one of the words, as many at a time as there are processors.
+whose names contain one of the words, as many at a time as there are processors,
+the longest first.
 """
 import os
 import sys
@@ -17,6 +18,6 @@ import in_python  # noqa: E402
 for real in REALS:
     ends_at(real)  # before tests that share it go their ways
 sys.exit(run([(name[5:].replace("_", "-"), test)
-              for room in (in_c, installed, in_python, for_boards)
+              for room in (in_python, in_c, installed, for_boards)
               for name, test in vars(room).items() if name.startswith("test_")],
              jobs=len(os.sched_getaffinity(0))))
