@@ -25,8 +25,9 @@ TEST(it_is_tf_step_to_the_bit) {
   }
 }
 
-/* A machine at a random start; two thirds of the turntables speed up. */
-static sim_t moving_machine(tf_real_t dt) {
+/* A machine at a random start, or with slow slip; two thirds of the turntables
+ * speed up. */
+static sim_t moving_machine(tf_real_t dt, bool slow) {
   tf_params_t p = moderate_params();
   p.dt = dt;
   p.tolerance = 0;
@@ -34,6 +35,11 @@ static sim_t moving_machine(tf_real_t dt) {
   s.x.r = uniform(-0.5, 0.5);
   s.x.v = uniform(-1, 1);
   s.x.w = uniform(-3, 3);
+  if (slow) {
+    const tf_real_t speed = log_uniform(1e-4, 0.1);
+    s.x.v *= speed;
+    s.x.w = s.u.omega0 + speed * uniform(-1, 1);
+  }
   s.u.alpha = one_in(3) ? 0 : uniform(-2, 2);
   CHECK(sim_begin(&s) == TF_OK);
   return s;
@@ -59,10 +65,13 @@ static real error_to(const sim_t *s, const tf_state_t *from,
          size;
 }
 
-TEST(the_estimate_lies_by_the_error) {
-  long by = 0, all = 0;
-  for (int n = 0; n < samples(8000); n++) {
-    sim_t s = moving_machine(log_uniform(1e-3, 0.1));
+/* Of OK steps from states anywhere, or close to h = g = 0: estimates within a
+ * factor of 10 of the error, and below a hundredth of one above 1e-2. */
+static void compare(const char *from_where, bool slow, double share) {
+  const int draws = tap.full ? 500000 : 2000;
+  long by = 0, all = 0, missed = 0;
+  for (int n = 0; n < draws; n++) {
+    sim_t s = moving_machine(log_uniform(IS_DOUBLE ? 1e-5 : 1e-3, 0.1), slow);
     const tf_state_t from = s.x;
     tf_state_t exact = s.x;
     tf_report_t other;
@@ -75,15 +84,24 @@ TEST(the_estimate_lies_by_the_error) {
     if (!(error > 64 * EPSILON / wide(s.k.dt))) continue;
     all++;
     by += wide(estimate) > error / 10 && wide(estimate) < error * 10;
-    if (IS_DOUBLE) CHECK(error < 1e-2L || wide(estimate) > error / 100);
+    missed += error > 1e-2L && wide(estimate) < error / 100;
   }
-  CHECK(all > samples(8000) / 4);
-  CHECK((double)by >= 0.98 * (double)all);
+  printf("# %s: %ld steps, %.2f %% within 10, %ld missed\n", from_where, all,
+         100 * (double)by / (double)all, missed);
+  CHECK(all > draws / 4);
+  CHECK((double)by >= share * (double)all);
+  if (IS_DOUBLE) CHECK((double)missed <= (slow ? 4e-3 : 1e-5) * (double)all);
+}
+
+TEST(the_estimate_lies_by_the_error) {
+  compare("anywhere", false, 0.98);
+  /* In float slow slip is lost in the rounding of r. */
+  if (IS_DOUBLE) compare("near h = g = 0", true, 0.95);
 }
 
 TEST(a_step_that_misses_the_accuracy_is_coarse) {
   for (int n = 0; n < samples(4000); n++) {
-    sim_t s = moving_machine(log_uniform(1e-3, 0.1));
+    sim_t s = moving_machine(log_uniform(1e-3, 0.1), false);
     const tf_state_t from = s.x;
     tf_real_t error, again;
     const tf_status_t status =
