@@ -14,6 +14,7 @@
 #define COLUMN 23    // at which the text of an option begins
 #define CHOICE 13    // and behind that, the meaning of a word
 #define COMMAND 21   // at which the text of a command begins
+#define NUMBER 36    // at which the text of a parameter begins
 #define WORD_ROOM 32 // more than any word of a section has
 
 // Its lines, and NULL.
@@ -92,24 +93,18 @@ static void print_commands(void) {
   }
 }
 
-// Numbers of --set: name, range and unit, and where they are used.
+// Numbers of --set: name, range, unit, and what they are.
 static void print_numbers(size_t i, size_t end) {
   for (; i < end; i++) {
     const tf_parameter_range_t *range = cli_number(i);
     const bool plain = strcmp(range->unit, "1") == 0;
-    (void)printf("  %-9s [%g, %g]%s%s%s", range->name, (double)range->low,
-                 (double)range->high, plain ? "" : " ",
-                 plain ? "" : range->unit,
-                 i < TF_PARAMETERS ? "" : ", at the start");
-    const char *separator = ", only in law ";
-    for (unsigned law = 0; law < TF_TYRE_LAWS; law++) {
-      if ((range->laws & 1u << law) != 0 &&
-          (range->laws & 1u << TF_TYRE_COULOMB) == 0) {
-        (void)printf("%s%s", separator, tf_tyre_law_name(law));
-        separator = ", ";
-      }
-    }
-    (void)puts("");
+    char text[NUMBER];
+    (void)snprintf(text, sizeof text, "[%g, %g]%s%s", (double)range->low,
+                   (double)range->high, plain ? "" : " ",
+                   plain ? "" : range->unit);
+    (void)printf("  %-9s %-*s", range->name, NUMBER - 12, text);
+    print_filled(i < TF_PARAMETERS ? cli_parameter_about[i] : "at the start",
+                 NUMBER);
   }
 }
 
@@ -207,8 +202,8 @@ int cli_help(int argc, char *const argv[]) {
       cli_closest_find(&closest, tf_parameter_ranges, TF_PARAMETERS,
                        sizeof tf_parameter_ranges[0]);
   if (i < TF_PARAMETERS) {
-    (void)printf("Parameter %s: %s. --set %s=VALUE; name, range, unit:\n", word,
-                 cli_parameter_about[i], word);
+    (void)printf("Parameter: name, range, unit, what it is; --set %s=VALUE:\n",
+                 word);
     print_numbers(i, i + 1);
   }
   const bool of_option = print_option(&closest);

@@ -62,9 +62,9 @@ static const cli_choice_t between[] = {
 static const cli_choice_t formats[] = {
     {"csv", COLUMN_HEADER "; for files"},
     {"frames",
-     "what a board sends: see docs/PROTOCOL.md; of monitor: all bytes "
+     "what a board sends: see docs/PROTOCOL.md; in monitor: all bytes "
      "unchanged"},
-    {"json", "an object a line, for PlotJuggler's UDP server"},
+    {"json", "one object per line, for PlotJuggler's UDP server"},
     {"plotter", "label:value pairs, for the Arduino IDE's plotter"},
     {"teleplot", "name:ms:value, for Teleplot's UDP port"},
     {NULL, NULL}};
@@ -82,7 +82,7 @@ static const cli_choice_t codim2[] = {
     {"attracting", "the attracting stick where there is one"},
     {"even", "one of the consistent modes, all equally likely"},
     {"noise",
-     "what vanishing noise on v selects: a slip; or, where slip+ arrives, "
+     "what vanishing noise on v selects: a slip; where slip+ arrives, also "
      "the stick- that leaves"},
     {NULL, NULL}};
 static const cli_choice_t commands[] = {
@@ -138,7 +138,7 @@ const cli_option_t cli_options[] = {
      "ambiguous",
      .is_repeatable = true},
     {"--jobs", "N", CLI_SWEEP, WHOLE(jobs, 1, 1024, 0),
-     "processes that share the points; default: one a processor",
+     "processes that share the points; default: one per processor",
      .letter = 'j'},
     {"--by", "KIND", CLI_DIVERGE, CHOICE(mechanism, 0),
      "what selects the exit:", .choices = mechanisms, .noun = "kind"},
@@ -203,8 +203,8 @@ const cli_option_t cli_options[] = {
      .choices = rules, .noun = "rule"},
     {"--set", "NAME=VALUE", MOTIONS | CLI_SCENE | ANALYSES | CLI_DIVERGE,
      OTHER(read_set),
-     "a parameter, an initial value or the law; each NAME once; names: "
-     "'twofold help run'",
+     "a parameter, an initial value or the law; each NAME once; names: at the "
+     "end of 'twofold help run'",
      .is_repeatable = true},
     {"--inputs", "FILE", MOTIONS, READS(inputs),
      "inputs over time, a CSV table, the same at every point of a sweep: "
@@ -245,10 +245,9 @@ const cli_option_t cli_options[] = {
      "the state at the end of the run, whatever ends it, unless its rows could "
      "not be written"},
     {"--from", "FILE", CLI_RUN, READS(from),
-     "continues from there, bit for bit, with the same machine, scheme and "
-     "number type; --t-end (of the whole run), --inputs, and the scene's "
-     "name and start may differ. The first row is the last one of the "
-     "run before"},
+     "continues from a --save FILE, bit for bit, with the same machine, scheme "
+     "and number type; --t-end (of the whole run), --inputs, and the scene's "
+     "name and start may differ. The first row is that run's last"},
     {"--replay", "FILE", CLI_RUN, READS(replay),
      "repeats, to the bit, what a board did under the commands that 'twofold "
      "monitor --record FILE' sent it, and compares the last state. Needs --dt "
