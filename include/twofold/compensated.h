@@ -1,8 +1,8 @@
 /// @file
 /// The compensated step: tf_step with the rounding of its state kept, as in
 /// compensated summation. At dt = 1e-6 s a step changes the state by less than
-/// the resolution of a float; what a plain step then loses this one keeps
-/// beside the state, as the compensation, and adds in the next. A program that
+/// the resolution of a float; this one keeps what a plain step then loses
+/// as the compensation, and adds it in the next. A program that
 /// does not call it does not contain it.
 #ifndef TWOFOLD_COMPENSATED_H
 #define TWOFOLD_COMPENSATED_H
@@ -25,7 +25,7 @@ typedef struct {
   tf_real_t low_inertia;                  ///< of machine.inertia [kg m^2]
 } tf_compensated_t;
 
-/// tf_prepare for the compensated step; arguments and codes are those there.
+/// tf_prepare for the compensated step; arguments and codes as there.
 #define tf_prepare_compensated TF_LINK(tf_prepare_compensated)
 TF_API tf_status_t tf_prepare_compensated(tf_compensated_t *machine,
                                           const tf_params_t *params,
@@ -50,7 +50,7 @@ TF_API tf_status_t tf_speed_for_slip_compensated(
 /// machine, input: in. state: in/out, from tf_begin. compensation: in/out.
 /// report: out; slip and residual are those of state + compensation.
 /// Returns: as tf_step; where it refuses, state and compensation are untouched.
-/// Trust: TF_OK promises what it does of tf_step, and was tried as much.
+/// Trust: TF_OK promises the same as in tf_step.
 #define tf_step_compensated TF_LINK(tf_step_compensated)
 TF_API tf_status_t tf_step_compensated(const tf_compensated_t *machine,
                                        tf_state_t *state,

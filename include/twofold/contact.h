@@ -67,7 +67,7 @@ TF_API const char *tf_rule_name(unsigned rule);
 typedef enum {
   TF_REST_HULL,   ///< convex hull of the limits of slip, Filippov's law:
                   ///< |M| <= kappa mu, |F| <= 4 mu/3 - |M|/(3 kappa) (default)
-  TF_REST_SQUARE, ///< that of stick: |M| <= kappa mu, |F| <= mu
+  TF_REST_SQUARE, ///< hull of stick: |M| <= kappa mu, |F| <= mu
   TF_REST_BOW_TIE ///< the paper's: |M| <= kappa |F|, |F| <= mu. Not convex; at
                   ///< some points h = g = 0 it leaves no future
 } tf_rest_law_t;

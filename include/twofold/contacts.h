@@ -16,7 +16,7 @@ TF_BEGIN_C
 /// Room for all joint modes: TF_MODES^n.
 #define TF_JOINT_ROOM(n) ((n) == 1 ? 5 : (n) == 2 ? 25 : (n) == 3 ? 125 : 625)
 
-/// A form is h_i or g_i at the end of the step [m/s] by the multipliers:
+/// A form is h_i or g_i at the end of the step [m/s] in the multipliers:
 ///   c + sum over a of b_a m_a + sum over a <= b of q_ab m_a m_b
 /// It is an array of TF_TERMS(n) numbers:
 ///   [0] c    [1 + a] b_a    [TF_PRODUCT(n, a, b)] q_ab, a <= b
@@ -55,8 +55,8 @@ typedef struct {
 /// Several solutions may have the same modes. The one in `found` keeps the
 ///   present side of g in slip; of those, it has the least sum of |x| + |y|.
 /// Redundant contacts: the motion is unique, not the forces. `found` has those
-///   of the least sum of squares, or some well inside the law. What rests but
-///   for 256 epsilon rests. Leave products out: with them a plate that rests on
+///   of the least sum of squares, or some well inside the law. Rest holds to
+///   within 256 epsilon. Leave products out: with them a plate that rests on
 ///   three wheels is TF_COARSE, in no mode (1 of 4 states) or several (1 of 5).
 /// Trust: TF_OK misses only what a change of the coefficients by 64 epsilon
 ///   removes; in float also one of 1,000 joint modes of redundant contacts.

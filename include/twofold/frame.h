@@ -75,9 +75,9 @@ static inline tf_real_t tf_wire_get_real(const uint8_t *at) {
 #define TF_FRAME_AT (2 + TF_FRAME_HEADER)
 /// Longest payload.
 #define TF_FRAME_PAYLOAD 238
-/// Bytes that a frame with so long a payload takes on the line.
+/// Bytes that a frame with this payload takes on the line.
 #define TF_FRAME_SIZE(payload) ((payload) + TF_FRAME_HEADER + 8)
-/// Size of the buffer of a decoder for payloads of up to so many bytes.
+/// Size of a decoder's buffer for payloads of up to this size.
 #define TF_DECODER_SIZE(payload) ((payload) + TF_FRAME_HEADER + 6)
 
 /// A frame as received.
@@ -93,7 +93,7 @@ typedef struct {
 typedef struct {
   uint8_t *buffer; ///< the caller's
   uint16_t size, used;
-  uint32_t sequence;    ///< that is expected next
+  uint32_t sequence;    ///< the one expected next
   bool started;         ///< a frame has been accepted
   bool overflowed;      ///< the present frame is longer than the buffer
   uint64_t tick;        ///< of the last frame
@@ -101,7 +101,7 @@ typedef struct {
   uint32_t bad;         ///< CRC, COBS or length wrong
   uint32_t too_long;    ///< longer than the buffer
   uint32_t bad_version; ///< correct, but of another version of the protocol
-  uint8_t version;      ///< which one the last of them was of
+  uint8_t version;      ///< that of the last of them
   uint32_t lost;        ///< missing sequence numbers
   uint32_t restarts;    ///< the sequence went back: the sender was restarted
 } tf_decoder_t;
@@ -117,7 +117,7 @@ typedef struct {
 TF_API size_t tf_frame_seal(uint8_t *wire, uint8_t type, size_t length,
                             uint32_t *sequence, uint64_t tick);
 
-/// Chain of a sender's frames, over their CRCs: heartbeats have it so far.
+/// CRC-32 over all CRCs of a sender so far; heartbeats carry it.
 /// before: in, the chain up to the last frame, 0 before the first. crc: in,
 ///   TF_FRAME_CRC bytes, on the line or behind the payload in a decoder.
 #define tf_frame_chain TF_LINK(tf_frame_chain)

@@ -84,8 +84,8 @@ static inline bool tf_is_vouched_for(uint8_t type) {
 }
 
 /// Appends the tag to a frame of the board: the SipHash-2-4 of its body and of
-/// the nonce of the host, 0 before the first. So the frame is meant for
-/// this host and is not a recording.
+/// the nonce of the host, 0 before the first. It shows that the frame is for
+/// this host and no recording.
 /// wire: in/out, the frame, with room for TF_TAG_BYTES more. size: in, its
 /// bytes.
 /// key: in, TF_KEY_BYTES.
@@ -105,7 +105,7 @@ TF_API bool tf_frame_is_vouched(const tf_frame_t *frame, const uint8_t *key,
 #define TF_LINK_SETPOINTS 8
 /// How far ahead a command may be dated [steps].
 #define TF_LINK_AHEAD 65536
-/// Ticks that a command may restore are less than this.
+/// A command may restore only ticks below this.
 #define TF_LINK_TICKS ((uint64_t)1 << 63)
 /// Longest payload of an answer.
 #define TF_ANSWER_BYTES (8 + 3 * TF_REAL_BYTES)
@@ -148,8 +148,8 @@ typedef struct {
   uint32_t ignored; ///< commands without an answer: no room, or cleared
   uint32_t superseded, late; ///< as in a heartbeat
   uint64_t now;              ///< tick of the last boundary
-  uint32_t every; ///< steps from record to record; 0: no command sets them
-  tf_line_t line; ///< what they may need; the program sets both
+  uint32_t every;            ///< steps a record; 0: no command may set it
+  tf_line_t line;            ///< what they may need; the program sets both
   tf_decoder_t decoder;
   tf_command_t queue[TF_LINK_QUEUE];
   tf_command_t aside; ///< done with on arrival; its answer is still to be sent

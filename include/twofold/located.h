@@ -41,7 +41,7 @@ TF_BEGIN_C
 ///   TF_BAD_STATE, TF_DIVERGED, TF_STEP_TOO_LONG  refused, as in tf_step: the
 ///                     state is untouched, the report holds the status
 /// Trust: TF_OK promises the same as in tf_step, and an error that follows the
-///   tolerance. docs/VERIFICATION.md lists the known exceptions.
+///   tolerance. docs/SCHEMES.md lists the known exceptions.
 #define tf_step_located TF_LINK(tf_step_located)
 TF_API tf_status_t tf_step_located(const tf_machine_t *machine,
                                    tf_state_t *state, const tf_input_t *input,

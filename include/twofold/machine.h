@@ -46,7 +46,7 @@ typedef struct {
   tf_real_t rate;    ///< exit rate of rule `random` [1/s]
   /// Of tf_step_located: error of a segment of its series, relative to the
   /// velocities, dimensionless; and how many segments a step has at most, its
-  /// budget, a whole number (else cut off to one). 0: TF_LOCATED_SEGMENTS.
+  /// budget, a whole number (any fraction is cut). 0: TF_LOCATED_SEGMENTS.
   tf_real_t tolerance, segments;
   tf_tyre_law_t law;  ///< which tyre
   tf_rule_t rule;     ///< which of several consistent modes
@@ -110,9 +110,9 @@ typedef struct {
   tf_real_t force;  ///< on the slider, along r [N]
   tf_real_t torque; ///< on the disc [N m]
   tf_real_t alpha;  ///< acceleration of the turntable, its mean over the step
-                    ///< [rad/s^2] (tf_turntable_to); 0: omega0 throughout, and
-                    ///< where it changes it jumps. To be set to 0 again when
-                    ///< omega0 stays
+                    ///< [rad/s^2] (tf_turntable_to); 0: omega0 throughout, with
+                    ///< a jump where it changes. Set it to 0 again when omega0
+                    ///< stays
 } tf_input_t;
 
 /// Largest sum of |r| [m], |v| [m/s] and |w| [rad/s] that is accepted, and of
@@ -138,8 +138,8 @@ TF_API tf_status_t tf_prepare(tf_machine_t *machine, const tf_params_t *params,
 TF_API tf_input_t tf_input_default(const tf_machine_t *machine);
 
 /// Moves the turntable on, as it moves during the next step: to a new omega0,
-/// with alpha = (omega0 - its last value)/dt. A turntable that jumps is not
-/// moved but put there: omega0 is set, and alpha to 0.
+/// with alpha = (omega0 - its last value)/dt. For a jump do
+/// not call this: set omega0, and alpha to 0.
 /// input: in/out, of the last step, or of the start. omega0: in, at the end of
 ///   the step [rad/s]. dt: in, of the machine, > 0 [s].
 #define tf_turntable_to TF_LINK(tf_turntable_to)
@@ -161,7 +161,7 @@ TF_API tf_status_t tf_speed_for_slip(const tf_machine_t *machine, tf_real_t r,
                                      tf_real_t w, tf_real_t omega0, tf_real_t h,
                                      tf_real_t *v);
 
-/// Mechanical energy [J]. No step reads it; programs do that watch its balance.
+/// Mechanical energy [J]. Programs watch its balance; no step reads it.
 ///   m (v - d w)^2/2 + m (beta^2 + r^2) w^2/2 + k2 (r - r0)^2/2
 /// machine, state: in. r0: in [m].
 #define tf_energy TF_LINK(tf_energy)

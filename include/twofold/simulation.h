@@ -17,9 +17,9 @@
 /// clock: steps, and ticks that pass without one while the simulation runs
 /// (tf_simulation_pass). While it stands, as a board in lockstep does, none
 /// counts. Their alpha is that of the first of these steps, at whose end the
-/// turntable has their omega0, and keeps it. After that the inputs are the safe
-/// ones, those of a machine that nothing drives (tf_input_default), until they
-/// are set once more.
+/// turntable has their omega0, and keeps it. Once they expire the inputs are
+/// the safe ones, those of a machine that nothing drives (tf_input_default),
+/// until they are set again.
 #ifndef TWOFOLD_SIMULATION_H
 #define TWOFOLD_SIMULATION_H
 
@@ -139,8 +139,8 @@ TF_API tf_status_t tf_simulation_open(tf_simulation_t *simulation,
 TF_API void tf_simulation_set_input(tf_simulation_t *simulation,
                                     const tf_input_t *input);
 
-/// Ticks have passed without a step, and inputs from outside hold for so many
-/// fewer. To be called before commands take effect.
+/// Counts ticks without a step off the time that inputs from outside hold.
+/// To be called before commands take effect.
 /// simulation: in/out. ticks: in.
 static inline void tf_simulation_pass(tf_simulation_t *simulation,
                                       uint32_t ticks) {

@@ -70,15 +70,15 @@ TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
 ///                     slip may enter (the step takes the one nearest to the
 ///                     law); or h and g do not end with the mode's signs
 ///   TF_COARSE         taken, but dt is too long for the motion, see below
-///   TF_STALLED        taken, but rounding loses the change of r (still in 32
-///                     steps), or of w in stick: use tf_step_compensated
+///   TF_STALLED        taken, but rounding loses the change of r (still after
+///                     32 steps), or of w in stick: use tf_step_compensated
 ///   TF_BAD_STATE      refused: state or input not finite or out of its range;
 ///                     the state is untouched, here and below
 ///   TF_DIVERGED       refused: the end would be out of the range of states
 ///   TF_STEP_TOO_LONG  refused: the effective mass would be <= 0
 /// TF_COARSE, which a smaller dt avoids, has these causes:
 ///   - Energy: the step would create more than 2^-12 of the energy, or friction
-///     would add more than 2^-4. Unless it is split, (18) replaces the step.
+///     would add more than 2^-4. If so, (18) replaces the step.
 ///   - Turn: the motion turns by more than a right angle, or theta > 1/2 damps
 ///     a quarter of the energy.
 ///   - Friction: it reverses a slip and changes the velocities by more than a

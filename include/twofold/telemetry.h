@@ -163,7 +163,7 @@ typedef struct {
   uint32_t carries; ///< 0: not known, and no limit
 } tf_line_t;
 
-/// Of frames: state and report in each record, and, where commands are taken,
+/// For frames: state and report in each record, and, where commands are taken,
 /// the answer to one; a heartbeat, a schema and the three layouts each second.
 /// baud: in, of 10 bits a byte; 0: not known. scene, build: in, names. tag: in,
 ///   bytes of the tag of a board with a key, or 0.
@@ -172,7 +172,7 @@ TF_API tf_line_t tf_line_of_frames(uint32_t rate, uint32_t baud,
                                    const char *scene, const char *build,
                                    bool takes_commands, uint32_t tag);
 
-/// Returns: what a record every so many steps, > 0, needs of the line.
+/// Returns: what the line must carry for a record every `every` > 0 steps.
 #define tf_line_asks TF_LINK(tf_line_asks)
 TF_API uint64_t tf_line_asks(const tf_line_t *line, uint32_t every);
 
