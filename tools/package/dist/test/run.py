@@ -1,7 +1,6 @@
 #!/usr/bin/python3 -B
-"""Tests of the packages, each as its user would try it: run.py [WORD...], those
-whose names contain one of the words, as many at a time as there are processors,
-the longest first.
+"""Tests of the packages, each as its user would try it, the longest first:
+run.py [WORD...], those whose names contain one of the words.
 """
 import os
 import sys
