@@ -20,10 +20,10 @@ TF_BEGIN_C
 ///   c + sum over a of b_a m_a + sum over a <= b of q_ab m_a m_b
 /// It is an array of TF_TERMS(n) numbers:
 ///   [0] c    [1 + a] b_a    [TF_PRODUCT(n, a, b)] q_ab, a <= b
-/// The forms of a mechanism are an array forms[n][2][TF_TERMS(n)] in the order
-/// h_0, g_0, h_1, g_1, ... For n = 1 a form has the layout of tf_form_t. The
-/// products q may be 0. With them a step is of second order where the
-/// directions of h and g turn.
+/// The forms of a mechanism are an array forms[n][2][TF_TERMS(n)], passed as
+/// forms[0][0], in the order h_0, g_0, h_1, g_1, ... For n = 1 a form has the
+/// layout of tf_form_t. The products q may be 0. With them a step is of second
+/// order where the directions of h and g turn.
 #define TF_TERMS(n) (((size_t)(n) + 1) * (2 * (size_t)(n) + 1))
 #define TF_PRODUCT(n, a, b) \
   (1 + 2 * (size_t)(n) + (size_t)(b) * ((size_t)(b) + 1) / 2 + (size_t)(a))

@@ -25,7 +25,7 @@ static void modes_of_one(const mechanism_t *k, tf_slip_t now,
   const tf_real_t *f = k->forms;
   const tf_form_t h = {f[0], f[1], f[2], f[3], f[4], f[5]},
                   g = {f[6], f[7], f[8], f[9], f[10], f[11]};
-  tf_contact_modes_t modes;
+  tf_contact_modes_t modes = {.set = 0};
   (void)tf_contact_modes(k->contacts, &h, &g, now, TF_NO_MODE, &modes, NULL);
   *count = size_of(modes.set);
   for (unsigned mode = 0, at = 0; mode < TF_MODES && at < room; mode++) {

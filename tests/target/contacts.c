@@ -15,7 +15,7 @@ enum { MASSES, FEW, TWINS, KINDS };
 
 typedef struct {
   tf_contact_t contact[TF_CONTACTS];
-  tf_real_t forms[2 * TF_CONTACTS * TF_TERMS(TF_CONTACTS)];
+  tf_real_t forms[(size_t)2 * TF_CONTACTS * TF_TERMS(TF_CONTACTS)];
   tf_slip_t now[TF_CONTACTS];
 } system_t;
 
@@ -34,7 +34,7 @@ static tf_real_t any(tf_real_t most) {
 }
 
 static void draw(system_t *k, unsigned n, unsigned kind) {
-  const unsigned terms = (unsigned)TF_TERMS(n);
+  const size_t terms = TF_TERMS(n);
   const unsigned freedoms =
       kind == FEW ? 2 + bits() % (2 * n - 1) : 2 * n + bits() % 2;
   tf_real_t row[2 * TF_CONTACTS][FREEDOMS], force[2 * TF_CONTACTS][FREEDOMS];
@@ -56,7 +56,7 @@ static void draw(system_t *k, unsigned n, unsigned kind) {
       size += form[1 + b] < 0 ? -form[1 + b] : form[1 + b];
     }
     form[0] = any(TF_R(0.7)) * size;
-    for (unsigned t = 1 + 2 * n; t < terms; t++)
+    for (size_t t = 1 + 2 * n; t < terms; t++)
       form[t] = any(TF_R(0x1p-10)) * size;
     if (kind == TWINS && f > 1)
       memcpy(form, form - 2 * terms, terms * sizeof *form);
