@@ -121,7 +121,7 @@ int ensemble_main(size_t many) {
   tf_scene_start(chaos, &e->machine, 0, &e->begin, e->reports);
   begin_spread(e);
   double alone;
-  for (size_t i = 0; many > 0 && i < 5 + ROUNDS * N / many; i++)
+  for (size_t i = 0; many > 0 && i < 5 + (size_t)ROUNDS * N / many; i++)
     printf("%.2f\n", time_ensemble(e, many, STEPS, &alone));
   if (many > 0) return 0;
   race("spread", e);

@@ -58,7 +58,8 @@ static unsigned solve_in_turn(const system_t *k, unsigned set[2]) {
     for (unsigned i = 0; i < 2; i++) {
       const tf_form_t h = alone(k->forms[i][0], i, m);
       const tf_form_t g = alone(k->forms[i][1], i, m);
-      const tf_real_t x = m[2 * i], y = m[2 * i + 1];
+      tf_real_t *own = &m[(size_t)2 * i];
+      const tf_real_t x = own[0], y = own[1];
       tf_contact_modes_t modes;
       tf_force_t force;
       (void)tf_contact_modes(&k->contact[i], &h, &g, k->now[i], mode[i], &modes,
@@ -68,9 +69,9 @@ static unsigned solve_in_turn(const system_t *k, unsigned set[2]) {
       if (tf_contact_force(&k->contact[i], &h, &g, &modes, mode[i], k->now[i],
                            &force) < TF_OK)
         continue;
-      m[2 * i] = force.F;
-      m[2 * i + 1] = force.M * k->contact[i].inv_kappa_mu;
-      const tf_real_t dx = m[2 * i] - x, dy = m[2 * i + 1] - y;
+      own[0] = force.F;
+      own[1] = force.M * k->contact[i].inv_kappa_mu;
+      const tf_real_t dx = own[0] - x, dy = own[1] - y;
       moved = moved || dx * dx + dy * dy > TF_R(1e-20);
     }
   }

@@ -143,7 +143,7 @@ TEST(plate_at_rest_has_one_future) {
       const double c = cos(place[i][2]), s = sin(place[i][2]);
       const double x = place[i][0], y = place[i][1];
       const double of[2][3] = {{-s, c, c * x + s * y}, {c, s, s * x - c * y}};
-      memcpy(rows[2 * i], of, sizeof of);
+      memcpy(rows[(size_t)2 * i], of, sizeof of);
       CHECK(tf_contact_prepare(&k.contact[i], TF_TYRE_JUMP, 2, TF_R(0.05),
                                TF_REST_HULL, TF_RULE_RANDOM, 0) == TF_OK);
     }

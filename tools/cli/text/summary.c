@@ -53,7 +53,7 @@ static void add_word(cli_buffer_t *text, const char *word) {
 
 static void add_json(cli_buffer_t *text, const char *form, va_list given) {
   for (; *form != '\0'; form++) {
-    const char plain[] = {*form == '\'' ? '"' : *form, '\0'};
+    const char plain[] = {(char)(*form == '\'' ? '"' : *form), '\0'};
     const char *word = NULL, size = form[1];
     if (*form != '%') {
       cli_add(text, plain);
