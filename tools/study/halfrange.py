@@ -22,7 +22,9 @@ from scipy import optimize, sparse
 from scipy.sparse import linalg
 
 import driven
+import pictures
 import table
+from pictures import INK, SERIES, pyplot
 
 # `chaos`, at rest on the turntable, from its mass matrix.
 K2, R0, C, BETA, OMEGA = 2.2270992253886014, 0.1, 1e-3, 0.05, -1
@@ -41,6 +43,9 @@ STEPPED = {"selected": ("P", "error"), "stick": (
 # r, and n_g: 1 by noise on v, -1 by one Wiener process on v and omega.
 EULER = (0.18, 1), (0.182, 1), (0.183, 1), (0.18, -1)
 STEPS = 80, 20, 5, 1.25
+# The leading order over the multiplier and e/V, and the lines that are drawn.
+MAP = np.linspace(-0.75, 0.75, 13), np.linspace(1.6, 4, 9)
+LEVELS = 1e-4, 1e-3, 1e-2, 0.05, 0.2, 0.5, 0.8, 0.95
 SHORT, START = (0.176, 0.04), (1e5, 0.02)  # of stick-; g, h/g where they begin
 
 Field = Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]
@@ -239,6 +244,9 @@ def drifting(begin: float, size: float, rows: pd.DataFrame,
 def row(task: tuple) -> dict[str, object]:
     """What the rows of halfrange.csv have, of one kind."""
     kind, *of = task
+    if kind == "map":
+        return {"kind": kind, "multiplier": of[0], "slope": of[1], "first":
+                refined(selected, leading(*of), COARSE, low=LEAST)}
     found = {"kind": kind, "r": of[0], "n_g": of[-1]}
     if kind in STEPPED:
         said = driven.output("tests/study/euler.py", kind, *of).split()
@@ -262,7 +270,7 @@ def row(task: tuple) -> dict[str, object]:
 TASKS = [*(("P", r) for r in PLACES), *(("rest", r) for r in RESTS),
          *(("start", *of) for of in EULER),
          *(("selected", r, dt, n_g) for dt in STEPS for r, n_g in EULER),
-         ("stick", *SHORT)]
+         ("stick", *SHORT), *(("map", x, y) for y in MAP[1] for x in MAP[0])]
 
 
 def follow(work: Path, _: str) -> None:
@@ -286,8 +294,25 @@ def stepped(kinds: dict[str, pd.DataFrame]) -> dict[str, object]:
             f"{of.b:.5f}, {of.s2:.2f}, {of.c:.4f}."}
 
 
-def count(work: Path, _: Path) -> dict[str, object]:
-    """The tables."""
+def draw(path: Path, rows: pd.DataFrame, places: pd.DataFrame) -> None:
+    """P of slip- at leading order, and where `chaos` is."""
+    figure, axes = pyplot.subplots(figsize=(6, 3.4))
+    lines = axes.contour(*MAP, rows["first"].to_numpy().reshape(
+        len(MAP[1]), len(MAP[0])), LEVELS, colors=SERIES[0])
+    axes.clabel(lines, fmt="%g")
+    axes.plot(places.multiplier, places.slope, "o", ms=4, color=INK,
+              label="chaos, by r [m]")
+    for n, place in enumerate(places.itertuples()):
+        axes.annotate(f"{place.r:g}", (place.multiplier, place.slope),
+                      (0, 6 if n % 2 else -13), ha="center",
+                      textcoords="offset points")
+    axes.legend()
+    axes.set(xlabel="multiplier \u03bb/\u03bc of stick+", ylabel="e/V")
+    pictures.save(figure, path)
+
+
+def count(work: Path, kept: Path) -> dict[str, object]:
+    """The tables and the picture."""
     rows = table.read(work / "halfrange.csv")
     kinds = {kind: some for kind, some in rows.groupby("kind", sort=False)}
     places, rest = kinds["P"], kinds["rest"].sort_values("r")
@@ -298,6 +323,7 @@ def count(work: Path, _: Path) -> dict[str, object]:
     waits = pd.DataFrame({
         "r": rest.r, "T/size^2": rest.rest.map("{:.3g}".format),
         f"at {SIZE:g} [s]": (rest.rest * SIZE ** 2).map("{:.2g}".format)})
+    draw(kept / "halfrange.svg", kinds["map"], places)
     rising = max(drifting(r, SIZE, rest) for r in rest.r)
     return {"selected": chosen, "rest": waits.iloc[[0, 1, 3, 5]], "rising":
             "Short sticks raise r meanwhile. In a reduced model no mean rest "

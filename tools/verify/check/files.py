@@ -27,7 +27,7 @@ tools/board        1604   1200
 tools/package      6557   5200
 tools/page         4226   4000
 tools/bench        3530   3200
-tools/study        4954   3800
+tools/study        4958   3800
 tools/verify       5365   4200
 tests             28770  23000
 """.strip().splitlines()[1:])}
