@@ -243,8 +243,9 @@ static bool hides_an_event(ref_orbit_t *orbit, real_t until, real_t H,
 }
 
 // Sets the scales of the step's time and returns the longest step that is safe
-// to try: a few hundredths of a second, and next to h = g = 0, in slip, a part
-// of the time in which h and g change by themselves.
+// to try: a few hundredths of a second; at rest a millisecond, for there may be
+// a stick for a short time; next to h = g = 0, in slip, a part of the time in
+// which h and g change by themselves.
 static real_t longest(ref_orbit_t *orbit, real_t until) {
   const ref_machine_t *q = orbit->machine;
   const real_t J = q->m * (q->beta * q->beta + orbit->x.r * orbit->x.r);
@@ -258,7 +259,8 @@ static real_t longest(ref_orbit_t *orbit, real_t until) {
   const real_t pace = ref_slope(orbit, orbit->x).t;
   const real_t left = (until - orbit->x.t) / pace;
   const real_t part = ref_slips(orbit) && ref_by_angle(q) ? (real_t)0.5L : 4;
-  return ref_smaller(ref_smaller((real_t)0.05L / pace, part),
+  const real_t most = orbit->mode == REF_PINNED ? (real_t)1e-3L : (real_t)0.05L;
+  return ref_smaller(ref_smaller(most / pace, part),
                      pace == 1 ? left : left * (real_t)1.1L);
 }
 
