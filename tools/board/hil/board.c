@@ -194,11 +194,12 @@ static int send_as(hil_board_t *board, uint32_t number, tf_type_t type,
                      strerror(board->source.error));
 }
 
-// Reads until a flag of the board is set, or for as many seconds. Returns:
-// CLI_DONE, and the caller looks whether it is.
+// Reads until a flag is set, or for as many seconds and as often as silence
+// takes: the computer may have stood still. The caller looks at the flag.
 static int await(hil_board_t *board, const bool *flag, double patience) {
   const double until = cli_now() + patience;
-  while (!*flag && cli_now() < until) CLI_TRY(listen(board));
+  for (int n = 0; !*flag && (n < 10 * patience || cli_now() < until); n++)
+    CLI_TRY(listen(board));
   return CLI_DONE;
 }
 
