@@ -23,7 +23,7 @@ room              most   goal  files
 src               11875   9700     61
 include            1990   1650     17
 tools/cli         12427  10000
-tools/board        1604   1200
+tools/board        1605   1200
 tools/package      6557   5200
 tools/page         4226   4000
 tools/bench        3530   3200
