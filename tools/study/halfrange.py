@@ -45,7 +45,7 @@ EULER = (0.18, 1), (0.182, 1), (0.183, 1), (0.18, -1)
 STEPS = 80, 20, 5, 1.25
 # The leading order over the multiplier and e/V, and the lines that are drawn.
 MAP = np.linspace(-0.75, 0.75, 13), np.linspace(1.6, 4, 9)
-LEVELS = 1e-4, 1e-3, 1e-2, 0.05, 0.2, 0.5, 0.8, 0.95
+LEVELS = 1e-3, 1e-2, 0.05, 0.2, 0.5, 0.8, 0.95
 SHORT, START = (0.176, 0.04), (1e5, 0.02)  # of stick-; g, h/g where they begin
 
 Field = Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]
