@@ -214,6 +214,16 @@ static bool dips(real_t f0, real_t d0, real_t f1, real_t d1, real_t H) {
   return false;
 }
 
+// Whether a function that is positive at both ends may be negative between: the
+// parabola through it and its middle comes close to 0.
+static bool touches(real_t f0, real_t middle, real_t f1) {
+  if (f1 <= 0) return false;
+  const real_t bend = f0 - 2 * middle + f1, slope = f1 - f0;
+  if (middle <= 0) return true;
+  if (ref_abs(slope) >= 2 * bend) return false;
+  return middle - slope * slope / (8 * bend) < ref_larger(f0, f1) / 16;
+}
+
 // Change of (h, g) in stretched time.
 static ref_slip_t slip_slope(const ref_orbit_t *orbit, ref_state_t x) {
   const ref_machine_t *q = orbit->machine;
@@ -230,8 +240,9 @@ static bool hides_an_event(ref_orbit_t *orbit, real_t until, real_t H,
     ref_state_t half;
     trial(orbit, H / 2, &half);
     const watched_t mid = watched(orbit, half, until);
+    const watched_t start = watched(orbit, orbit->x, until);
     for (int i = 0; i < mid.count; ++i)
-      if (at_end.value[i] > 0 && mid.value[i] < 0) return true;
+      if (touches(start.value[i], mid.value[i], at_end.value[i])) return true;
     return false;
   }
   const int side = orbit->piece.side, roll = orbit->piece.roll;

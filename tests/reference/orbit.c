@@ -275,12 +275,13 @@ static void pass_break(ref_orbit_t *orbit) {
   const ref_mode_t before = orbit->mode;
   ref_state_t *x = &orbit->x;
   const real_t was = ref_input(q, x->t, x->piece).omega0;
+  const real_t from = ref_knot(q, x->piece > 0 ? x->piece - 1 : 0)->omega0;
   const real_t at = ref_knot(q, x->piece)->t;
   while (x->piece < q->knots && ref_knot(q, x->piece)->t <= at) {
     ++x->piece; // one of no length has no slope
   }
   const real_t jump = ref_input(q, x->t, x->piece).omega0 - was;
-  if (ref_abs(jump) > 64 * REF_EPSILON * ref_abs(was)) {
+  if (ref_abs(jump) > 64 * REF_EPSILON * (ref_abs(from) + ref_abs(was))) {
     x->p += q->d * jump;
     x->z -= jump;
     settle(orbit, orbit->mode);

@@ -90,7 +90,8 @@ static void on_event(const ref_orbit_t *orbit, ref_event_t event) {
 // The end of the reference from a start moved by a share of its size. One that
 // is moved has another tolerance: its distance shows how sure the reference is.
 static ref_stop_t follow(const lib_machine_t *machine, const ref_machine_t *q,
-                         double share, double end, met_t *met, ref_state_t *x) {
+                         ref_mode_t mode, double share, double end, met_t *met,
+                         ref_state_t *x) {
   ref_orbit_t orbit = {.tolerance = share != 0 ? 1e-12L : 1e-11L,
                        .law = rest_laws[machine->rest],
                        .limit = 3000000,
@@ -106,7 +107,8 @@ static ref_stop_t follow(const lib_machine_t *machine, const ref_machine_t *q,
     start = ref_on_surface(q, start);
   }
   start.piece = q->knots > 0;
-  ref_begin(&orbit, q, start, REF_MODES);
+  ref_begin(&orbit, q, start, mode);
+  met->began = orbit.mode;
   met->rested = orbit.mode == REF_PINNED;
   const ref_stop_t stop = ref_run(&orbit, (real_t)end);
   met->passed_r = (orbit.x.r < 0) != (machine->r < 0);
@@ -118,7 +120,7 @@ static ref_stop_t follow(const lib_machine_t *machine, const ref_machine_t *q,
 static bool slides_off(const lib_machine_t *machine, const ref_machine_t *q) {
   met_t met;
   ref_state_t x;
-  follow(machine, q, 0, 0, &met, &x);
+  follow(machine, q, REF_MODES, 0, 0, &met, &x);
   return machine->v == 0 && machine->omega == machine->omega0 && !met.rested;
 }
 
@@ -146,11 +148,12 @@ static bool draw_case(const row_t *row, uint64_t seed, long index,
     ++count->n[DRAWN];
     if (row->rests && slides_off(&c->machine, &c->q)) continue;
     const ref_stop_t stop =
-        follow(&c->machine, &c->q, 0, row->t_end, &c->met, &c->end);
+        follow(&c->machine, &c->q, REF_MODES, 0, row->t_end, &c->met, &c->end);
     if (row->takes && !row->takes(&c->met)) continue;
     const bool reached =
-        stop == REF_REACHED && follow(&c->machine, &c->q, beside, row->t_end,
-                                      &met, &other) == REF_REACHED;
+        stop == REF_REACHED &&
+        follow(&c->machine, &c->q, REF_MODES, beside, row->t_end, &met,
+               &other) == REF_REACHED;
     c->moved = reached ? state_difference(&c->q, c->end, other) : HUGE_VAL;
     const int is = stop != REF_REACHED ? STOPPED
                    : c->met.several    ? SEVERAL
@@ -189,8 +192,9 @@ static bool driven_end(const case_t *c, ref_state_t *end) {
   met_t met;
   ref_state_t x, other;
   const double time = c->row->t_end;
-  if (follow(&started, &q, beside, time, &met, &other) != REF_REACHED ||
-      follow(&started, &q, 0, time, &met, &x) != REF_REACHED)
+  const ref_mode_t mode = c->met.began;
+  if (follow(&started, &q, mode, beside, time, &met, &other) != REF_REACHED ||
+      follow(&started, &q, mode, 0, time, &met, &x) != REF_REACHED)
     return false;
   end->r = x.r;
   end->z += ref_w(&q, x) - ref_w(&c->q, c->end);
