@@ -147,9 +147,8 @@ static bool continue_from_codim2(const free_motion_t *c, const inclusion_t *in,
                                  const codim2_course_t *arrival,
                                  step_end_t *out) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
-  const bool arrives = arrival->share > 0;
   const unsigned mode =
-      tf_leave_codim2(&k->contact, field, arrival->from, arrives,
+      tf_leave_codim2(&k->contact, field, arrival->from, arrival->share > 0,
                       c->state->tick, c->state->seed, modes);
   out->outcome.mode = mode;
   if (mode == TF_NO_MODE) return false;
@@ -258,36 +257,44 @@ static bool arrives_otherwise(const free_motion_t *c,
                               const codim2_field_t *field,
                               const consistent_modes_t *modes, unsigned from,
                               unsigned next) {
-  const tf_state_t *x = c->state;
   const unsigned other = is_slip(from) ? TF_STICK_PLUS : TF_SLIP_PLUS;
   return tf_leave_codim2(&TF_STEP_MACHINE(c)->contact, field, other, true,
-                         x->tick, x->seed, modes) != next;
+                         c->state->tick, c->state->seed, modes) != next;
+}
+
+// The slip with which a step begins; of a stick, where the law has no force that
+// keeps h at 0 on its side of g.
+static unsigned slip_from_start(const free_motion_t *c, const inclusion_t *in) {
+  const unsigned mode = c->state->mode;
+  const tf_slip_t now = c->start.slip;
+  if (mode == TF_PINNED || (now.h == 0 && now.g == 0)) return TF_NO_MODE;
+  if (is_slip(mode)) return mode;
+  const quadratic_t h = along(&in->h, sign_in(mode));
+  const bool rises = slip_plus_solves(&h), falls = slip_minus_solves(&h);
+  return rises == falls ? TF_NO_MODE : slip_with(rises ? PLUS : MINUS);
 }
 
 // A slip that has h = g = 0 within reach. It is TF_COARSE where no force of the
 // hull leads along its course, where its end is a quarter off that, or where a
 // course that has changed its mode decides what follows h = g = 0.
 static void end_slip_near_codim2(const free_motion_t *c, const inclusion_t *in,
-                                 const codim2_field_t *field,
+                                 const codim2_field_t *field, unsigned slip,
                                  const tf_contact_modes_t *s, step_end_t *to) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
-  const codim2_course_t course = course_of_slip(c, field, c->state->mode);
+  const codim2_course_t course = course_of_slip(c, field, slip);
   const bool comes = course.mode == TF_PINNED;
   consistent_modes_t modes = {.solutions = {.set = 0}};
-  codim2_field_t behind;
-  if (comes) {
-    behind = field_behind(c, field, course.share);
-    field = &behind;
-  }
+  const codim2_field_t behind =
+      comes ? field_behind(c, field, course.share) : *field;
   if (comes || may_be_held(s, c->state->mode))
-    tf_codim2_modes(&k->contact, field, &modes);
-  if (comes && continue_from_codim2(c, in, field, &modes, &course, to)) {
-    if (course.from != c->state->mode &&
-        arrives_otherwise(c, field, &modes, course.from, to->outcome.mode))
+    tf_codim2_modes(&k->contact, &behind, &modes);
+  if (comes && continue_from_codim2(c, in, &behind, &modes, &course, to)) {
+    if (course.from != slip &&
+        arrives_otherwise(c, &behind, &modes, course.from, to->outcome.mode))
       to->outcome.status = TF_COARSE;
     return;
   }
-  pass_codim2(c, in, field, &modes, s, to);
+  pass_codim2(c, in, &behind, &modes, s, to);
   const unsigned mode = to->outcome.mode;
   const tf_slip_t end = tf_slip_of_end(c, &to->end);
   const bool follows = mode != TF_NO_MODE && mode == course.mode &&
@@ -301,8 +308,7 @@ static void end_slip_near_codim2(const free_motion_t *c, const inclusion_t *in,
   }
   bool coarse = comes ? size_of(modes.solutions.set) > 1 : !follows;
   if (course.mode < TF_PINNED && follow_course(c, in, &course, s->set, to))
-    coarse = may_miss(c->start.slip, course.slip, course.mode != c->state->mode,
-                      s->set);
+    coarse = may_miss(c->start.slip, course.slip, course.mode != slip, s->set);
   if (coarse) to->outcome.status = TF_COARSE;
 }
 
@@ -371,7 +377,8 @@ TF_RARE bool misses_end_of_rest(const free_motion_t *c) {
 }
 
 // Whether a rest that ends goes as far as the mean of its accelerations at both
-// ends takes it: a stiff slip may turn within the step, or end.
+// ends takes it: a stiff slip may turn within the step, or end. Of two sticks it
+// has to take the faster at both ends.
 TF_RARE bool leaves_as_far(const free_motion_t *c, const step_end_t *to) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
   const unsigned mode = to->outcome.mode;
@@ -382,7 +389,9 @@ TF_RARE bool leaves_as_far(const free_motion_t *c, const step_end_t *to) {
     const codim2_field_t field = field_at(c, at, omega);
     consistent_modes_t modes;
     tf_codim2_modes(&k->contact, &field, &modes);
-    if (!has(modes.solutions.set, mode)) return false;
+    if (!has(modes.solutions.set, mode) ||
+        (is_stick(mode) && modes.solutions.near_stick != mode))
+      return false;
     const multipliers_t by = tf_codim2_multipliers(&k->contact, &modes, mode);
     sum.h += k->dt / 2 * value_under(field.h, by);
     sum.g += k->dt / 2 * value_under(field.g, by);
@@ -398,10 +407,10 @@ TF_API void tf_codim2_end(const free_motion_t *c, inclusion_t *in,
   // The hull reaches beyond the forces by which signs_of() judges.
   if (c->state->mode != TF_PINNED) tf_enumerate(in, BOTH_SIGNS, &s);
   const codim2_field_t field = field_of_step(c, in);
-  const tf_slip_t now = c->start.slip;
+  const unsigned slip = slip_from_start(c, in);
   *to = (step_end_t){.outcome = {.status = TF_OK}};
-  if (is_slip(c->state->mode) && (now.h != 0 || now.g != 0))
-    end_slip_near_codim2(c, in, &field, &s, to);
+  if (slip != TF_NO_MODE)
+    end_slip_near_codim2(c, in, &field, slip, &s, to);
   else
     end_at_codim2(c, in, &field, &s, to);
   if (to->outcome.mode == TF_NO_MODE) {

@@ -11,7 +11,9 @@
   .theta = TF_R(0.5), .dt = TF_R(1e-4), .rate = 20, .tolerance = TF_R(1e-8)
 #define PAPER_KAPPA .kappa = TF_R(0.27241153714062027818)
 #define PAPER_GAMMA .gamma = TF_R(-2.35619449019234492885) // -3 pi/4
-#define PAPER_START .r = TF_R(0.18), .omega = TF_R(-1.037)
+#define PAPER_START .r = TF_R(0.18), .omega = TF_R(-1.037), .h = TF_R(1e-10)
+#define SLIDING_START \
+  .r = TF_R(0.3), .omega = TF_R(-0.8), .v = TF_R(0.1), .v_is_given = true
 
 static const tf_scene_t chaos = {
     .name = "chaos",
@@ -20,7 +22,6 @@ static const tf_scene_t chaos = {
     .params = {PAPER, PAPER_KAPPA, PAPER_GAMMA, PAPER_SCHEME,
                .law = TF_TYRE_JUMP},
     PAPER_START,
-    .h = TF_R(1e-10),
     .t_end = 10};
 
 static const tf_scene_t gamma_zero = {
@@ -29,10 +30,7 @@ static const tf_scene_t gamma_zero = {
     .leaves_out = "inputs, angle",
     .params = {PAPER, PAPER_KAPPA, .gamma = 0, PAPER_SCHEME,
                .law = TF_TYRE_JUMP},
-    .r = TF_R(0.3),
-    .omega = TF_R(-0.8),
-    .v = TF_R(0.1),
-    .v_is_given = true,
+    SLIDING_START,
     .t_end = 10};
 
 static const tf_scene_t gamma_right = {
@@ -41,10 +39,7 @@ static const tf_scene_t gamma_right = {
     .leaves_out = "inputs, angle",
     .params = {PAPER, PAPER_KAPPA, .gamma = TF_R(1.57079632679489661923),
                PAPER_SCHEME, .law = TF_TYRE_JUMP},
-    .r = TF_R(0.3),
-    .omega = TF_R(-0.8),
-    .v = TF_R(0.1),
-    .v_is_given = true,
+    SLIDING_START,
     .t_end = 10};
 
 static const tf_scene_t coulomb = {
@@ -64,7 +59,6 @@ static const tf_scene_t frictionless = {
     .params = {PAPER, PAPER_GAMMA, PAPER_SCHEME, .law = TF_TYRE_NONE,
                .with_angle = true},
     PAPER_START,
-    .h = TF_R(1e-10),
     .t_end = 10};
 
 static const tf_scene_t smooth = {
@@ -74,7 +68,6 @@ static const tf_scene_t smooth = {
     .params = {PAPER, PAPER_KAPPA, PAPER_GAMMA, .epsilon = TF_R(1e-4),
                PAPER_SCHEME, .law = TF_TYRE_SMOOTH},
     PAPER_START,
-    .h = TF_R(1e-10),
     .t_end = 10};
 
 static const tf_scene_t rolling = {
@@ -96,7 +89,6 @@ static const tf_scene_t string = {
                .rho = TF_R(0.66666666666666666667), .a = 1, PAPER_SCHEME,
                .law = TF_TYRE_STRING},
     PAPER_START,
-    .h = TF_R(1e-10),
     .t_end = 10};
 
 static const tf_scene_t driven = {
@@ -106,7 +98,6 @@ static const tf_scene_t driven = {
     .params = {PAPER, PAPER_KAPPA, PAPER_GAMMA, PAPER_SCHEME,
                .law = TF_TYRE_JUMP, .with_angle = true},
     PAPER_START,
-    .h = TF_R(1e-10),
     .t_end = 12,
     .knots = 5,
     .profile = {{0, -1}, {2, -2}, {4, -2}, {8, 1}, {10, 0}}};

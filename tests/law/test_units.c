@@ -350,27 +350,6 @@ TEST(mirror_symmetry) {
     }
 }
 
-/* A rest that ends: its image took v = 1.57, TF_OK as the other. */
-TEST(a_rest_ends_in_its_mirror_image) {
-  static const double machine[MACHINE] = {
-      0.52065899029391749, 1.1236242019616722,  0.09298811503777453,
-      29.138863721736922,  0.19745461075108994, 0.014136048086790476,
-      0.94301498182285148, -2.1294038937094948, 2.9732328120667448,
-      0.69874411131133496, 1.0180540359239201};
-  tf_params_t p = params_from(machine);
-  p.dt = TF_R(0.0064917148303152133);
-  images_t m = images_of(REVERSAL, &p);
-  m.u[0].force = TF_R(-28.353212564695777);
-  m.u[0].torque = TF_R(1.6993995323066164);
-  m.u[1] = mapped_input(REVERSAL, m.u[0]);
-  m.x[0] = (tf_state_t){
-      .r = TF_R(0.019094097627714524), .w = p.omega0, .mode = TF_PINNED};
-  m.x[1] = mapped_state(REVERSAL, m.x[0]);
-  CHECK(step_images(tf_step, REVERSAL, &m));
-  printf("# v %.3f, of its image %.3f\n", (double)m.x[0].v, (double)m.x[1].v);
-  CHECK_NEAR(m.x[0].v, 1.0743, 0.01); /* as located */
-}
-
 /* The located step through a two-fold, which no random machine comes to, in the
  * other units of mass and time. */
 TEST(two_fold_is_located_in_all_units) {

@@ -41,8 +41,10 @@ static real_t omega0_at(const ref_machine_t *machine, ref_state_t x) {
 
 ref_state_t ref_state(const ref_machine_t *machine, real_t r, real_t v,
                       real_t w) {
-  const real_t z = w - ref_input(machine, 0, 0).omega0;
-  return (ref_state_t){.r = r, .p = v - machine->d * z, .z = z};
+  int piece = machine->knots > 0;
+  while (piece < machine->knots && ref_knot(machine, piece)->t <= 0) ++piece;
+  const real_t z = w - ref_input(machine, 0, piece).omega0;
+  return (ref_state_t){.r = r, .p = v - machine->d * z, .z = z, .piece = piece};
 }
 
 real_t ref_v(const ref_machine_t *machine, ref_state_t x) {

@@ -112,7 +112,7 @@ typedef struct {
 void ref_prepare(ref_machine_t *machine);
 const ref_knot_t *ref_knot(const ref_machine_t *machine, int i);
 ref_input_t ref_input(const ref_machine_t *machine, ref_real_t t, int piece);
-/// The state at t = 0 [m, m/s, rad/s], and its v and w.
+/// The state at t = 0 [m, m/s, rad/s], behind a jump there, and its v and w.
 ref_state_t ref_state(const ref_machine_t *machine, ref_real_t r, ref_real_t v,
                       ref_real_t w);
 ref_real_t ref_v(const ref_machine_t *machine, ref_state_t x);

@@ -106,7 +106,6 @@ static ref_stop_t follow(const lib_machine_t *machine, const ref_machine_t *q,
   } else if (share != 0) {
     start = ref_on_surface(q, start);
   }
-  start.piece = q->knots > 0;
   ref_begin(&orbit, q, start, mode);
   met->began = orbit.mode;
   met->rested = orbit.mode == REF_PINNED;
@@ -151,9 +150,8 @@ static bool draw_case(const row_t *row, uint64_t seed, long index,
         follow(&c->machine, &c->q, REF_MODES, 0, row->t_end, &c->met, &c->end);
     if (row->takes && !row->takes(&c->met)) continue;
     const bool reached =
-        stop == REF_REACHED &&
-        follow(&c->machine, &c->q, REF_MODES, beside, row->t_end, &met,
-               &other) == REF_REACHED;
+        stop == REF_REACHED && follow(&c->machine, &c->q, REF_MODES, beside,
+                                      row->t_end, &met, &other) == REF_REACHED;
     c->moved = reached ? state_difference(&c->q, c->end, other) : HUGE_VAL;
     const int is = stop != REF_REACHED ? STOPPED
                    : c->met.several    ? SEVERAL
