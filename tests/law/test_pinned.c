@@ -98,8 +98,8 @@ TEST(rest_ends_where_it_begins_under_a_rule_for_slips) {
 
 /* The turntable's acceleration changes one step after a rest has ended in a
  * stick, when g is no larger than what a step changes. That stick may no longer
- * be a mode: it ends in a slip, and does not pass g = 0. Returns: whether a step
- * that is TF_OK ends in another mode than the located one, and far from it. */
+ * be a mode: it ends in a slip, and does not pass g = 0. Returns: whether a
+ * step that is TF_OK ends in another mode than the located one, far from it. */
 static bool parts_behind_rest(long *ends) {
   tf_params_t q = random_params();
   q.dt = log_uniform(1e-6, 1e-3);
