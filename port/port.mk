@@ -43,10 +43,10 @@ STEPS ?= 0
 FORMAT ?= plotter
 PROGRAM ?= firmware
 # A function that is inlined once may make its caller large: without, what is
-# called from one place stays a function with a frame of its own. The other three
-# save 1 % of flash and 2 % of stack on Cortex-M and cost no step more than
-# 0.6 %: gcc copies up to 15 statements to save a jump, and keeps invariants of
-# loops in registers that Thumb does not have.
+# called from one place stays a function with a frame of its own. The others
+# save 1 % of flash and 2 % of stack on Cortex-M, and cost no step more than
+# 0.6 %: gcc copies up to 15 statements to save a jump, and keeps what a loop
+# does not change in registers that Thumb does not have.
 BOARD_OPT ?= -Os --param large-function-growth=1000 \
   --param max-jump-thread-duplication-stmts=14 -fipa-pta \
   -fno-move-loop-invariants
