@@ -262,8 +262,8 @@ static bool arrives_otherwise(const free_motion_t *c,
                          c->state->tick, c->state->seed, modes) != next;
 }
 
-// The slip with which a step begins; of a stick, where the law has no force that
-// keeps h at 0 on its side of g.
+// The slip with which a step begins; of a stick, where the law has no force
+// that keeps h at 0 on its side of g.
 static unsigned slip_from_start(const free_motion_t *c, const inclusion_t *in) {
   const unsigned mode = c->state->mode;
   const tf_slip_t now = c->start.slip;
@@ -377,8 +377,8 @@ TF_RARE bool misses_end_of_rest(const free_motion_t *c) {
 }
 
 // Whether a rest that ends goes as far as the mean of its accelerations at both
-// ends takes it: a stiff slip may turn within the step, or end. Of two sticks it
-// has to take the faster at both ends.
+// ends takes it: a stiff slip may turn within the step, or end. Of two sticks
+// it has to take the faster at both ends.
 TF_RARE bool leaves_as_far(const free_motion_t *c, const step_end_t *to) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
   const unsigned mode = to->outcome.mode;
