@@ -378,7 +378,7 @@ TF_RARE bool misses_end_of_rest(const free_motion_t *c) {
 
 // Whether a rest that ends goes as far as the mean of its accelerations at both
 // ends takes it: a stiff slip may turn within the step, or end. Of two sticks
-// it has to take the faster at both ends.
+// that attract it has to take the faster at both ends.
 TF_RARE bool leaves_as_far(const free_motion_t *c, const step_end_t *to) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
   const unsigned mode = to->outcome.mode;
@@ -389,8 +389,9 @@ TF_RARE bool leaves_as_far(const free_motion_t *c, const step_end_t *to) {
     const codim2_field_t field = field_at(c, at, omega);
     consistent_modes_t modes;
     tf_codim2_modes(&k->contact, &field, &modes);
-    if (!has(modes.solutions.set, mode) ||
-        (is_stick(mode) && modes.solutions.near_stick != mode))
+    const tf_contact_modes_t *s = &modes.solutions;
+    const unsigned faster = s->set & s->attracting & TF_MODE_BIT(s->near_stick);
+    if (!has(s->set, mode) || (is_stick(mode) && faster & ~TF_MODE_BIT(mode)))
       return false;
     const multipliers_t by = tf_codim2_multipliers(&k->contact, &modes, mode);
     sum.h += k->dt / 2 * value_under(field.h, by);
