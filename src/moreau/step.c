@@ -75,8 +75,7 @@ TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
 }
 
 // A step beside two halves of it: how far both ends lie apart is the estimate
-// of its error. No quantity of one step alone separates steps that are
-// too long from others (docs/SCHEMES.md lists what was tried).
+// of its error. docs/SCHEMES.md lists what else was tried.
 
 // The end of two halves. The draw of a random exit is that of the whole step:
 // set_step_length() keeps its chance, and both halves have the tick of the
