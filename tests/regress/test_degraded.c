@@ -27,7 +27,9 @@ TEST(no_step_enters_an_escaping_stick_from_slip) {
     if (sim_begin(&s) != TF_OK) continue;
     for (int j = 0; j < 50; j++) {
       const uint8_t mode = s.x.mode;
-      if (sim_step(&s, MOREAU) < 0) break;
+      const tf_status_t status = sim_step(&s, MOREAU);
+      if (status < 0) break;
+      CHECK(status != TF_OK || s.report.set & TF_MODE_BIT(s.report.mode));
       if (!tf_mode_is_slip(mode)) continue;
       slips++;
       CHECK(!is_stick(s.report.mode) || s.report.delassus > 0);
@@ -64,6 +66,7 @@ TEST(a_degraded_step_is_the_same_compensated) {
     CHECK(pairs.report.mode == plain.report.mode);
     CHECK(pairs.report.set == plain.report.set);
     CHECK(plain.x.mode == plain.report.mode);
+    CHECK((plain.report.set == 0) == (plain.report.choices == 0));
     modes[plain.report.mode]++;
   }
   for (int mode = 0; mode < TF_MODES; mode++) CHECK_ABOVE(modes[mode], 2);

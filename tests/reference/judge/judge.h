@@ -134,7 +134,7 @@ typedef struct {
   bool several;       ///< a choice that the rule does not make sharply
   bool passed_r;      ///< r changed its sign
   real_t stick_since; ///< -1: not in stick, or not from a slip
-  ref_mode_t began;
+  ref_mode_t began;   ///< of the start
 } met_t;
 
 enum { ROW_STEPS = 3, ROW_MODELS = 7 };
