@@ -255,13 +255,12 @@ static bool taylor_stick(taylor_t *motion, const segment_t *segment) {
   return true;
 }
 
-// At a two-fold A = 0: term n + 1 of h does not contain lambda_n but
-// lambda_(n-1), linearly, through term n of the motion. Two trial values give
-// the line, and its zero lambda_(n-1). The second trial is the force of
-// 1 m/s^2: no unit of mass moves a bit.
+// At a two-fold A = 0: term n + 1 of h does not contain lambda_n but, linearly,
+// lambda_(n-1). Two trials give it: 0, and the force of 1 m/s^2 to one side of
+// h, so that no unit of mass and no mirror moves a bit.
 static bool taylor_two_fold(taylor_t *motion, const segment_t *segment) {
   const friction_t by_lambda = friction_by_lambda(motion, segment);
-  const tf_real_t m = motion->machine->m;
+  tf_real_t m = motion->machine->m;
   next_terms_t before = next_terms(motion, 0);
   for (int n = 1; n < highest_order(motion); n++) {
     tf_real_t h[2];
@@ -269,6 +268,7 @@ static bool taylor_two_fold(taylor_t *motion, const segment_t *segment) {
       set_terms(motion, n - 1, &before, &by_lambda, (tf_real_t)trial * m);
       const next_terms_t next = next_terms(motion, n);
       h[trial] = next_h(motion, n, &next);
+      if (n == 1 && trial == 0 && h[0] < 0) m = -m;
     }
     const tf_real_t slope = h[0] - h[1];
     if (slope == 0) return false;

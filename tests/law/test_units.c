@@ -350,12 +350,11 @@ TEST(mirror_symmetry) {
     }
 }
 
-/* The located step through a two-fold, which no random machine comes to, in the
- * other units of mass and time. */
-TEST(two_fold_is_located_in_all_units) {
+/* The located step through a two-fold, which no random machine comes to. */
+TEST(two_fold_is_located_in_all_images) {
   tf_params_t p = tf_scenes[0]->params;
   p.dt = TF_R(0x1p-10);
-  for (int map = MASS; map <= TIME; map++) {
+  for (int map = 0; map < SHIFT; map++) {
     const tf_machine_t a = prepared(&p), b = mapped_machine(map, p);
     const tf_input_t u = tf_input_default(&a), v = mapped_input(map, u);
     tf_state_t x = {.mode = TF_NO_MODE};
@@ -366,7 +365,8 @@ TEST(two_fold_is_located_in_all_units) {
       const tf_status_t s = tf_step_located(&a, &x, &u, &first);
       CHECK(s >= TF_OK && tf_step_located(&b, &y, &v, &second) == s);
       const tf_state_t want = mapped_state(map, x);
-      if (!CHECK(same_state(&want, &y))) {
+      if (!CHECK(same_state(&want, &y) && /* see are_near() of the force */
+                 (map == TIME || same_report(map, &first, &second)))) {
         printf("#   map %d: differs at step %d\n", map, n);
         break;
       }
