@@ -163,44 +163,6 @@ TEST(fast_passes_of_the_axis_are_right_or_coarse) {
   CHECK_BELOW(80 * wrong, right);
 }
 
-static double slip_error(double theta, long n, const real end[3]) {
-  sim_t s = {.params = tf_scenes[0]->params};
-  s.params.theta = (tf_real_t)theta;
-  s.params.dt = (tf_real_t)(0.3 / (double)n);
-  CHECK(sim_place(&s, 0.18, -0.5, 0.5, TF_NO_MODE) == TF_OK);
-  for (long i = 0; i < n; i++) {
-    CHECK(ok_to_resolution(sim_step(&s, MOREAU)));
-    CHECK(s.x.mode == TF_SLIP_PLUS);
-  }
-  return fabs((double)(s.x.r - end[0])) + fabs((double)(s.x.v - end[1])) +
-         fabs((double)(s.x.w - end[2]));
-}
-
-/* Slope of log error over log dt by least squares on a geometric grid. */
-static double slope(double theta, const real end[3]) {
-  double sx = 0, sy = 0, sxx = 0, sxy = 0;
-  const int points = 5;
-  for (int i = 0; i < points; i++) {
-    const long n = 37L << (i + (IS_DOUBLE ? 2 : 0));
-    const double lx = log(0.3 / (double)n), ly = log(slip_error(theta, n, end));
-    sx += lx, sy += ly, sxx += lx * lx, sxy += lx * ly;
-  }
-  return (points * sxy - sx * sy) / (points * sxx - sx * sx);
-}
-
-TEST(smooth_slip_order_of_convergence) {
-  ref_machine_t q = ref_problems[0].machine;
-  ref_orbit_t orbit = {.tolerance = 1e-15L};
-  ref_prepare(&q);
-  const ref_state_t start = {.r = 0.18L, .z = -0.5L - q.omega0};
-  ref_begin(&orbit, &q, ref_with_h(&q, start, 0.5L), REF_SLIP_PLUS);
-  CHECK(ref_run(&orbit, 0.3L) == REF_REACHED && orbit.events == 0);
-  const real x[3] = {orbit.x.r, ref_v(&q, orbit.x), ref_w(&q, orbit.x)};
-  const double first = slope(1, x), second = slope(0.5, x);
-  CHECK_NEAR(first, 1, 0.1);
-  CHECK_NEAR(second, 2, IS_DOUBLE ? 0.1 : 0.4);
-}
-
 /* A constant rate of exit means the same mean time in an escaping stick at
  * every step size: exponential, so mean = deviation = 1/rate. */
 TEST(random_exit_rate_is_independent_of_dt) {
