@@ -46,12 +46,12 @@ typedef struct {
 
 /// The simulator in one real type, behind functions in double: library.c is
 /// compiled twice. run takes a machine from its start to a time; -1: refused,
-/// 0: all steps OK, 1: not all.
+/// 0: all steps OK, 1: not all. parts: its mirror image ends elsewhere.
 typedef struct {
   const char *name;
   double epsilon;
   int (*run)(const lib_machine_t *machine, lib_scheme_t scheme, double t_end,
-             lib_row_t *end);
+             lib_row_t *end, bool *parts);
 } lib_real_t;
 extern const lib_real_t lib_f64, lib_f32;
 

@@ -64,7 +64,22 @@ static tf_status_t step(run_t *run, lib_scheme_t scheme) {
   return tf_ensemble_report(&run->reports, TF_LANES - 1).status;
 }
 
-static int run_to(const lib_machine_t *q, lib_scheme_t scheme, double t_end,
+// A machine and its inputs as a mirror along the slot shows them.
+static lib_machine_t mirrored(const lib_machine_t *machine) {
+  lib_machine_t q = *machine;
+  q.d = -q.d;
+  q.gamma = -q.gamma;
+  q.omega0 = -q.omega0;
+  q.omega = -q.omega;
+  q.swing = -q.swing;
+  for (int i = 0; i < q.knots; ++i) {
+    q.knot[i].omega0 = -q.knot[i].omega0;
+    q.knot[i].torque = -q.knot[i].torque;
+  }
+  return q;
+}
+
+static int follow(const lib_machine_t *q, lib_scheme_t scheme, double t_end,
                   lib_row_t *end) {
   const long steps = lround(t_end / q->dt);
   bool flagged = false;
@@ -82,6 +97,17 @@ static int run_to(const lib_machine_t *q, lib_scheme_t scheme, double t_end,
     status = step(&run, scheme);
   }
   return -1;
+}
+
+static int run_to(const lib_machine_t *q, lib_scheme_t scheme, double t_end,
+                  lib_row_t *end, bool *parts) {
+  const lib_machine_t image = mirrored(q);
+  lib_row_t seen = {0, 0, 0};
+  const int outcome = follow(q, scheme, t_end, end);
+  *parts = follow(&image, scheme, t_end, &seen) != outcome ||
+           (outcome >= 0 &&
+            (seen.r != end->r || seen.v != end->v || seen.w != -end->w));
+  return outcome;
 }
 
 #ifdef TF_REAL_FLOAT

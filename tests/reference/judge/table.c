@@ -22,7 +22,8 @@ static const double beside = 1e-9, sure = 1e-3, sure_f32 = 5e-5, sharp = 2e-7;
 static const ref_rest_t rest_laws[] = {REF_HEXAGON, REF_SQUARE, REF_BOW_TIE};
 
 // What is counted of a kind of run, and of a row.
-enum { TRIED, THROUGH, SILENT, SILENT_THROUGH, TOLD, FLAGGED, REFUSED, KINDS };
+enum { TRIED, THROUGH, SILENT, SILENT_THROUGH, TOLD, FLAGGED, REFUSED };
+enum { PARTED = REFUSED + 1, KINDS };
 enum { JUDGED, DRAWN, SEVERAL, BORDER, STOPPED, CASES };
 
 typedef struct {
@@ -201,7 +202,7 @@ static bool driven_end(const case_t *c, ref_state_t *end) {
 }
 
 static void tally(tally_t *t, const case_t *c, long index, int outcome,
-                  bool wrong, double error) {
+                  bool wrong, bool parts, double error) {
   const bool through = c->met.through > 0, silent = outcome == 0 && wrong;
   const bool is[KINDS] = {true,
                           through,
@@ -209,7 +210,8 @@ static void tally(tally_t *t, const case_t *c, long index, int outcome,
                           silent && through,
                           outcome > 0 && wrong,
                           outcome > 0 && !wrong,
-                          outcome < 0};
+                          outcome < 0,
+                          parts};
   if (silent && t->n[SILENT] < SHOWN) t->shown[t->n[SILENT]] = index;
   for (int i = 0; i < KINDS; ++i) t->n[i] += is[i];
   if (error < HUGE_VAL) {
@@ -275,8 +277,9 @@ static void judge_case(case_t *c, const double *steps, const options_t *options,
     const driven_t *ref = driven_by(c, driven);
     if (!ref->known) continue;
     lib_row_t at = {0, 0, 0};
+    bool parts;
     const int outcome =
-        model->real->run(&c->machine, model->scheme, row->t_end, &at);
+        model->real->run(&c->machine, model->scheme, row->t_end, &at, &parts);
     const double error =
         outcome < 0 ? HUGE_VAL : row_difference(&c->q, ref->end, &at);
     const bool sharply =
@@ -288,7 +291,7 @@ static void judge_case(case_t *c, const double *steps, const options_t *options,
               error > fall * before[m];
       before[m] = error;
     }
-    tally(&count->tally[k][m], c, index, outcome, wrong, error);
+    tally(&count->tally[k][m], c, index, outcome, wrong, parts, error);
     if (options->machines == 1)
       show(c, model, c->machine.dt, outcome, error, &ref->end, &at);
   }
@@ -341,7 +344,7 @@ static int run(const options_t *options) {
       "A': "
       "order below 1.5)\n"
       "  row scheme      real       dt   tried through  silent through "
-      "flagged flagged refused  mean of\n%62s wrong   right %15s\n",
+      "flagged flagged refused  parted  mean of\n%62s wrong   right %23s\n",
       "", "error");
   for (int i = 0; i < ROWS; ++i) {
     if (strcmp(options->row, "all") == 0 ||
