@@ -268,14 +268,6 @@ static tf_design_obstacle_t obstacle_at(const tf_machine_t *k,
   return TF_DESIGN_FOUND;
 }
 
-// (stickV): the point of h = 0 at (r, w).
-static tf_surface_point_t stick_point(const tf_machine_t *k,
-                                      const tf_input_t *input, tf_real_t r,
-                                      tf_real_t w) {
-  const tf_real_t z = w - input->omega0, g = r * z / k->sin_gamma;
-  return surface_point(k, r, z, w, g);
-}
-
 // (singKappa): s kappa from A(r, s) = 0, and (singK2): k2 from N = 0. N is that
 // of a spring at rest less k2 times what the spring does to h'.
 static tf_design_obstacle_t solve_parameters(const tf_machine_t *k,
@@ -304,7 +296,9 @@ static tf_design_obstacle_t solve_parameters(const tf_machine_t *k,
 static tf_design_obstacle_t design_at(const tf_machine_t *machine,
                                       const tf_input_t *input, tf_real_t r,
                                       tf_real_t w, tf_design_t *out) {
-  const tf_surface_point_t point = stick_point(machine, input, r, w);
+  // (stickV): the point of h = 0 at (r, w).
+  const tf_real_t z = w - input->omega0, g = r * z / machine->sin_gamma;
+  const tf_surface_point_t point = surface_point(machine, r, z, w, g);
   const tf_design_obstacle_t obstacle =
       solve_parameters(machine, input, &point, out);
   if (obstacle == TF_DESIGN_R || obstacle == TF_DESIGN_SPRING) return obstacle;

@@ -421,13 +421,6 @@ TF_API tf_report_t tf_ensemble_report(const tf_report_block_t *blocks,
                        .status = (tf_status_t)b->status[i]};
 }
 
-// What vectors do not do: a block that is not full, or of another law.
-static size_t step_rest(const tf_machine_t *k, tf_state_block_t *b, size_t n,
-                        const tf_input_t *u, tf_report_block_t *out) {
-  for (size_t i = 0; i < n; i++) step_lane(k, b, out, u, b, out, i);
-  return n;
-}
-
 TF_API size_t tf_ensemble_run(const tf_machine_t *machine,
                               tf_state_block_t *states, size_t n,
                               const tf_input_t *input, uint32_t steps,
@@ -438,10 +431,16 @@ TF_API size_t tf_ensemble_run(const tf_machine_t *machine,
     const size_t left = n - i * TF_LANES;
     const size_t lanes = left < TF_LANES ? left : TF_LANES;
     tf_input_t u = *input;
-    for (uint32_t at = 0; at < steps; at++, u.alpha = 0)
-      alone += fast && lanes == TF_LANES
-                   ? step_block(machine, states + i, &u, reports + i)
-                   : step_rest(machine, states + i, lanes, &u, reports + i);
+    // Vectors do neither a block that is not full nor one of another law.
+    for (uint32_t at = 0; at < steps; at++, u.alpha = 0) {
+      if (fast && lanes == TF_LANES) {
+        alone += step_block(machine, states + i, &u, reports + i);
+        continue;
+      }
+      for (size_t j = 0; j < lanes; j++, alone++)
+        step_lane(machine, states + i, reports + i, &u, states + i, reports + i,
+                  j);
+    }
   }
   return alone;
 }

@@ -54,7 +54,8 @@ TF_API void tf_project(trajectory_t *path) {
   const tf_machine_t *k = path->motion.machine;
   const tf_real_t arm = path->now.r * k->cos_gamma;
   const tf_real_t J_over_m = gyration2_at(k, path->now.r);
-  const tf_real_t mA = mass_times_delassus_of_force(k, arm, J_over_m);
+  // m times the Delassus scalar of a force without moment.
+  const tf_real_t mA = k->sin_gamma * k->sin_gamma + arm * arm / J_over_m;
   if (mA == 0) return;
   const tf_real_t impulse_over_m = trajectory_slip(path).h / mA;
   path->now.p += impulse_over_m * k->sin_gamma;

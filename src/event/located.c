@@ -46,14 +46,6 @@ static void begin_trajectory(trajectory_t *path, const tf_machine_t *k,
   path->force = (tf_force_t){0, 0};
 }
 
-// After an event at the very end of the step the force is that of the contact
-// that follows.
-static bool end_in_new_segment(trajectory_t *path) {
-  path->force = (tf_force_t){path->motion.F.c[0], path->motion.M.c[0]};
-  path->is_over = true;
-  return true;
-}
-
 // Whether a slip next to h = g = 0 went along a limit direction. A try that
 // fails counts as a segment, so that no segment of the budget costs both.
 static bool goes_along_limit_direction(trajectory_t *path, span_t span) {
@@ -63,13 +55,6 @@ static bool goes_along_limit_direction(trajectory_t *path, span_t span) {
     return true;
   path->spent++;
   return false;
-}
-
-// The choice at h = g = 0, if the slip has come there.
-static bool end_along_limit_direction(trajectory_t *path) {
-  const bool at_codim2 = magnitude(path->now.p) + magnitude(path->now.z) == 0;
-  path->is_over = !at_codim2 && !(path->remaining > 0);
-  return at_codim2 ? tf_next_segment(path, EVENT_CODIM2) : true;
 }
 
 // The time at which a stick reaches the two-fold A = 0, if the velocities
@@ -125,15 +110,24 @@ static bool is_at_codim2(const trajectory_t *path, span_t span) {
 TF_INLINE bool integrate_segment(trajectory_t *path) {
   // Expand: (13), (14) with (15) or (16).
   if (!tf_begin_series(path)) return false;
-  if (!(path->remaining > 0)) return end_in_new_segment(path);
+  // At the very end of the step the force is that of the contact that follows.
+  path->is_over = !(path->remaining > 0);
+  if (path->is_over) {
+    path->force = (tf_force_t){path->motion.F.c[0], path->motion.M.c[0]};
+    return true;
+  }
 
   // Length, by the last terms of the series.
   const span_t span = tf_segment_span(path);
 
   // Next to a singular point the series are short, and the motion is near to
   // one through that point: slip to h = g = 0, stick to a two-fold.
-  if (goes_along_limit_direction(path, span))
-    return end_along_limit_direction(path);
+  if (goes_along_limit_direction(path, span)) {
+    if (magnitude(path->now.p) + magnitude(path->now.z) == 0)
+      return tf_next_segment(path, EVENT_CODIM2);
+    path->is_over = !(path->remaining > 0);
+    return true;
+  }
   if (!(span.length > 0) || path->spent > path->motion.machine->segments)
     return false;
   const tf_real_t two_fold = time_of_near_two_fold(path, span);

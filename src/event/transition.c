@@ -125,12 +125,13 @@ static bool keep_leaving(trajectory_t *path) {
   return true;
 }
 
-// A stick that an attracting surface keeps, and a rule nothing to decide about:
-// most are. At g = 0 this does not apply.
+// A stick to which both slips lead, |N| < A mu, is the only mode there: most
+// are. At g = 0 this does not apply.
 static bool keep_stick(trajectory_t *path, sign_t sign_g) {
   const tf_machine_t *k = path->motion.machine;
   const rates_t rates = tf_trajectory_rates(path);
-  if (!is_sliding(slip_limits(k, &rates, sign_g))) return false;
+  const slip_limits_t h_rate = slip_limits(k, &rates, sign_g);
+  if (!(h_rate.plus < 0 && h_rate.minus > 0)) return false;
   path->segment =
       (segment_t){.kind = SEGMENT_STICK, .sign_g = sign_g, .h_zero_order = 1};
   keep_largest_set(path, TF_MODE_BIT(path->mode));

@@ -20,9 +20,9 @@ TF_API bool tf_codim2_attractor(const tf_contact_t *contact,
   return to.exists;
 }
 
-// The best exit into the side h > 0 or h < 0, from both of its quadrants.
-static void add_exit(const tf_contact_t *contact, const codim2_field_t *field,
-                     sign_t sign_h, consistent_modes_t *out) {
+TF_API void tf_add_exit(const tf_contact_t *contact,
+                        const codim2_field_t *field, sign_t sign_h,
+                        consistent_modes_t *out) {
   static const sign_t signs[2] = {MINUS, PLUS};
   limit_direction_t best = no_direction;
   for (int n = 0; n < 2; n++) {
@@ -59,8 +59,8 @@ TF_API void tf_codim2_modes(const tf_contact_t *contact,
                             const codim2_field_t *field,
                             consistent_modes_t *out) {
   *out = (consistent_modes_t){.solutions = {.set = 0}};
-  add_exit(contact, field, PLUS, out);
-  add_exit(contact, field, MINUS, out);
+  tf_add_exit(contact, field, PLUS, out);
+  tf_add_exit(contact, field, MINUS, out);
   const tf_real_t plus = add_stick(contact, field, PLUS, out);
   const tf_real_t minus = add_stick(contact, field, MINUS, out);
   const bool is_minus = minus != plus ? minus > plus : field->g.c0 < 0;
@@ -107,12 +107,16 @@ TF_API unsigned tf_leave_codim2(const tf_contact_t *contact,
 #define QUADRANTS 4
 // Cosine of pi/64: a slip that is so near to its limit direction is on it.
 #define ALIGNED TF_R(0.9988)
+// A slip that begins straight to h = g = 0, turning by less than 1/256 of that,
+// but to no limit direction next to it, may turn the other way.
+#define STRAIGHT 256
 
 // A point of a quadrant, H = |h| and G = |g|, and the course up to it.
 typedef struct {
   tf_real_t H, G;
   tf_real_t time; // as a share of the step
   multipliers_t sum;
+  bool is_straight; // see STRAIGHT
 } course_point_t;
 
 static void add_force(course_point_t *at, multipliers_t force, tf_real_t time) {
@@ -128,7 +132,8 @@ static multipliers_t force_in(const tf_tyre_t *tyre, const quadrant_t *q,
 
 static codim2_course_t course_to(const course_point_t *at, unsigned mode,
                                  tf_slip_t slip, bool leads_in) {
-  return (codim2_course_t){mode, slip, at->time, at->sum, leads_in, mode};
+  return (codim2_course_t){mode,     slip, at->time,       at->sum,
+                           leads_in, mode, at->is_straight};
 }
 
 // Goes on straight away from h = g = 0 or to it, from a distance and at a rate,
@@ -222,7 +227,10 @@ static bool cross_quadrant(const tf_tyre_t *tyre, const quadrant_t *q,
     if (upwards ? T_border <= T : T_border >= T) continue;
     if (to->exists && (upwards ? T_border >= to->T : T_border <= to->T)) {
       const tf_real_t size = square_root(at->H * at->H + at->G * at->G);
-      if (at->H * to->C + at->G * to->S >= ALIGNED * size) return true;
+      if (at->H * to->C + at->G * to->S >= ALIGNED * size) {
+        at->is_straight &= size == 0;
+        return true;
+      }
       const tf_real_t C = to->C + at->H / size, S = to->S + at->G / size;
       const tf_real_t length = square_root(C * C + S * S);
       return cross_cell(tyre, q, C / length, S / length, at);
@@ -240,14 +248,18 @@ TF_API codim2_course_t tf_codim2_course(const tf_contact_t *contact,
   const direction_t steepest = {0, 1, tyre->T_anchor[TF_TYRE_ANCHORS - 1]};
   const direction_t flattest = {1, 0, 0};
   const tf_real_t H = with_sign(sign_h, slip.h);
-  course_point_t now = {H > 0 ? H : 0, magnitude(slip.g), 0, {0, 0}};
+  course_point_t now = {H > 0 ? H : 0, magnitude(slip.g), 0, {0, 0}, false};
   // From g = 0 to the side to which g moves at T = 0.
   const tf_real_t g_rate =
       field->g.c0 + with_sign(sign_h, MAX_SLIP_FORCE(field->g.cx));
   sign_t sign_g = sign_of(slip.g == 0 ? g_rate : slip.g);
   direction_t at = {now.H, now.G, tf_cot_psi(tyre, now.G, now.H)};
   quadrant_t q = tf_quadrant_of(tyre, field, sign_g, sign_h);
-  bool upwards = angular_rate(&q, at) > 0;
+  const tf_real_t turns = angular_rate(&q, at);
+  const tf_real_t nears =
+      -(q.h0 + q.h1 * at.T) * now.H - (q.g0 + q.g1 * at.T) * now.G;
+  now.is_straight = STRAIGHT * magnitude(turns) < nears;
+  bool upwards = turns > 0;
   for (int i = 0; i < QUADRANTS; i++) {
     const search_t next = {false, upwards, at.T};
     limit_direction_t to = no_direction;

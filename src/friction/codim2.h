@@ -65,6 +65,7 @@ typedef struct {
   multipliers_t sum; // of its force over that share
   bool leads_in;     // along a limit direction that leads to h = g = 0
   unsigned from;     // the mode in which it comes there
+  bool is_straight;  // it may come there in another mode
 } codim2_course_t;
 
 // The course of a slip with this sign of h that is not at h = g = 0: through
@@ -74,6 +75,12 @@ typedef struct {
 TF_API codim2_course_t tf_codim2_course(const tf_contact_t *contact,
                                         const codim2_field_t *field,
                                         tf_slip_t slip, sign_t sign_h);
+
+// Adds the best exit into the side h > 0 or h < 0, from both of its quadrants.
+#define tf_add_exit TF_LINK(tf_add_exit)
+TF_API void tf_add_exit(const tf_contact_t *contact,
+                        const codim2_field_t *field, sign_t sign_h,
+                        consistent_modes_t *out);
 
 // The consistent modes at h = g = 0 under a law with a moment. Of the slips on
 // one side of h = 0 it is the one that attracts, then the one that grows

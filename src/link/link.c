@@ -59,13 +59,6 @@ static int admit(const tf_link_t *link, const tf_frame_t *frame) {
              : TF_ANSWER_DONE;
 }
 
-// A command that is ignored has come, although its number is not used up.
-static void see_number(tf_link_t *link, uint32_t sequence) {
-  if (sequence < link->seen) return;
-  link->lost += sequence - link->seen;
-  link->seen = sequence + 1u;
-}
-
 // Takes a command, its data behind the session.
 static void keep_command(tf_command_t *command, const tf_frame_t *frame,
                          size_t length) {
@@ -174,10 +167,12 @@ static void take_frame(tf_link_t *link, const tf_frame_t *frame) {
   const bool is_new = code == TF_ANSWER_DONE;
   const size_t length = is_new ? frame->length - TF_SESSION_BYTES : 0;
   const bool sets = frame->type == TF_UP_SETPOINT;
-  if (is_new) {
-    see_number(link, frame->sequence);
-    code = judge_arrival(link, frame, length);
+  // A command that is ignored has come, although its number is not used up.
+  if (is_new && frame->sequence >= link->seen) {
+    link->lost += frame->sequence - link->seen;
+    link->seen = frame->sequence + 1u;
   }
+  if (is_new) code = judge_arrival(link, frame, length);
   if (code == TF_ANSWER_DONE && frame->type == TF_UP_CLEAR) {
     link->ignored += (uint32_t)link->waiting + link->dated;
     link->waiting = link->dated = 0;

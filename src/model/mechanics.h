@@ -294,14 +294,6 @@ TF_INLINE tf_real_t delassus_rate(const tf_machine_t *k, tf_real_t r,
   return (darm * (of_lambda + arm) - arm * (of_lambda / J) * dJ) / J;
 }
 
-// m times the Delassus scalar of a force without moment (kappa = 0), from
-// J/m = beta^2 + r^2: what an impulse of that force does to h.
-TF_INLINE tf_real_t mass_times_delassus_of_force(const tf_machine_t *k,
-                                                 tf_real_t arm,
-                                                 tf_real_t J_over_m) {
-  return k->sin_gamma * k->sin_gamma + arm * arm / J_over_m;
-}
-
 // The constants of a machine that depend on its step: for tf_prepare, and for
 // what is left of a step.
 

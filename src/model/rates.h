@@ -67,12 +67,6 @@ TF_INLINE slip_limits_t slip_limits(const tf_machine_t *k, const rates_t *a,
   return (slip_limits_t){a->N - Amu, a->N + Amu};
 }
 
-// Whether both slips lead to h = 0, so that stick alone is consistent there:
-// |N| < A mu.
-TF_INLINE bool is_sliding(slip_limits_t h_rate) {
-  return (h_rate.plus < 0) & (h_rate.minus > 0);
-}
-
 // The multiplier that keeps h at 0, as far as the law of stick has it, by the
 // sign of g; its A is not 0.
 TF_INLINE tf_real_t stick_lambda(const tf_machine_t *k, const rates_t *a,

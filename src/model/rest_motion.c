@@ -235,16 +235,11 @@ static bool is_beyond_law(const rest_motion_t *rest, rest_rounding_t off,
   return false;
 }
 
-// At the start, which may be of no rest, too.
-static bool law_is_left_for_a_while(const rest_motion_t *rest,
-                                    rest_rounding_t off, tf_real_t time) {
-  return !is_beyond_law(rest, off, time) &&
-         (is_beyond_law(rest, off, 0) || leaves_the_law(rest, off, &time));
-}
-
 TF_API bool tf_rest_is_interrupted(const rest_motion_t *rest, tf_real_t time) {
   const rest_rounding_t off = rounding_at_rest(rest, time);
-  return law_is_left_for_a_while(rest, off, time) ||
+  tf_real_t end = time; // the start may be of no rest, too
+  return (!is_beyond_law(rest, off, time) &&
+          (is_beyond_law(rest, off, 0) || leaves_the_law(rest, off, &end))) ||
          (rest->machine->contact.rule != TF_RULE_RANDOM &&
           (stick_passes(rest, off, PLUS, time) ||
            stick_passes(rest, off, MINUS, time)));

@@ -154,11 +154,11 @@ TF_INLINE bool turns_by_much(const tf_machine_t *k, end_state_t at,
   return !(n * (k->dt * k->dt) * travel2 < R2);
 }
 
-// Whether dt times a rate of the motion is 1 rad or more: of its turn, or of
-// spring and damper (a is theta^2 dt^2 k2 where they are stiff).
-TF_INLINE bool is_fast(const tf_machine_t *k, end_state_t at) {
+// Whether dt times a rate of the motion is large: of its turn 1/sqrt(n) rad, of
+// spring and damper 1 rad (a is theta^2 dt^2 k2 where they are stiff).
+TF_INLINE bool is_fast(const tf_machine_t *k, end_state_t at, tf_real_t n) {
   const tf_real_t R2 = gyration2_at(k, at.r), d2 = k->d * k->d;
-  return 4 * k->a * (R2 + d2) >= k->m * R2 || turns_by_much(k, at, 1);
+  return 4 * k->a * (R2 + d2) >= k->m * R2 || turns_by_much(k, at, n);
 }
 
 // Whether a step is too long for a pass of the axis: it takes the wheel across
@@ -179,7 +179,7 @@ TF_INLINE bool is_too_coarse(const tf_machine_t *k, const balance_t *b,
                              tf_real_t energy, end_state_t from,
                              end_state_t to) {
   const bool keeps = b->product >= 0 && b->created >= -TF_DAMPED_SHARE * energy;
-  return !keeps && (is_fast(k, from) || is_fast(k, to));
+  return !keeps && (is_fast(k, from, 1) || is_fast(k, to, 1));
 }
 
 #endif

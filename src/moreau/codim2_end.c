@@ -139,13 +139,24 @@ static bool end_at(const free_motion_t *c, const inclusion_t *in, unsigned mode,
   return signs_agree(c, out->outcome.mode, &out->end);
 }
 
+static tf_real_t size_of_slip(tf_slip_t slip) {
+  return magnitude(slip.h) + magnitude(slip.g);
+}
+
+// Whether a step ends next to a slip, by a share of it.
+static bool ends_near(tf_slip_t to, tf_slip_t end, tf_real_t share) {
+  const tf_slip_t off = {end.h - to.h, end.g - to.g};
+  return size_of_slip(off) <= share * size_of_slip(to);
+}
+
 // A step that comes to h = g = 0 goes on from there in the mode that follows,
-// under a mean of the forces before and behind, which lies in the hull.
+// under a mean of the forces before and behind, which lies in the hull. leaves:
+// the share of the step behind that point, if it goes on in stick or slip.
 static bool continue_from_codim2(const free_motion_t *c, const inclusion_t *in,
                                  const codim2_field_t *field,
                                  const consistent_modes_t *modes,
                                  const codim2_course_t *arrival,
-                                 step_end_t *out) {
+                                 step_end_t *out, tf_real_t *leaves) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
   const unsigned mode =
       tf_leave_codim2(&k->contact, field, arrival->from, arrival->share > 0,
@@ -160,13 +171,14 @@ static bool continue_from_codim2(const free_motion_t *c, const inclusion_t *in,
                        HULL_SHARE * in->pin_y);
   }
   const multipliers_t by = tf_codim2_multipliers(&k->contact, modes, mode);
-  const tf_real_t share = clip(arrival->share, 0, MAX_SHARE),
-                  remaining = 1 - share;
+  const tf_real_t remaining = 1 - clip(arrival->share, 0, MAX_SHARE);
   const multipliers_t mean = {arrival->sum.x + remaining * by.x,
                               arrival->sum.y + remaining * by.y};
   const tf_slip_t to = {remaining * value_under(field->h, by),
                         remaining * value_under(field->g, by)};
-  return end_at(c, in, mode, to, mean, out);
+  if (!end_at(c, in, mode, to, mean, out)) return false;
+  *leaves = remaining;
+  return true;
 }
 
 // Whether a motion that has lost its mode may be held at h = g = 0.
@@ -181,7 +193,8 @@ static bool may_be_held(const tf_contact_modes_t *s, unsigned mode) {
 static void pass_codim2(const free_motion_t *c, const inclusion_t *in,
                         const codim2_field_t *field,
                         const consistent_modes_t *modes,
-                        const tf_contact_modes_t *solutions, step_end_t *out) {
+                        const tf_contact_modes_t *solutions, step_end_t *out,
+                        tf_real_t *leaves) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
   const tf_state_t *x = c->state;
   tf_contact_modes_t s = *solutions;
@@ -202,15 +215,9 @@ static void pass_codim2(const free_motion_t *c, const inclusion_t *in,
   } else if (held) {
     const codim2_course_t arrival = {
         .share = 1, .sum = {in->pin_x, in->pin_y}, .from = x->mode};
-    if (!continue_from_codim2(c, in, field, modes, &arrival, out))
+    if (!continue_from_codim2(c, in, field, modes, &arrival, out, leaves))
       out->outcome.mode = TF_NO_MODE;
   }
-}
-
-// Whether a step ends next to a slip, by a share of it.
-static bool ends_near(tf_slip_t to, tf_slip_t end, tf_real_t share) {
-  const tf_real_t off = magnitude(end.h - to.h) + magnitude(end.g - to.g);
-  return off <= share * (magnitude(to.h) + magnitude(to.g));
 }
 
 // A slip ends where its course does: the order in which it comes to h = 0 and g
@@ -279,7 +286,8 @@ static unsigned slip_from_start(const free_motion_t *c, const inclusion_t *in) {
 // course that has changed its mode decides what follows h = g = 0.
 static void end_slip_near_codim2(const free_motion_t *c, const inclusion_t *in,
                                  const codim2_field_t *field, unsigned slip,
-                                 const tf_contact_modes_t *s, step_end_t *to) {
+                                 const tf_contact_modes_t *s, step_end_t *to,
+                                 tf_real_t *leaves) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
   const codim2_course_t course = course_of_slip(c, field, slip);
   const bool comes = course.mode == TF_PINNED;
@@ -288,35 +296,36 @@ static void end_slip_near_codim2(const free_motion_t *c, const inclusion_t *in,
       comes ? field_behind(c, field, course.share) : *field;
   if (comes || may_be_held(s, c->state->mode))
     tf_codim2_modes(&k->contact, &behind, &modes);
-  if (comes && continue_from_codim2(c, in, &behind, &modes, &course, to)) {
-    if (course.from != slip &&
+  if (comes &&
+      continue_from_codim2(c, in, &behind, &modes, &course, to, leaves)) {
+    if ((course.from != slip || course.is_straight) &&
         arrives_otherwise(c, &behind, &modes, course.from, to->outcome.mode))
       to->outcome.status = TF_COARSE;
     return;
   }
-  pass_codim2(c, in, &behind, &modes, s, to);
+  pass_codim2(c, in, &behind, &modes, s, to, leaves);
   const unsigned mode = to->outcome.mode;
   const tf_slip_t end = tf_slip_of_end(c, &to->end);
   const bool follows = mode != TF_NO_MODE && mode == course.mode &&
                        ends_near(course.slip, end, TF_R(0.5));
+  bool coarse = comes ? size_of(modes.solutions.set) > 1 : !follows;
   // On a limit direction that leads to h = g = 0 (9) makes a slip alternate
   // between both sides; of a slip that ends in stick it lacks some force.
-  if (follows && is_slip(mode) && !course.leads_in) {
-    if (!ends_near(course.slip, end, TF_R(0.25)))
-      to->outcome.status = TF_COARSE;
-    return;
-  }
-  bool coarse = comes ? size_of(modes.solutions.set) > 1 : !follows;
-  if (course.mode < TF_PINNED && follow_course(c, in, &course, s->set, to))
+  if (follows && is_slip(mode) && !course.leads_in)
+    coarse = !ends_near(course.slip, end, TF_R(0.25));
+  else if (course.mode < TF_PINNED && follow_course(c, in, &course, s->set, to))
     coarse = may_miss(c->start.slip, course.slip, course.mode != slip, s->set);
   if (coarse) to->outcome.status = TF_COARSE;
+  if (course.mode < TF_PINNED && to->outcome.mode == course.mode &&
+      8 * size_of_slip(c->start.slip) < size_of_slip(course.slip))
+    *leaves = 1;
 }
 
 // A stick that loses its mode where g = 0 is within reach, or a motion that is
 // at h = g = 0. A rest that goes on needs no solution of the inclusion.
 static void end_at_codim2(const free_motion_t *c, inclusion_t *in,
                           const codim2_field_t *field, tf_contact_modes_t *s,
-                          step_end_t *to) {
+                          step_end_t *to, tf_real_t *leaves) {
   const unsigned mode = c->state->mode;
   codim2_course_t arrival = {.mode = TF_PINNED, .from = mode};
   if (is_stick(mode)) {
@@ -333,13 +342,14 @@ static void end_at_codim2(const free_motion_t *c, inclusion_t *in,
   const bool comes = arrival.mode == TF_PINNED;
   if (comes || may_be_held(s, mode))
     tf_codim2_modes(&TF_STEP_MACHINE(c)->contact, field, &modes);
-  if (comes && continue_from_codim2(c, in, field, &modes, &arrival, to)) return;
+  if (comes && continue_from_codim2(c, in, field, &modes, &arrival, to, leaves))
+    return;
   if (mode == TF_PINNED) { // g is 0: the side of the faster stick is nearer
     in->g_now = unit(sign_in(modes.solutions.near_stick));
     tf_enumerate(in, BOTH_SIGNS, s);
     to->outcome.status = TF_COARSE;
   }
-  pass_codim2(c, in, field, &modes, s, to);
+  pass_codim2(c, in, field, &modes, s, to, leaves);
 }
 
 // How h and g change at an instant of the step.
@@ -376,30 +386,49 @@ TF_RARE bool misses_end_of_rest(const free_motion_t *c) {
   return tf_rest_is_interrupted(&rest, k->dt);
 }
 
-// Whether a rest that ends goes as far as the mean of its accelerations at both
-// ends takes it: a stiff slip may turn within the step, or end. Of two sticks
-// that attract it has to take the faster at both ends.
-TF_RARE bool leaves_as_far(const free_motion_t *c, const step_end_t *to) {
-  const tf_machine_t *k = TF_STEP_MACHINE(c);
-  const unsigned mode = to->outcome.mode;
-  end_state_t at = {c->state->r, c->state->v, c->state->w};
-  tf_real_t omega = at.w;
-  tf_slip_t sum = {0, 0};
-  for (int i = 0; i < 2; i++) {
-    const codim2_field_t field = field_at(c, at, omega);
-    consistent_modes_t modes;
-    tf_codim2_modes(&k->contact, &field, &modes);
-    const tf_contact_modes_t *s = &modes.solutions;
-    const unsigned faster = s->set & s->attracting & TF_MODE_BIT(s->near_stick);
-    if (!has(s->set, mode) || (is_stick(mode) && faster & ~TF_MODE_BIT(mode)))
-      return false;
-    const multipliers_t by = tf_codim2_multipliers(&k->contact, &modes, mode);
-    sum.h += k->dt / 2 * value_under(field.h, by);
-    sum.g += k->dt / 2 * value_under(field.g, by);
-    at = to->end.at;
-    omega = c->linear.omega0;
+// Adds where the acceleration of a mode at an instant takes a motion in half of
+// its time. False where it has none there, or the other stick is faster.
+TF_RARE bool goes(const free_motion_t *c, end_state_t at, tf_real_t omega,
+                  unsigned mode, tf_real_t time, tf_slip_t *sum) {
+  const tf_contact_t *contact = &TF_STEP_MACHINE(c)->contact;
+  const codim2_field_t field = field_at(c, at, omega);
+  const sign_t s = sign_in(mode);
+  const stick_t stick = stick_at(&field, s);
+  multipliers_t by = stick_multipliers(stick.x, s);
+  if (is_slip(mode)) {
+    consistent_modes_t modes = {.solutions = {.set = 0}};
+    tf_add_exit(contact, &field, s, &modes);
+    if (!has(modes.solutions.set, mode)) return false;
+    by = tf_codim2_multipliers(contact, &modes, mode);
+  } else if (!within(stick.x, 1) || !(stick.rate > 0) ||
+             takes_over(&field, opposite(s), stick.rate)) {
+    return false;
   }
-  return ends_near(sum, tf_slip_of_end(c, &to->end), TF_R(0.1875));
+  sum->h += time / 2 * value_under(field.h, by);
+  sum->g += time / 2 * value_under(field.g, by);
+  return true;
+}
+
+// Whether a motion from h = g = 0 turns by little, and goes as far as the mean
+// of its accelerations there and at the end takes it: a stiff slip may turn
+// within the step, or end.
+TF_RARE bool leaves_as_far(const free_motion_t *c, tf_real_t remaining,
+                           const step_end_t *to) {
+  const tf_machine_t *k = TF_STEP_MACHINE(c);
+  const tf_state_t *x = c->state;
+  const unsigned mode = to->outcome.mode;
+  const tf_slip_t end = tf_slip_of_end(c, &to->end);
+  const end_state_t from = {x->r, x->v, x->w}, at = to->end.at;
+  const bool rests = x->mode == TF_PINNED;
+  const tf_real_t first = rests ? 0 : TF_R(0.5); // by that of the arrival
+  tf_slip_t sum = {first * end.h, first * end.g};
+  if (is_fast(k, at, DEPARTURES) ||
+      (rests && !goes(c, from, x->w, mode, k->dt, &sum)) ||
+      !goes(c, at, c->linear.omega0, mode, remaining * k->dt, &sum))
+    return false;
+  return (remaining < 1 &&
+          4 * size_of_slip(end) <= size_of_slip(c->start.slip)) ||
+         ends_near(sum, end, TF_R(0.1875));
 }
 
 TF_API void tf_codim2_end(const free_motion_t *c, inclusion_t *in,
@@ -409,11 +438,12 @@ TF_API void tf_codim2_end(const free_motion_t *c, inclusion_t *in,
   if (c->state->mode != TF_PINNED) tf_enumerate(in, BOTH_SIGNS, &s);
   const codim2_field_t field = field_of_step(c, in);
   const unsigned slip = slip_from_start(c, in);
+  tf_real_t leaves = 0;
   *to = (step_end_t){.outcome = {.status = TF_OK}};
   if (slip != TF_NO_MODE)
-    end_slip_near_codim2(c, in, &field, slip, &s, to);
+    end_slip_near_codim2(c, in, &field, slip, &s, to, &leaves);
   else
-    end_at_codim2(c, in, &field, &s, to);
+    end_at_codim2(c, in, &field, &s, to, &leaves);
   if (to->outcome.mode == TF_NO_MODE) {
     tf_least_violation(c, in, s.set, to);
     return;
@@ -422,9 +452,7 @@ TF_API void tf_codim2_end(const free_motion_t *c, inclusion_t *in,
                                        sign_of(tf_slip_of_end(c, &to->end).g));
   if (to->outcome.mode == TF_PINNED
           ? misses_end_of_rest(c)
-          : c->state->mode == TF_PINNED &&
-                (turns_by_much(TF_STEP_MACHINE(c), to->end.at, DEPARTURES) ||
-                 !leaves_as_far(c, to)))
+          : leaves > 0 && !leaves_as_far(c, leaves, to))
     to->outcome.status = TF_COARSE;
 }
 

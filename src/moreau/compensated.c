@@ -128,14 +128,6 @@ TF_INLINE state_pair_t end_in_pairs(const tf_compensated_t *constants,
                         moved(state->v, dv), moved(state->w, dz)};
 }
 
-// (10): v = 0 and w = omega0 exactly.
-TF_INLINE state_pair_t end_at_rest_in_pairs(const tf_machine_t *k,
-                                            const state_pair_t *state,
-                                            tf_real_t omega0) {
-  const pair_t travel = two_product(k->explicit_dt, state->v.hi);
-  return (state_pair_t){moved(state->r, travel), {0, 0}, {omega0, 0}};
-}
-
 // The compensation of the new state and, where wanted, its angle (12).
 TF_INLINE void store_compensation(const tf_machine_t *k, tf_state_t *state,
                                   tf_compensation_t *low,
@@ -244,8 +236,11 @@ TF_INLINE state_pair_t pairs_at_end(const compensated_step_t *step,
   const tf_machine_t *k = &step->constants->machine;
   const state_pair_t from = paired(step->state, step->low);
   if (outcome.is_balanced) return balanced_end_in_pairs(at, step->low);
-  if (outcome.mode == TF_PINNED)
-    return end_at_rest_in_pairs(k, &from, step->input->omega0);
+  if (outcome.mode == TF_PINNED) { // (10): v = 0 and w = omega0 exactly
+    const pair_t travel = two_product(k->explicit_dt, from.v.hi);
+    return (state_pair_t){
+        moved(from.r, travel), {0, 0}, {step->input->omega0, 0}};
+  }
   // A mean over a change of mode has a moment of its own.
   const unsigned law = outcome.is_mean ? TF_MODES : outcome.mode;
   const linear_t l = linearise(k, step->state, step->input,

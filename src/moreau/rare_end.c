@@ -88,7 +88,8 @@ static bool end_reversed(const free_motion_t *c, const inclusion_t *in,
   tf_contact_modes_t s = {0};
   const bool turns = turns_much(c, in, to);
   tf_enumerate(in, signs_of(&in->g), &s);
-  to->outcome.mode = mode_after_reversal(&s, slip);
+  // h comes to an attracting stick on the present side of g first.
+  if (has(s.set & s.attracting, s.near_stick)) to->outcome.mode = s.near_stick;
   to->end = tf_mode_end(c, &s, to->outcome.mode);
   return to->outcome.mode == slip &&
          (turns || tf_step_changes_much(TF_STEP_MACHINE(c), c->state,

@@ -246,14 +246,6 @@ TF_INLINE forced_end_t slip_end(const free_motion_t *c, sign_t side,
   return end;
 }
 
-// The mode in place of a slip that is reversed: the attracting stick on the
-// present side of g, where it is consistent, because h comes to it first; else
-// the slip itself.
-TF_INLINE unsigned mode_after_reversal(const tf_contact_modes_t *s,
-                                       unsigned mode) {
-  return has(s->set & s->attracting, s->near_stick) ? s->near_stick : mode;
-}
-
 // End at rest, (10): what the force was solved for, without its rounding.
 TF_INLINE forced_end_t pinned_end(const free_motion_t *c) {
   const linear_t *l = &c->linear;

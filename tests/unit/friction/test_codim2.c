@@ -196,26 +196,6 @@ TEST(a_course_ends_with_the_signs_of_its_mode) {
     CHECK_ABOVE(ends[mode], samples(200));
 }
 
-/* Seen from the other side: of g = 0 too, and of a slip whose h has not the
- * sign of its mode. */
-TEST(a_course_from_g_zero_has_a_mirror_image) {
-  for (int n = 0; n < samples(8000); n++) {
-    const place_t c = any_field(n);
-    const affine_t h = c.field.h, g = c.field.g;
-    const codim2_field_t image = {{-h.c0, h.cx, -h.cy},
-                                  {-g.c0, g.cx, -g.cy},
-                                  {-c.field.pin.x, c.field.pin.y}};
-    const tf_slip_t slip = {uniform(-1, 1) * h.c0, 0}, other = {-slip.h, 0};
-    const codim2_course_t is =
-        tf_codim2_course(&c.k.contact, &c.field, slip, PLUS);
-    const codim2_course_t seen =
-        tf_codim2_course(&c.k.contact, &image, other, MINUS);
-    CHECK(seen.mode == (is.mode < TF_PINNED ? is.mode ^ 1u : is.mode));
-    CHECK(seen.slip.h == -is.slip.h && seen.slip.g == -is.slip.g);
-    CHECK(seen.share == is.share && seen.sum.x == -is.sum.x);
-  }
-}
-
 TEST(a_field_that_is_no_number_has_no_course) {
   const tf_params_t params = tf_scenes[0]->params;
   const tf_machine_t k = prepared(&params);
