@@ -322,7 +322,7 @@ static int agreeing_images(const kind_t *kind, int map, int most, long *ends) {
     /* A step that is not TF_OK may end in a tie, and in other units other ends
      * violate the law least. */
     if (!agree)
-      return status == TF_OK &&
+      return (status == TF_OK || m.report[1].status == TF_OK) &&
                      !(map < MASS && is_symmetric(&p, &m.u[0], &from, m.report))
                  ? n
                  : most;
