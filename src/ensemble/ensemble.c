@@ -429,15 +429,14 @@ TF_API size_t tf_ensemble_run(const tf_machine_t *machine,
   size_t alone = 0;
   for (size_t i = 0; i < TF_BLOCKS(n); i++) {
     const size_t left = n - i * TF_LANES;
-    const size_t lanes = left < TF_LANES ? left : TF_LANES;
     tf_input_t u = *input;
     // Vectors do neither a block that is not full nor one of another law.
     for (uint32_t at = 0; at < steps; at++, u.alpha = 0) {
-      if (fast && lanes == TF_LANES) {
+      if (fast && left >= TF_LANES) {
         alone += step_block(machine, states + i, &u, reports + i);
         continue;
       }
-      for (size_t j = 0; j < lanes; j++, alone++)
+      for (size_t j = 0; j < TF_LANES && j < left; j++, alone++)
         step_lane(machine, states + i, reports + i, &u, states + i, reports + i,
                   j);
     }
