@@ -180,9 +180,9 @@ static void add_double(const box_t *in, zeros_t *to) {
   bool is_elsewhere = true;
   for (unsigned i = 0; i < to->count; i++) {
     is_elsewhere = is_elsewhere && !are_next(to->at[i], m, TF_R(0.1));
-    if (to->is_double[i] || !are_next(to->at[i], m, DOUBLE_REACH)) continue;
+    if (!are_next(to->at[i], m, to->is_double[i] ? 0 : DOUBLE_REACH)) continue;
+    to->doubles += !to->is_double[i];
     to->is_double[i] = true;
-    to->doubles++;
     return;
   }
   if (to->doubles < 2)
