@@ -172,10 +172,6 @@ static codim2_course_t along_stick(const codim2_field_t *field, sign_t sign_g,
                          at->G, stick.rate, stick_multipliers(stick.x, sign_g));
 }
 
-static bool has_come_to_codim2(const course_point_t *at) {
-  return at->H == 0 && at->G == 0;
-}
-
 // Moves straight to where it is nearest to h = g = 0, and counts as there.
 static void come_to_codim2(course_point_t *at, tf_real_t H_rate,
                            tf_real_t G_rate, multipliers_t force) {
@@ -190,7 +186,7 @@ static void come_to_codim2(course_point_t *at, tf_real_t H_rate,
 // whether the step goes on from there. At h = g = 0 a slip turns in no time.
 static bool cross_cell(const tf_tyre_t *tyre, const quadrant_t *q, tf_real_t C,
                        tf_real_t S, course_point_t *at) {
-  if (has_come_to_codim2(at)) return true;
+  if (at->H == 0 && at->G == 0) return true;
   const tf_real_t size = square_root(at->H * at->H + at->G * at->G);
   const tf_real_t H_mid = at->H + size * C, G_mid = at->G + size * S;
   const tf_real_t T = tf_cot_psi(tyre, G_mid, H_mid);

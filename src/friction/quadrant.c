@@ -37,12 +37,6 @@ TF_API bool tf_may_leave(const quadrant_t *q, tf_real_t T_most) {
   return low <= high;
 }
 
-// The acceleration along a direction, > 0 away from h = g = 0.
-static tf_real_t radial_rate(const quadrant_t *q, direction_t at) {
-  return ((q->g0 + q->g1 * at.T) * at.S + (q->h0 + q->h1 * at.T) * at.C) /
-         square_root(at.C * at.C + at.S * at.S);
-}
-
 // What lies next to one anchor of the angle kernel: directions (c - s x, s + c
 // x) and T = (T_k + u)/(1 - T_k u), where |x| <= tan(pi/32) and u(x) = tan(a
 // atan x). Times 1 - T_k u, which is positive, the angular rate is there
@@ -167,9 +161,11 @@ static limit_direction_t limit_direction_in(const tf_tyre_t *tyre,
   const tf_real_t T = cot_psi_beyond(tyre->T_anchor[anchor], zero.u);
   const direction_t at = direction_in(anchor, zero.x, T);
   const tf_real_t length = square_root(at.C * at.C + at.S * at.S);
-  return (limit_direction_t){
-      T,        at.C / length, at.S / length, radial_rate(q, at),
-      in.falls, true,          q->sign_g};
+  // The acceleration along it, > 0 away from h = g = 0.
+  const tf_real_t growth =
+      ((q->g0 + q->g1 * at.T) * at.S + (q->h0 + q->h1 * at.T) * at.C) / length;
+  return (limit_direction_t){T,        at.C / length, at.S / length, growth,
+                             in.falls, true,          q->sign_g};
 }
 
 // Of two exits the one to which its neighbours turn, then the faster one. Of

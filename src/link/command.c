@@ -14,8 +14,7 @@ typedef struct {
 } sip_t;
 
 static uint64_t rotated(uint64_t x, unsigned by) {
-  const unsigned back = 64u - by;
-  return x << by | x >> back;
+  return x << by | x >> (64u - by);
 }
 
 static void sip_rounds(sip_t *s, unsigned rounds) {

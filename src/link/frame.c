@@ -69,8 +69,7 @@ TF_API uint8_t *tf_frame_header(uint8_t *wire, uint8_t type, size_t length,
   *at++ = TF_FRAME_VERSION;
   *at++ = type;
   *at++ = (uint8_t)length;
-  at = tf_wire_put(at, sequence, 4);
-  return tf_wire_put(at, tick, 8);
+  return tf_wire_put(tf_wire_put(at, sequence, 4), tick, 8);
 }
 
 TF_API size_t tf_frame_seal(uint8_t *wire, uint8_t type, size_t length,

@@ -39,8 +39,7 @@ TF_API size_t tf_decimal(char *out, tf_real_t value) {
   }
   if (!(value > 0 && value <= TF_REAL_MAX)) {
     const char *word = value > 0 ? "inf" : "nan";
-    at = put(at, value == 0 ? "0" : word);
-    return (size_t)(at - out);
+    return (size_t)(put(at, value == 0 ? "0" : word) - out);
   }
   int power = 0, count = 1; // digits up to the last one that is not 0
   char digits[DIGITS];

@@ -259,14 +259,19 @@ static codim2_course_t course_of_slip(const free_motion_t *c,
 }
 
 // Whether another future follows where a course comes to h = g = 0 in stick
-// instead of slip, or in slip instead of stick.
+// instead of slip, or in slip instead of stick. Also where it comes in a stick
+// that repels at the start, and not under the mean of the step.
 static bool arrives_otherwise(const free_motion_t *c,
                               const codim2_field_t *field,
                               const consistent_modes_t *modes, unsigned from,
                               unsigned next) {
+  const tf_machine_t *k = TF_STEP_MACHINE(c);
+  const delassus_quadratic_t A = delassus_quadratic(k, sign_in(from));
+  if (is_stick(from) && !(delassus_quadratic_at(A, c->state->r) > 0))
+    return true;
   const unsigned other = is_slip(from) ? TF_STICK_PLUS : TF_SLIP_PLUS;
-  return tf_leave_codim2(&TF_STEP_MACHINE(c)->contact, field, other, true,
-                         c->state->tick, c->state->seed, modes) != next;
+  return tf_leave_codim2(&k->contact, field, other, true, c->state->tick,
+                         c->state->seed, modes) != next;
 }
 
 // The slip with which a step begins; of a stick, where the law has no force
@@ -370,7 +375,7 @@ static bool takes_over(const codim2_field_t *field, sign_t s,
 }
 
 // Whether a rest that goes on by the mean of the forces has ended at the start,
-// or ends within the step; also one that the step ends with.
+// by a stick or the rule, or ends within the step; or one that it ends with.
 TF_RARE bool misses_end_of_rest(const free_motion_t *c) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
   const tf_real_t turn = turn_of_step(k, c->input);
@@ -378,8 +383,15 @@ TF_RARE bool misses_end_of_rest(const free_motion_t *c) {
   const codim2_field_t field =
       field_at(c, (end_state_t){c->state->r, 0, omega}, omega);
   const tf_real_t slowest = rounding_of_g(c) / k->dt;
-  if (k->contact.rule != TF_RULE_RANDOM &&
-      (takes_over(&field, PLUS, slowest) || takes_over(&field, MINUS, slowest)))
+  const tf_rule_t rule = k->contact.rule;
+  consistent_modes_t leaves = {.solutions = {.set = 0}};
+  if (rule == TF_RULE_SLIP_PLUS)
+    tf_add_exit(&k->contact, &field, PLUS, &leaves);
+  if (rule == TF_RULE_SLIP_MINUS)
+    tf_add_exit(&k->contact, &field, MINUS, &leaves);
+  if (leaves.solutions.set != 0 ||
+      (rule != TF_RULE_RANDOM && (takes_over(&field, PLUS, slowest) ||
+                                  takes_over(&field, MINUS, slowest))))
     return true;
   if (c->state->mode != TF_PINNED || turn == 0) return false;
   const rest_motion_t rest = tf_rest_motion(k, c->input, c->state->r, omega);

@@ -186,10 +186,7 @@ TF_INLINE unsigned solve_inclusion(free_motion_t *c, inclusion_t *in,
 TF_INLINE bool is_near_codim2(const free_motion_t *c, const inclusion_t *in,
                               unsigned signs, unsigned set) {
   const unsigned mode = c->state->mode;
-  if (is_slip(mode)) {
-    const tf_slip_t now = start_slip(c);
-    return slip_reaches_codim2(&in->h, &in->g, now);
-  }
+  if (is_slip(mode)) return slip_reaches_codim2(&in->h, &in->g, start_slip(c));
   return stick_reaches_codim2(mode, signs, set);
 }
 

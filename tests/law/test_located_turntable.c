@@ -16,6 +16,9 @@ static course_t follow(const motion_t *ramp, double t_end, int n) {
     const unsigned before = s.x.mode;
     sim_turn(&s, ramp);
     c.not_ok += !ok_to_resolution(sim_step(&s, LOCATED));
+    /* A stick that passed a two-fold is left by the rule, in the next step. */
+    c.not_ok += tf_mode_is_slip(s.x.mode) && s.report.choices > 1 &&
+                before > TF_SLIP_MINUS && before < TF_PINNED;
     if (before != TF_PINNED || s.x.mode == TF_PINNED) continue;
     c.to_stick += s.x.mode > TF_SLIP_MINUS;
     c.to_slip += s.x.mode <= TF_SLIP_MINUS;
