@@ -14,7 +14,8 @@ typedef struct {
 } sip_t;
 
 static uint64_t rotated(uint64_t x, unsigned by) {
-  return x << by | x >> (64u - by);
+  const unsigned back = 64u - by;
+  return x << by | x >> back;
 }
 
 static void sip_rounds(sip_t *s, unsigned rounds) {
