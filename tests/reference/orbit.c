@@ -67,6 +67,11 @@ static void leave(ref_orbit_t *orbit, int index, real_t delay) {
       x->z = z;
     }
     x->t += delay > 0 ? delay : rho / f->rate;
+  } else if (delay > 0) { // with g = 0 it would end where it begins
+    const real_t g = f->rate * delay / 2;
+    *x = ref_from_slip(q, *x,
+                       (ref_slip_t){0, f->mode == REF_STICK_PLUS ? g : -g});
+    x->t += delay;
   }
   enter(orbit, f->mode);
 }
