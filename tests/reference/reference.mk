@@ -17,7 +17,7 @@ reference: $(BUILD)/reference/reference
 TABLE_MACHINES ?= 2000
 TABLE_CLASSES := A A8 A\' B C D E F G H I J K L
 .PHONY: reference-table
-reference-table: ## runs that are silently wrong, by class (an hour)
+reference-table: ## runs that are silently wrong, by class (4 core-hours)
 reference-table: $(BUILD)/reference/reference
 	@printf '%s\n' $(TABLE_CLASSES) | xargs -d '\n' -n 1 -P $$(nproc) \
 	  $< table --machines $(TABLE_MACHINES) --class
