@@ -49,9 +49,8 @@ static int draw_slow_escape(sim_t *s, int i, unsigned mode, real torque) {
 }
 
 /* A stick whose g has the wrong sign by rounding, and comes back, goes on as
- * one at g = 0 does and reports the same set, although a step changes g by
- * little more than that. Of a few machines the rounding of the loads decides.
- */
+ * one at g = 0 does and reports its set, although a step changes g by little
+ * more than that. Of a few machines the rounding of the loads decides. */
 TEST(rounding_of_g_does_not_choose) {
   int steps = 0, apart = 0, sets = 0;
   for (int i = 0; i < samples(200000); i++) {
