@@ -115,7 +115,7 @@ TF_API tf_status_t tf_step(const tf_machine_t *machine, tf_state_t *state,
 ///   one draw decides the step and its halves.
 /// Trust: an estimate: it misses what the step and its halves have in common.
 ///   Errors exceeded both 1e-2 and 100 times the estimate in 1 of 412,539 OK
-///   steps of moderate machines, and near h = g = 0 in 815 of 428,368
+///   steps of moderate machines, and near h = g = 0 in 815 of 428,367
 ///   (docs/SCHEMES.md). In float the rounding of r/dt is not in the estimate.
 #define tf_step_estimated TF_LINK(tf_step_estimated)
 TF_API tf_status_t tf_step_estimated(const tf_machine_t *machine,
