@@ -9,6 +9,8 @@
 #   SCHEME=          moreau, located or compensated; by default compensated
 #                    in float above 1 kHz, where moreau may stand still, else
 #                    moreau
+#   SPLIT=yes        or no: saves 1 kB; a step that loses its slip is then of
+#                    order 1, and TF_COARSE (DESIGN.md, section 3)
 #   RATE=1000        steps a second; dt is 1/RATE
 #   STEPS=0          how many; 0 without end
 #   FORMAT=plotter   or csv, or frames (docs/PROTOCOL.md)
@@ -42,6 +44,7 @@ RATE ?= 1000
 STEPS ?= 0
 FORMAT ?= plotter
 PROGRAM ?= firmware
+SPLIT ?= yes
 # A function that is inlined once may make its caller large: without, what is
 # called from one place stays a function with a frame of its own. The others
 # save 1 % of flash and 2 % of stack on Cortex-M, and cost no step more than
@@ -90,6 +93,7 @@ $(call switch,BOARD_SMALL)
 $(call switch,BOARD_SHARED)
 $(call must_be_one,REAL,$(or $(BOARD_REALS),$(REALS)))
 $(call must_be_one,FORMAT,plotter csv frames)
+$(call must_be_one,SPLIT,yes no)
 $(call must_be_one,PROGRAM,firmware trajectory window stack deadman fault kit \
   calls contacts$(if $(SOURCE_module), module))
 $(if $(OVERRUN),$(call must_be_one,OVERRUN,skip stop))
@@ -214,6 +218,9 @@ $(KEY_SUM): $(BUILD)/$(REAL)/constants FORCE
 	@umask 077; new=$@.$$$$; key=$$($< --key '$(KEY)') || exit; \
 	echo "$$key" | cksum >$$new; \
 	if cmp -s $$new $@; then rm $$new; else mv $$new $@; fi
+endif
+ifeq ($(SPLIT),no)
+FIRMWARE_FLAGS += -DTF_STEP_SPLITS=false
 endif
 ifneq ($(filter-out moreau,$(SCHEME)),)
 FIRMWARE_FLAGS += -DSCHEME_$(shell echo $(SCHEME) | tr a-z A-Z)

@@ -89,7 +89,7 @@ static tf_schema_t telemetry_described(void) {
                         .scene = SCENE->name,
                         .build = BUILD_NAME,
                         .seed = SIM_STATE.seed,
-                        .scheme = SCHEME,
+                        .scheme = SCHEME + (TF_STEP_SPLITS ? 0 : 4),
                         .takes_commands = SIM_TAKES_COMMANDS,
                         .run = telemetry_run};
 #ifdef UPLINK

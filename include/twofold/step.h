@@ -81,9 +81,9 @@ TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
 ///     would add more than 2^-4. If so, (18) replaces the step.
 ///   - Turn: the motion turns by more than a right angle, or theta > 1/2 damps
 ///     a quarter of the energy.
-///   - Friction: it reverses a slip and changes the velocities by more than a
-///     third; or its force turns, which changes them by more than 3 %; or it
-///     ends a slip and changes them by a third, or by 2 % if not split.
+///   - Friction: it reverses a slip and changes the velocities by a third; or
+///     it turns: by 3 %; or it ends a slip: by a third, or by 2 % if not split.
+///     In firmware with SPLIT=no: a slip is lost.
 ///   - Slip near h = g = 0: several modes may follow there; or no force of the
 ///     law leads along the slip's course; or the step ends off that course by
 ///     1/4 of the slip; or an earlier change of mode may decide what follows.

@@ -53,7 +53,7 @@ typedef struct {
   const tf_params_t *params;
   const char *scene, *build; ///< names, cut off where they do not fit
   uint32_t seed;
-  uint8_t scheme; ///< 0: tf_step, 1: tf_step_located, 2: tf_step_compensated
+  uint8_t scheme; ///< 0 tf_step, 1 _located, 2 _compensated; 4 more: no split
   bool takes_commands; ///< the build has an uplink
   bool wants_tag;      ///< commands without the tag of its key are refused
   bool ends;           ///< the last frame is a heartbeat; a board's has no end

@@ -89,8 +89,7 @@ static tf_real_t distance_to_codim2(const trajectory_t *path, tf_real_t time) {
                                  : path->motion.length * magnitude(now.z));
 }
 
-// Whether a slip whose h or g is 0 at the end of a segment has reached both
-// there.
+// Whether a slip with h = 0 or g = 0 at the end of a segment has reached both.
 static bool is_at_codim2(const trajectory_t *path, span_t span) {
   const taylor_t *motion = &path->motion;
   const tf_slip_t start =
@@ -251,8 +250,7 @@ static tf_status_t fall_back(const tf_machine_t *k, tf_state_t *state,
   return TF_FELL_BACK;
 }
 
-// What is left of the step by one of tf_step, from where the segments have come
-// to.
+// What is left of the step behind the segments, by one of tf_step.
 static tf_status_t finish_by_fixed_step(const trajectory_t *path,
                                         tf_state_t *state,
                                         tf_report_t *report) {

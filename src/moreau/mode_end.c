@@ -1,5 +1,4 @@
-// Ends of a step that any rare end may take: in a given mode, and where no mode
-// is consistent.
+// Ends that any rare step may take: in a given mode, and without a mode.
 #include "scheme.h"
 
 TF_API forced_end_t tf_mode_end(const free_motion_t *c,

@@ -2,6 +2,12 @@
 // own: under a single-valued law, in no mode, of a slip whose force turns.
 #include "scheme.h"
 
+// A port may leave the split out (SPLIT=no, docs/PORTS.md). A step that loses
+// its slip is then of order 1, and TF_COARSE.
+#ifndef TF_STEP_SPLITS
+#define TF_STEP_SPLITS true
+#endif
+
 // The force of a single-valued law over a step, (11). No enumeration is needed,
 // but the law may still be stiff in h. Such a law does not read the side.
 static tf_force_t single_valued_law(const tf_machine_t *k, tf_slip_t at) {
@@ -124,9 +130,9 @@ static void end_of_slip(end_kind_t kind, const free_motion_t *c,
 
 static void set_valued_end(end_kind_t kind, free_motion_t *c, step_end_t *to) {
   inclusion_t in = inclusion(c);
-  if (kind > END_NO_MODE && loses_slip(c->state->mode, to->outcome.mode) &&
-      tf_split_end(c, &in, to))
-    return;
+  const bool lost =
+      kind > END_NO_MODE && loses_slip(c->state->mode, to->outcome.mode);
+  if (TF_STEP_SPLITS && lost && tf_split_end(c, &in, to)) return;
   add_pinned_point(c, &in);
   if (TF_STEP_MACHINE(c)->contact.stick_kappa > 0 && kind == END_CODIM2) {
     tf_codim2_end(c, &in, to);
@@ -134,6 +140,7 @@ static void set_valued_end(end_kind_t kind, free_motion_t *c, step_end_t *to) {
     tf_least_violation(c, &in, to->outcome.set, to);
   } else {
     end_of_slip(kind, c, &in, to);
+    if (!TF_STEP_SPLITS && lost) to->outcome.status = TF_COARSE;
   }
 }
 

@@ -76,8 +76,7 @@ static bool end_of_parts(const free_motion_t *c, const tf_form_t *h,
                : within(then.x, 1);
 }
 
-// Whether the force turns up to h = 0 by so much that its mean is no longer
-// known.
+// Whether the force turns too much up to h = 0 for its mean to be known.
 static bool part_turns(const free_motion_t *c, const part_t *part,
                        multipliers_t begin, end_state_t end) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);

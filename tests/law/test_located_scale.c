@@ -49,20 +49,11 @@ TEST(located_slider_has_its_own_scale_on_a_heavy_disc) {
 /* Friction of 1e9 N ends a slip of 0.08 m/s in 4e-10 s. In a step of 10 ms it
  * would change that to 4e6 m/s, which is no measure of an error. */
 TEST(located_impulse_does_not_depend_on_the_step) {
-  const motion_t wheel = {.params = {.m = TF_R(2.522),
-                                     .d = TF_R(0.25),
-                                     .beta = TF_R(0.116),
-                                     .c2 = TF_R(1e-3),
-                                     .r0 = TF_R(-0.1),
-                                     .omega0 = TF_R(0.256),
-                                     .mu = (tf_real_t)(IS_DOUBLE ? 1e9 : 1e3),
-                                     .kappa = TF_R(0.798),
-                                     .gamma = TF_R(0.985),
-                                     .theta = TF_R(0.5),
-                                     .tolerance = TF_R(1e-8)},
-                          .r = 0.0415,
-                          .v = -0.0587,
-                          .w = 0.2767};
+  const double machine[MACHINE] = {
+      2.522, 0.25, 0.116, 0, 0, 1e-3, -0.1, 0.256, IS_DOUBLE ? 1e9 : 1e3,
+      0.798, 0.985};
+  const motion_t wheel = {
+      .params = params_from(machine), .r = 0.0415, .v = -0.0587, .w = 0.2767};
   double r[2], w[2];
   for (int j = 0; j < 2; j++) {
     sim_t s = sim_under(&wheel, j ? 1e-2 : 1e-6);

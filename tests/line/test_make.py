@@ -62,7 +62,8 @@ def test_what_is_no_number_or_no_choice_is_named():
                          ("FORMAT", "plotter csv frames"),
                          ("PROGRAM", "firmware trajectory window stack deadman "
                           "fault kit calls contacts"),
-                         ("SCHEME", "moreau located compensated")):
+                         ("SCHEME", "moreau located compensated"),
+                         ("SPLIT", "yes no")):
         code, _, said = make("-n", f"{name}=other")
         same((code, f"{name} is one of: {choice}; not 'other'" in said),
              (2, True))

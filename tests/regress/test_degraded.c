@@ -51,27 +51,6 @@ static tf_params_t coarse_machine(tf_state_t *x) {
   return p;
 }
 
-/* Where nothing is consistent the compensated step picks as the plain one. */
-TEST(a_degraded_step_is_the_same_compensated) {
-  int modes[TF_MODES] = {0};
-  for (int n = 0; n < 300000; n++) {
-    tf_state_t x;
-    const tf_params_t p = coarse_machine(&x);
-    sim_t plain = sim_of(&p);
-    plain.x = x;
-    sim_t pairs = plain;
-    if (sim_step(&plain, MOREAU) != TF_DEGRADED ||
-        sim_step(&pairs, COMPENSATED) != TF_DEGRADED)
-      continue;
-    CHECK(pairs.report.mode == plain.report.mode);
-    CHECK(pairs.report.set == plain.report.set);
-    CHECK(plain.x.mode == plain.report.mode);
-    CHECK((plain.report.set == 0) == (plain.report.choices == 0));
-    modes[plain.report.mode]++;
-  }
-  for (int mode = 0; mode < TF_MODES; mode++) CHECK_ABOVE(modes[mode], 2);
-}
-
 /* The same machine in units of length of 2^-16 m, and its mirror image. */
 static tf_params_t in_small_units(tf_params_t p) {
   const tf_real_t size = 65536;

@@ -14,4 +14,8 @@ bool generic_firmware_start(const tf_scene_t *scene, tf_state_t *state,
 /* Writes the constants of a firmware of one scene. Returns: the exit code. */
 int write_firmware_constants(FILE *out, const tf_scene_t *scene);
 
+/* tf_step of a firmware with SPLIT=no. */
+tf_status_t unsplit_step(const tf_machine_t *machine, tf_state_t *state,
+                         const tf_input_t *input, tf_report_t *report);
+
 #endif

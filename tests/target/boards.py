@@ -128,6 +128,15 @@ def test_scheme(board: Board, real: str, scheme: str) -> None:
            "STEPS=100000", f"SCHEME={scheme}")
 
 
+def test_split(board: Board, real: str) -> None:
+    """Without the split: the bits of the host port, and not the golden ones."""
+    words = ["STEPS=100000", "SPLIT=no"]
+    host = Board("host").elf(real, f"trajectory-as-{board.name}", *words)
+    want = run(host).line("trajectory ")
+    check(want and want != trajectory(Board("host"), real, "chaos"), want)
+    hashed(board, real, "unsplit", [want], *words)
+
+
 def test_generic(board: Board, real: str, scheme: str, key: str,
                  *scenes: str, words: tuple[str, ...] = ()) -> None:
     """Scenes one after the other, the first of them by START, and steps of
@@ -313,6 +322,7 @@ def tests_of_real(board: Board, real: str) -> Iterator[tuple[Callable, list]]:
     if real in schemes[:1 if FEW else None]:
         yield test_scheme, ["located"]
         yield test_scheme, ["compensated"]
+        yield test_split, []
         yield test_generic, ["located", "locate on a board"]
     for what, test in (("LOOP", test_closed_loop),
                        ("CHECK_MODULE", test_module), ("PAINT", test_stack)):
