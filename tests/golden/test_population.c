@@ -25,18 +25,15 @@ static void check_golden(const char *name, uint64_t got) {
 
 static long others;
 
-/* A step by firmware with SPLIT=no ends as tf_step, or loses its slip and is
- * not TF_OK. */
-static tf_status_t step_beside_unsplit(const tf_machine_t *machine,
-                                       tf_state_t *state,
-                                       const tf_input_t *input,
-                                       tf_report_t *report) {
-  tf_state_t whole = *state;
-  const bool slips = tf_mode_is_slip(whole.mode);
-  const tf_status_t is = unsplit_step(machine, &whole, input, report);
-  const bool loses = slips && whole.mode != state->mode;
-  const tf_status_t status = tf_step(machine, state, input, report);
-  const bool same = same_state(&whole, state);
+/* Firmware with SPLIT=no takes the same step, or loses a slip and is not OK. */
+static tf_status_t step_beside_unsplit(const tf_machine_t *k, tf_state_t *x,
+                                       const tf_input_t *u, tf_report_t *o) {
+  tf_state_t whole = *x;
+  const bool slips = tf_mode_is_slip(x->mode);
+  const tf_status_t is = unsplit_step(k, &whole, u, o);
+  const bool loses = slips && whole.mode != x->mode;
+  const tf_status_t status = tf_step(k, x, u, o);
+  const bool same = same_state(&whole, x);
   CHECK(same ? loses || is == status : slips && is > TF_OK);
   others += !same;
   return status;

@@ -188,17 +188,24 @@ static int leaves_along_slot(const tf_report_t *end) {
              sqrt(8 * (double)TF_REAL_EPSILON) * fabs((double)end->slip.g);
 }
 
+static double size_of_force(const tf_params_t *p, const tf_report_t *end) {
+  return hypot((double)end->force.F, (double)(end->force.M / p->kappa)) /
+         (double)p->mu;
+}
+
 /* Whether rounding or convention decides: the forces at h = g = 0 are their own
- * mirror image, so that of two futures each is the image of the other; or there
- * is no moment, and g = 0 gives the stick its name; or no stick, and h = 0
- * gives the slip its side. */
+ * mirror image, or none, so that of two futures each is the image of the other;
+ * or there is no moment, and g = 0 gives the stick its name; or no stick, and
+ * h = 0 gives the slip its side. */
 static int is_symmetric(const tf_params_t *p, const tf_input_t *u,
                         const tf_state_t *x, const tf_report_t end[2]) {
   const int no_force = (u->r0 == 0 || p->k2 == 0) && u->force == 0;
   const int no_torque = u->torque == 0 && u->alpha == 0;
+  const double tiny = (double)TF_REAL_EPSILON;
   const int ties = !tf_mode_is_slip(x->mode) && leaves_along_slot(&end[0]) &&
                    leaves_along_slot(&end[1]);
-  return (x->r == 0 && x->v == 0 && no_force) ||
+  return (hypot((double)x->r, (double)x->v) <= tiny && no_force) ||
+         size_of_force(p, &end[0]) + size_of_force(p, &end[1]) <= tiny ||
          (fabs(sin((double)p->gamma)) < 1e-6 && (no_torque || ties)) ||
          (p->law == TF_TYRE_COULOMB && end->slip.g == 0) ||
          (!tf_tyre_is_set_valued(p->law) && end->slip.h == 0);
@@ -296,6 +303,8 @@ static int agreeing_images(const kind_t *kind, int map, int most, long *ends) {
     if (fabs((double)m.x[0].r) + fabs((double)m.x[0].v) > 1e8) break;
     m.u[1] = mapped_input(map, m.u[0]);
     const tf_state_t from = m.x[0], start = m.x[1];
+    const tf_slip_t now = tf_slip(&m.k[0], from.r, from.v, from.w,
+                                  m.u[0].omega0 - m.u[0].alpha * m.k[0].dt);
     int agree = step_images(kind->step, map, &m);
     const tf_status_t status = m.report[0].status;
     if (status < TF_OK || underflows(m.report[0].slip.g)) break;
@@ -308,14 +317,15 @@ static int agreeing_images(const kind_t *kind, int map, int most, long *ends) {
           m.report[0].status + m.report[1].status != TF_OK)))
       break;
     const tf_state_t image = mapped_state(map, m.x[0]);
-    if (!agree && kind->step == tf_step_located && map == TIME &&
-        m.report[1].status == status &&
+    if (!agree && kind->step == tf_step_located &&
+        (map == TIME || now.g == 0) && m.report[1].status == status &&
         are_near(&m.k[1], &m.u[1], &start, &image, &m.x[1])) {
       m.x[1] = image;
       continue;
     }
     if (!agree && map == TIME && same_state(&image, &m.x[1]) &&
-        rests_in_a_unit(&m.k[0], &m.u[0], &m.x[0])) {
+        (underflows(m.report[0].slip.h * m.report[0].slip.h) ||
+         rests_in_a_unit(&m.k[0], &m.u[0], &m.x[0]))) {
       m.report[1].status = status;
       agree = same_report(map, &m.report[0], &m.report[1]);
     }

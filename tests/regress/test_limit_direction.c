@@ -6,13 +6,12 @@
 
 TEST(a_slip_keeps_to_its_limit_direction) {
   if (!IS_DOUBLE) SKIP("h is below the rounding of float");
-  tf_params_t p = tf_scenes[0]->params;
-  p.m = TF_R(0.3088456690311432), p.d = TF_R(1.8215008974075317);
-  p.beta = TF_R(0.48602965474128723), p.k2 = TF_R(4.453408241271973);
-  p.c1 = TF_R(0.0010000000474974513), p.c2 = TF_R(0.24436789751052856);
-  p.r0 = TF_R(0.392892986536026), p.omega0 = TF_R(-0.24714221060276031);
-  p.mu = TF_R(0.601233720779419), p.kappa = TF_R(0.7191415429115295);
-  p.gamma = TF_R(-3.0847599506378174), p.dt = TF_R(1e-5);
+  tf_params_t p = params_from((const double[MACHINE]){
+      0.3088456690311432, 1.8215008974075317, 0.48602965474128723,
+      4.453408241271973, 0.0010000000474974513, 0.24436789751052856,
+      0.392892986536026, -0.24714221060276031, 0.601233720779419,
+      0.7191415429115295, -3.0847599506378174});
+  p.dt = TF_R(1e-5);
   for (scheme_t scheme = MOREAU; scheme <= COMPENSATED; scheme++) {
     sim_t s = sim_of(&p);
     s.x.r = TF_R(0.3923709437937026);
@@ -31,13 +30,11 @@ TEST(a_slip_keeps_to_its_limit_direction) {
  * would go on. Where the error of the located step is larger than that stick,
  * it says so. */
 TEST(a_stick_too_short_to_locate_is_told) {
-  tf_params_t p = tf_scenes[0]->params;
-  p.m = TF_R(1.6741051720577702), p.d = TF_R(0.897036930044119);
-  p.beta = TF_R(0.065979097133071984), p.k2 = TF_R(21.653450858096122);
-  p.c1 = TF_R(0.34992912682302868), p.c2 = TF_R(0.56301621699299287);
-  p.r0 = TF_R(0.20758841628559055), p.omega0 = TF_R(1.6790561858864832);
-  p.mu = TF_R(2.5902964020275858), p.kappa = TF_R(0.72357494601498307);
-  p.gamma = TF_R(-2.2994118004242732);
+  tf_params_t p = params_from((const double[MACHINE]){
+      1.6741051720577702, 0.897036930044119, 0.065979097133071984,
+      21.653450858096122, 0.34992912682302868, 0.56301621699299287,
+      0.20758841628559055, 1.6790561858864832, 2.5902964020275858,
+      0.72357494601498307, -2.2994118004242732});
   for (int n = 60; n <= 6000; n *= 10) {
     p.dt = TF_R(0.6) / (tf_real_t)n;
     sim_t s = sim_of(&p);
