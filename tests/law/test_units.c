@@ -181,7 +181,7 @@ static tf_state_t any_state(const tf_machine_t *k, const tf_input_t *u,
 
 /* Two slips beside the axis of a wheel along the slot have one g. The faster
  * one is faster by a share of h^2 / (2 g^2): eight roundings, 4 epsilon, hide
- * that, and both machines take slip+. */
+ * that, in float also some of a strong friction. Both machines take slip+. */
 static int leaves_along_slot(const tf_report_t *end) {
   return tf_mode_is_slip(end->mode) &&
          fabs((double)end->slip.h) <=
@@ -202,8 +202,8 @@ static int is_symmetric(const tf_params_t *p, const tf_input_t *u,
   const int no_force = (u->r0 == 0 || p->k2 == 0) && u->force == 0;
   const int no_torque = u->torque == 0 && u->alpha == 0;
   const double tiny = (double)TF_REAL_EPSILON;
-  const int ties = !tf_mode_is_slip(x->mode) && leaves_along_slot(&end[0]) &&
-                   leaves_along_slot(&end[1]);
+  const int ties = !tf_mode_is_slip(x->mode) && end[0].mode == end[1].mode &&
+                   (!IS_DOUBLE || leaves_along_slot(&end[0]));
   return (hypot((double)x->r, (double)x->v) <= tiny && no_force) ||
          size_of_force(p, &end[0]) + size_of_force(p, &end[1]) <= tiny ||
          (fabs(sin((double)p->gamma)) < 1e-6 && (no_torque || ties)) ||
