@@ -263,26 +263,10 @@ quick: ## short laws and tests, units of changed rooms; double
 	  VARIANTS=double OPT=-O1 BUILD='$(BUILD)/quick' TWOFOLD= \
 	  TESTS='$(QUICK_TESTS)'
 
-# What a change of the core changed: all that the programs of TESTS print, as
-# they are now, with the core of OTHER=commit (but for those that it does not
-# compile) and with this one. Its tree stays, for the targets that it has: make
-# -C build/before reference-table.
-BESIDE = $(foreach v,$(VARIANTS),$(patsubst %.c,$(v)/%,$(filter %.c,$(TESTS))))
-define beside
-	@echo 'With the core of $(1):'
-	+-@$(MAKE) -s -k --no-print-directory -C $(2) BUILD=$(3) $(BESIDE:%=$(3)/%)
-	@cd $(2) && for one in $(BESIDE:%=$(3)/%); do echo "$$one" && \
-	  [ -x "$$one" ] && "$$one"; done; true
-endef
 before: ## TESTS=... by the core of OTHER=commit, then by this one
-	$(if $(OTHER),,$(error OTHER=commit says with which other core))
-	@git rev-parse --verify -q '$(OTHER)^{commit}' >/dev/null || \
-	  { echo 'OTHER=$(OTHER) is no commit of this repository' >&2; exit 2; }
-	@rm -rf $(BUILD)/before && git clone -qns . $(BUILD)/before
-	@cd $(BUILD)/before && git checkout -q $$(git -C $(CURDIR) rev-parse \
-	  '$(OTHER)') && rm -rf tests && cp -R $(CURDIR)/tests .
-	$(call beside,$(OTHER),$(BUILD)/before,build)
-	$(call beside,this tree,.,$(BUILD))
+	@CC='$(CC)' OPT='$(OPT)' EXTRA='$(EXTRA)' BUILD='$(BUILD)' \
+	  VARIANTS='$(VARIANTS)' tools/before '$(OTHER)' \
+	  $(if $(filter file,$(origin TESTS)),,$(TESTS))
 
 all: ## compile everything: core, command line, tests, tools
 all: $(foreach v,$(VARIANTS),$(BUILD)/$(v)/twofold \

@@ -9,7 +9,7 @@
 #   SCHEME=          moreau, located or compensated; by default compensated
 #                    in float above 1 kHz, where moreau may stand still, else
 #                    moreau
-#   SPLIT=yes        or no: saves 1 kB; a step that loses its slip is then of
+#   SPLIT=yes        or no: saves 1 kB; a step that would be split is then of
 #                    order 1, and TF_COARSE (DESIGN.md, section 3)
 #   RATE=1000        steps a second; dt is 1/RATE
 #   STEPS=0          how many; 0 without end

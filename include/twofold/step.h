@@ -83,7 +83,7 @@ TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
 ///     a quarter of the energy.
 ///   - Friction: it reverses a slip and changes the velocities by a third; or
 ///     it turns: by 3 %; or it ends a slip: by a third, or by 2 % if not split.
-///     In firmware with SPLIT=no: a slip is lost.
+///     In firmware with SPLIT=no: the step would be split.
 ///   - Slip near h = g = 0: several modes may follow there; or no force of the
 ///     law leads along the slip's course; or the step ends off that course by
 ///     1/4 of the slip; or an earlier change of mode may decide what follows.

@@ -132,8 +132,7 @@ TF_INLINE bool vanishes_before(const series_t *series, int order,
   return true;
 }
 
-// What the terms of p and q beyond their lines together can add within a time,
-// at most.
+// How much the terms of p and q beyond their lines may add within a time.
 typedef struct {
   tf_real_t p, q;
 } beyond_t;

@@ -56,8 +56,7 @@ typedef struct {
 TF_API tf_real_t tf_segment_length(const taylor_t *motion, tf_real_t time,
                                    series_error_t allowed);
 
-// By how much the angle of the disc has changed since time 0 of the series
-// [rad].
+// The change of the angle of the disc since time 0 of the series [rad].
 #define tf_angle_change TF_LINK(tf_angle_change)
 TF_API tf_real_t tf_angle_change(const taylor_t *motion, tf_real_t t);
 

@@ -20,8 +20,7 @@ static void enter_mode(trajectory_t *path, unsigned mode, segment_kind_t slip,
   path->segment = segment;
 }
 
-// One of the consistent modes, by the declared rule; TF_NO_MODE where none is
-// admissible.
+// One of the consistent modes, by the declared rule, or TF_NO_MODE.
 static unsigned selected_mode(trajectory_t *path,
                               const tf_contact_modes_t *solutions) {
   const tf_machine_t *k = path->motion.machine;

@@ -130,8 +130,7 @@ TF_INLINE bool is_negligible(tf_real_t c1) {
   return magnitude(c1) < TF_REAL_MIN;
 }
 
-// x1 = -c0/c1, the root of c0 + c1 x, and q = c2 x1/c1, which says how far c2
-// moves it.
+// x1 = -c0/c1, the root of c0 + c1 x, and q = c2 x1/c1: how far c2 moves it.
 typedef struct {
   tf_real_t x1, q;
 } linear_root_t;

@@ -63,8 +63,7 @@ typedef struct {
   tf_real_t T;
 } search_t;
 
-// Puts the one that is sought in the place of the best so far, where it is
-// better.
+// Keeps the one that is sought where it is better than the best so far.
 #define tf_search_quadrant TF_LINK(tf_search_quadrant)
 TF_API void tf_search_quadrant(const tf_tyre_t *tyre, const quadrant_t *q,
                                const search_t *search, limit_direction_t *best);

@@ -9,8 +9,7 @@
 #define tf_crc32 TF_LINK(tf_crc32)
 TF_API uint32_t tf_crc32(uint32_t crc, const uint8_t *bytes, size_t length);
 
-// Writes the header of a frame at wire + 2, before COBS. Returns: where the
-// payload begins.
+// Writes a frame's header at wire + 2, before COBS. Returns: its payload.
 #define tf_frame_header TF_LINK(tf_frame_header)
 TF_API uint8_t *tf_frame_header(uint8_t *wire, uint8_t type, size_t length,
                                 uint32_t sequence, uint64_t tick);

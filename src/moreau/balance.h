@@ -31,8 +31,7 @@
 // than a third of the velocities.
 #define TF_IMPULSE_SHARE TF_R(0x1p-4)
 
-// What a slip that ends within a step that is not split may change, squared,
-// likewise.
+// What a slip that ends in a step that is not split may change, squared.
 #define TF_ENDING_SHARE TF_R(0x1p-12)
 
 // What the turn of a force within a step may change, squared, likewise.

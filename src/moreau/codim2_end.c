@@ -375,7 +375,8 @@ static bool takes_over(const codim2_field_t *field, sign_t s,
 }
 
 // Whether a rest that goes on by the mean of the forces has ended at the start,
-// by a stick or the rule, or ends within the step; or one that it ends with.
+// by a stick or the rule, or ends within the step; or whether a rest that the
+// step comes to is not what follows by the forces at its start.
 TF_RARE bool misses_end_of_rest(const free_motion_t *c) {
   const tf_machine_t *k = TF_STEP_MACHINE(c);
   const tf_real_t turn = turn_of_step(k, c->input);
@@ -385,6 +386,12 @@ TF_RARE bool misses_end_of_rest(const free_motion_t *c) {
   const tf_real_t slowest = rounding_of_g(c) / k->dt;
   const tf_rule_t rule = k->contact.rule;
   consistent_modes_t leaves = {.solutions = {.set = 0}};
+  if (c->state->mode != TF_PINNED) {
+    tf_codim2_modes(&k->contact, &field, &leaves);
+    return tf_leave_codim2(&k->contact, &field, c->state->mode, true,
+                           c->state->tick, c->state->seed,
+                           &leaves) != TF_PINNED;
+  }
   if (rule == TF_RULE_SLIP_PLUS)
     tf_add_exit(&k->contact, &field, PLUS, &leaves);
   if (rule == TF_RULE_SLIP_MINUS)
@@ -393,7 +400,7 @@ TF_RARE bool misses_end_of_rest(const free_motion_t *c) {
       (rule != TF_RULE_RANDOM && (takes_over(&field, PLUS, slowest) ||
                                   takes_over(&field, MINUS, slowest))))
     return true;
-  if (c->state->mode != TF_PINNED || turn == 0) return false;
+  if (turn == 0) return false;
   const rest_motion_t rest = tf_rest_motion(k, c->input, c->state->r, omega);
   return tf_rest_is_interrupted(&rest, k->dt);
 }
@@ -438,9 +445,10 @@ TF_RARE bool leaves_as_far(const free_motion_t *c, tf_real_t remaining,
       (rests && !goes(c, from, x->w, mode, k->dt, &sum)) ||
       !goes(c, at, c->linear.omega0, mode, remaining * k->dt, &sum))
     return false;
+  // Behind a late arrival the rest of the step is longer than it is.
   return (remaining < 1 &&
           4 * size_of_slip(end) <= size_of_slip(c->start.slip)) ||
-         ends_near(sum, end, TF_R(0.1875));
+         (remaining > 1 - MAX_SHARE && ends_near(sum, end, TF_R(0.1875)));
 }
 
 TF_API void tf_codim2_end(const free_motion_t *c, inclusion_t *in,

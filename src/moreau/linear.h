@@ -124,8 +124,7 @@ TF_INLINE end_state_t end_after(const tf_machine_t *k, const linear_t *l,
   return (end_state_t){end_r(k, l, v), v, z + l->omega0};
 }
 
-// (8): the change of the velocities under multipliers x and y, from that of
-// each.
+// (8): the change of the velocities under x and y, from that of each.
 TF_INLINE change_t change_of(tf_real_t x, tf_real_t y, change_t F, change_t M) {
   return (change_t){x * F.p + y * M.p, x * F.z + y * M.z};
 }

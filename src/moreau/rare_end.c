@@ -2,8 +2,8 @@
 // own: under a single-valued law, in no mode, of a slip whose force turns.
 #include "scheme.h"
 
-// A port may leave the split out (SPLIT=no, docs/PORTS.md). A step that loses
-// its slip is then of order 1, and TF_COARSE.
+// A port may leave the split out (SPLIT=no, docs/PORTS.md). What would be split
+// is then of order 1, and TF_COARSE.
 #ifndef TF_STEP_SPLITS
 #define TF_STEP_SPLITS true
 #endif

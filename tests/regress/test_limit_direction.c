@@ -52,26 +52,26 @@ TEST(a_stick_too_short_to_locate_is_told) {
 
 /* Slips of a strong friction that come to h = g = 0 at once, crossing h = 0
  * before or not: a step that takes another future than several located ones, or
- * ends in another mode, is coarse. */
+ * ends in another mode, is coarse. Its mean forces would hold the first one.
+ * values: machine, force, alpha, r, v, w. */
 TEST(a_slip_of_strong_friction_takes_its_future_or_is_coarse) {
-  static const double machine[MACHINE] = {0.5816, -0.3461, 0.1541,  17.82,
-                                          0.44,   0.3342,  -0.0089, -0.1936,
-                                          294.3,  80.92,   1.6816};
+  static const double values[MACHINE + 5] = {
+      0.5816, -0.3461, 0.1541, 17.82, 0.44,  0.3342,  -0.0089,  -0.1936,
+      294.3,  80.92,   1.6816, 2.835, 0.737, 0.02708, 0.004333, -0.1622};
   long right = 0, wrong = 0;
   for (int n = 0; n < samples(20000); n++) {
-    double near[MACHINE];
-    for (int i = 0; i < MACHINE; i++)
-      near[i] = machine[i] * tap_uniform(0.9, 1.1);
+    double near[MACHINE + 5], *at = &near[MACHINE];
+    for (int i = 0; i < MACHINE + 5; i++)
+      near[i] = values[i] * tap_uniform(n ? 0.9 : 1, n ? 1.1 : 1);
     tf_params_t p = params_from(near);
     const int parts = n % 8 ? 8 : 1000;
     p.dt = n % 8 ? log_uniform(1e-5, 1e-2) : uniform(0.02, 0.03);
+    if (n == 0) p.dt = TF_R(0.02198);
     p.tolerance = TF_R(1e-11);
     sim_t s = sim_of(&p);
-    s.u.force = uniform(2.5, 3.1);
-    s.u.alpha = uniform(0.66, 0.81);
-    s.x.r = uniform(0.024, 0.03);
-    s.x.v = uniform(0.0039, 0.0048);
-    s.x.w = uniform(-0.18, -0.15);
+    s.u.force = (tf_real_t)at[0], s.u.alpha = (tf_real_t)at[1];
+    s.x.r = (tf_real_t)at[2], s.x.v = (tf_real_t)at[3];
+    s.x.w = (tf_real_t)at[4];
     CHECK(sim_begin(&s) == TF_OK);
     p.dt /= (tf_real_t)parts;
     sim_t exact = sim_of(&p);
@@ -88,5 +88,5 @@ TEST(a_slip_of_strong_friction_takes_its_future_or_is_coarse) {
   }
   printf("# %ld of %ld end in another mode\n", wrong, right + wrong);
   CHECK_ABOVE(right, samples(IS_DOUBLE ? 6000 : 1000));
-  CHECK_BELOW(500 * wrong, right);
+  CHECK(1000 * wrong <= right);
 }
