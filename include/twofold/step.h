@@ -84,12 +84,12 @@ TF_API tf_status_t tf_begin_with_slip(const tf_machine_t *machine,
 ///   - Friction: it reverses a slip and changes the velocities by a third; or
 ///     it turns: by 3 %; or it ends a slip: by a third, or by 2 % if not split.
 ///     In firmware with SPLIT=no: the step would be split.
-///   - Slip near h = g = 0: several modes may follow there; or no force of the
-///     law leads along the slip's course; or the step ends off that course by
+///   - Slip near h = g = 0: several modes may follow there; or no force of 4/3
+///     of the hull leads along the slip's course; or the step ends off that by
 ///     1/4 of the slip; or an earlier change of mode may decide what follows.
-///   - Rest: a step that ends at rest may miss an exit or a stick within it.
+///   - Rest: a step that ends at rest may miss an exit, a slip or a stick.
 ///   - From h = g = 0, or next to it, the motion turns by 0.45 rad, or a spring
-///     by 1 rad; or it is off the mean acceleration of both ends by 3/16.
+///     by 1 rad; or is off its accelerations by 3/16; or comes there too late.
 ///   - Axis r = 0: a step crosses it by more than 2 beta; or moves or turns the
 ///     wheel beside it by 1.5 sqrt(beta^2 + r^2) and does not keep its energy.
 /// Trust: TF_OK means that the step ends in a mode of the set, with its signs
