@@ -279,4 +279,5 @@ include $(BOARD_MAKEFILES) \
   $(foreach r,package page bench study,$(call room,$(r))) $(VERIFY_MAKEFILES)
 
 -include $(shell find $(BUILD) -path '$(BUILD)/check' -prune \
-  -o -path '$(BUILD)/quick' -prune -o -name '*.d' -type f -print 2>/dev/null)
+  -o -path '$(BUILD)/quick' -prune -o -path '$(BUILD)/before' -prune \
+  -o -name '*.d' -type f -print 2>/dev/null)
