@@ -445,7 +445,7 @@ TF_RARE bool leaves_as_far(const free_motion_t *c, tf_real_t remaining,
       (rests && !goes(c, from, x->w, mode, k->dt, &sum)) ||
       !goes(c, at, c->linear.omega0, mode, remaining * k->dt, &sum))
     return false;
-  // Behind a late arrival the rest of the step is longer than it is.
+  // Where the motion arrives late, a part of the step is taken that it lacks.
   return (remaining < 1 &&
           4 * size_of_slip(end) <= size_of_slip(c->start.slip)) ||
          (remaining > 1 - MAX_SHARE && ends_near(sum, end, TF_R(0.1875)));

@@ -65,7 +65,7 @@ TF_API bool tf_end_along_course(const free_motion_t *c, const inclusion_t *in,
 TF_API void tf_least_violation(const free_motion_t *c, inclusion_t *in,
                                unsigned set, step_end_t *to);
 
-// The end of a step that loses its slip, in two parts. c, in: of all of it.
+// Ends a step that loses its slip in two parts. c, in: of the whole step.
 // Returns: whether both parts have a common end; if not, `to` is as it was.
 #define tf_split_end TF_LINK(tf_split_end)
 TF_API bool tf_split_end(const free_motion_t *c, const inclusion_t *in,

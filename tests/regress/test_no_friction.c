@@ -1,6 +1,5 @@
-/* A jump law with mu = 0 must not hold a wheel at h = g = 0, nor report a force
- * of TF_REAL_MAX: 1/mu counts as 0, so every force of a pinned wheel looks like
- * one of the law. */
+/* A jump law with mu = 0 holds no wheel at h = g = 0, nor reports TF_REAL_MAX:
+ * 1/mu counts as 0, so every force of a pinned wheel looks like one of it. */
 #include "sim.h"
 
 /* Of a step that began at rest under a torque of 1 N m, of which the disc takes

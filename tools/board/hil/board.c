@@ -52,7 +52,7 @@ static int take_schema(hil_board_t *board, const tf_frame_t *frame) {
                        R == 4 ? "float" : "double");
   if (at[3] != 0 || (at[4] & 2u) == 0)
     return hil_message(CLI_REFUSED, "the board %s",
-                       at[3] != 0 ? "has a SCHEME or SPLIT=no"
+                       at[3] != 0 ? "has another SCHEME, or SPLIT=no"
                                   : "takes no commands (UPLINK=yes)");
   const char *name = (const char *)at + 29 + R;
   const bool ends = memchr(name, 0, frame->length - 29 - R) != NULL;

@@ -71,7 +71,7 @@ int cli_replay_begin(cli_replay_t *replay, cli_setup_t *setup,
                       replay->session.name,
                       schema[SCHEMA_SCHEME] < MOTION_SCHEMES
                           ? motion_scheme_name(schema[SCHEMA_SCHEME])
-                          : "of SPLIT=no or unknown",
+                          : "unknown, or of SPLIT=no",
                       motion_scheme_name(setup->scheme));
   }
   if (hash != here) {
